@@ -1,0 +1,111 @@
+#ifndef stiction_contact_problem_h
+#define stiction_contact_problem_h
+
+#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/elasticity/linear_algebra.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <mpi.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace stiction
+{
+  class Body;
+  class ContactSurface;
+  class GaussSeidel;
+  class LinearElasticity;
+  class Log;
+  class Parameters;
+  class SchurComplement;
+  class StiffnessSolver;
+  class ConvergenceHistory;
+
+  /// An elastic body in contact with a rigid foundation, from the parameters
+  /// to the certified result and its files.
+  class ContactProblem
+  {
+  public:
+    /// The parameters must outlive the problem.
+    ContactProblem(const Parameters &parameters, MPI_Comm communicator);
+    ~ContactProblem();
+
+    /// Solves the problem, certifies the answer and writes all files.
+    /// Collective. Throws InputError before anything is written.
+    ///
+    /// @return whether the certificate reached the tolerance.
+    bool
+    run();
+
+    /// Makes mesh and contact surface, prints what they are, and solves and
+    /// writes nothing. Throws InputError as run() would.
+    void
+    validate();
+
+    /// The content of summary.json after run().
+    nlohmann::json
+    summary() const;
+
+    const ContactSurface &
+    contact_surface() const
+    {
+      return *surface_;
+    }
+
+    const LinearElasticity &
+    elasticity() const
+    {
+      return *elasticity_;
+    }
+
+    const ContactSolution &
+    solution() const
+    {
+      return *solution_;
+    }
+
+  private:
+    void
+    make_grid();
+    void
+    assemble_system();
+    void
+    make_contact_surface();
+    void
+    open_output();
+    void
+    set_up_stiffness_solver();
+    void
+    set_up_dual_operator();
+    void
+    solve_contact();
+    void
+    certify();
+    void
+    measure_one_elastic_solve();
+    void
+    output_results();
+
+    const Parameters &parameters_;
+    const MPI_Comm    communicator_;
+
+    std::unique_ptr<Log>                log_;
+    std::unique_ptr<ConvergenceHistory> history_;
+    std::unique_ptr<Body>               body_;
+    std::unique_ptr<LinearElasticity>   elasticity_;
+    std::unique_ptr<ContactSurface>     surface_;
+    std::unique_ptr<StiffnessSolver>    stiffness_solver_;
+    std::unique_ptr<SchurComplement>    schur_;
+    std::unique_ptr<ContactSolution>    solution_;
+
+    /// Wall time of the phases, by their names in summary.json.
+    std::map<std::string, double> seconds_;
+    /// Iterations of one elastic solve, if it was measured.
+    unsigned int elastic_solve_iterations_ = 0;
+  };
+} // namespace stiction
+
+#endif

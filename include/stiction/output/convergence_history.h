@@ -1,0 +1,38 @@
+#ifndef stiction_output_convergence_history_h
+#define stiction_output_convergence_history_h
+
+#include <deal.II/base/table_handler.h>
+
+#include <string>
+
+namespace stiction
+{
+  class Log;
+  struct ContactStep;
+
+  /// The course of the iteration: a line on the screen and a row of
+  /// convergence.csv a step.
+  class ConvergenceHistory
+  {
+  public:
+    /// @param step_name what an outermost iteration is called.
+    /// @param print whether lines are printed.
+    ConvergenceHistory(Log &log, const std::string &step_name, bool print);
+
+    void
+    add(const ContactStep &step);
+
+    /// Writes the table with ',' between columns. Call on one rank.
+    void
+    write(const std::string &file) const;
+
+  private:
+    Log &                log_;
+    const bool           print_;
+    bool                 has_header_ = false;
+    const std::string    step_name_;
+    dealii::TableHandler table_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef stiction_output_log_h
+#define stiction_output_log_h
+
+#include <mpi.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace stiction
+{
+  /// What the program says: on the screen at once and, from open_file() on, in
+  /// log.txt too, with everything that was said before. Rank 0 speaks, the
+  /// others are silent.
+  class Log
+  {
+  public:
+    explicit Log(MPI_Comm communicator);
+
+    /// Prints one line.
+    void
+    line(const std::string &text = "");
+
+    /// Starts the file. Nothing is said into it before, so that a run refused
+    /// for its input leaves the log of an earlier one alone.
+    void
+    open_file(const std::string &name);
+
+  private:
+    const bool         speaks_;
+    std::ostringstream so_far_;
+    std::ofstream      file_;
+  };
+
+
+
+  /// printf into a string.
+  std::string
+  format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
+} // namespace stiction
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef stiction_parameter_file_h
+#define stiction_parameter_file_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace stiction
+{
+  /// Reads a parameter file and command line settings into a ParameterHandler
+  /// that knows what is allowed, and remembers where each value came from.
+  ///
+  /// deal.II's own reader stops at the same faults, but with messages of many
+  /// lines that do not say what is allowed; this one finds them first.
+  class ParameterFile
+  {
+  public:
+    /// An unread file: everything has its default.
+    ParameterFile() = default;
+
+    /// Reads @p file, then applies each of @p settings ("Section/Entry=value")
+    /// in the order given.
+    ///
+    /// Throws InputError naming file, line, entry, value and what is allowed,
+    /// for a file that cannot be read, an unknown section or entry, a value
+    /// that does not match, or a line that is no statement.
+    void
+    read(const std::string &             file,
+         const std::vector<std::string> &settings,
+         dealii::ParameterHandler &      prm);
+
+    /// "brick.prm, line 12: Material/Poisson ratio = 0.7": the beginning of a
+    /// sentence about the value of @p entry ("Section/Entry").
+    std::string
+    describe(const std::string &entry) const;
+
+    /// "brick.prm, line 12: Material/Poisson ratio", for values that are too
+    /// long to repeat.
+    std::string
+    locate(const std::string &entry) const;
+
+  private:
+    struct Place
+    {
+      std::string where;
+      std::string value;
+    };
+
+    void
+    assign(const std::string &       where,
+           const std::string &       section,
+           const std::string &       name,
+           const std::string &       value,
+           dealii::ParameterHandler &prm);
+
+    std::map<std::string, Place> places_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,172 @@
+#ifndef stiction_parameters_h
+#define stiction_parameters_h
+
+#include <stiction/parameter_file.h>
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  /// How friction limits the tangential contact force at a node.
+  enum class FrictionLaw
+  {
+    frictionless, ///< g = 0
+    given,        ///< g = area × slip stress, also where the node is open
+    coulomb       ///< g = F λ_ν
+  };
+
+
+
+  /// One struct a section of the parameter file; what an entry means stands in
+  /// its documentation string, which --print-parameters shows.
+  struct GeometryParameters : dealii::ParameterAcceptor
+  {
+    GeometryParameters();
+
+    std::string               type              = "brick";
+    std::vector<double>       lengths           = {4., 3., 1.};
+    std::vector<unsigned int> subdivisions      = {4, 3, 1};
+    unsigned int              global_refinement = 1;
+    unsigned int              table_1_level     = 0;
+    std::string               table_1_reading   = "nodes";
+  };
+
+  struct MaterialParameters : dealii::ParameterAcceptor
+  {
+    MaterialParameters();
+
+    double youngs_modulus = 2.119e11;
+    double poisson_ratio  = 0.277;
+  };
+
+  struct BoundaryParameters : dealii::ParameterAcceptor
+  {
+    BoundaryParameters();
+
+    std::string prescribed_displacement = "2 : 0; 0; 0";
+    std::string traction =
+      "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
+    int         contact_boundary = 4;
+    std::string initial_gap      = "0";
+  };
+
+  struct FrictionParameters : dealii::ParameterAcceptor
+  {
+    FrictionParameters();
+
+    /// The entry Law as a value.
+    FrictionLaw
+    law() const;
+
+    std::string law_name    = "coulomb";
+    std::string coefficient = "0.3";
+    std::string slip_stress = "1.5e7";
+  };
+
+  struct ContactSolverParameters : dealii::ParameterAcceptor
+  {
+    ContactSolverParameters();
+
+    std::string  method             = "gauss seidel";
+    double       tolerance          = 1e-6;
+    unsigned int maximum_iterations = 1000;
+  };
+
+  struct StiffnessSolverParameters : dealii::ParameterAcceptor
+  {
+    StiffnessSolverParameters();
+
+    std::string type = "mumps";
+  };
+
+  struct DualOperatorParameters : dealii::ParameterAcceptor
+  {
+    DualOperatorParameters();
+
+    std::string form = "assembled";
+  };
+
+  struct OutputParameters : dealii::ParameterAcceptor
+  {
+    OutputParameters();
+
+    std::string directory      = "output/stiction";
+    bool        print_progress = true;
+  };
+
+  struct PerformanceParameters : dealii::ParameterAcceptor
+  {
+    PerformanceParameters();
+
+    bool measure_one_elastic_solve = false;
+    bool print_timing              = true;
+  };
+
+
+
+  /// All that a user can set. Filled once by read(), constant afterwards.
+  ///
+  /// The sections declare their entries in deal.II's global ParameterHandler,
+  /// which belongs to the Parameters object made last: read() an object before
+  /// making another.
+  class Parameters
+  {
+  private:
+    /// Empties the global ParameterHandler before the sections fill it.
+    struct Reset
+    {
+      Reset();
+    } reset_;
+
+  public:
+
+    /// Reads a file and command line settings and checks every value.
+    ///
+    /// Throws InputError: see ParameterFile::read() and check().
+    void
+    read(const std::string &             file,
+         const std::vector<std::string> &settings = {});
+
+    /// The complete commented default file, in declaration order.
+    static std::string
+    default_file();
+
+    /// The values in use, as a parameter file.
+    const std::string &
+    used_file() const
+    {
+      return used_file_;
+    }
+
+    GeometryParameters        geometry;
+    MaterialParameters        material;
+    BoundaryParameters        boundary;
+    FrictionParameters        friction;
+    ContactSolverParameters   contact_solver;
+    StiffnessSolverParameters stiffness_solver;
+    DualOperatorParameters    dual_operator;
+    OutputParameters          output;
+    PerformanceParameters     performance;
+
+    /// Where the values came from, for messages.
+    ParameterFile source;
+
+  private:
+    /// What a pattern alone cannot see: open ranges, entries that need each
+    /// other. Throws InputError.
+    void
+    check() const;
+
+    /// Puts Lengths, Subdivisions and Global refinement of the paper's table
+    /// in place of the given ones when Table 1 level is not 0.
+    void
+    apply_table_1_level();
+
+    std::string used_file_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,328 @@
+#include <stiction/contact/certificate.h>
+#include <stiction/contact/contact_surface.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/stiffness_solver.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    nonzero(const double scale)
+    {
+      return scale == 0. ? 1. : scale;
+    }
+
+    // std::max that keeps a NaN
+    void
+    raise(double &largest, const double value)
+    {
+      if (!(value <= largest))
+        largest = std::isnan(largest) ? largest : value;
+    }
+  } // namespace
+
+
+
+  Certificate::Certificate(const LinearElasticity &elasticity,
+                           const ContactSurface &  surface,
+                           const LA::Vector &      u,
+                           const Eigen::VectorXd & lambda)
+    : elasticity_(elasticity)
+    , surface_(surface)
+    , lambda_(lambda)
+    , slip_bound_(surface.slip_bound(lambda))
+    , gradient_(-surface.apply_B(u))
+  {
+    gradient_.head(surface.n_nodes()) += surface.gaps();
+    compute_body_figures(u);
+    compute_contact_figures();
+  }
+
+
+
+  void
+  Certificate::compute_body_figures(const LA::Vector &u)
+  {
+    const Body &      body          = elasticity_.body();
+    const LA::Vector &load          = elasticity_.load();
+    const LA::Vector  Ku            = elasticity_.internal_force(u);
+    LA::Vector        contact_force = elasticity_.zero_vector();
+    surface_.add_transpose_B(-1., lambda_, contact_force);
+
+    // Everything that is a sum over nodes, in one pass.
+    const Point<3> centre = body.bounding_box().center();
+    enum
+    {
+      loads,
+      reactions,
+      imbalance,
+      force,                 // three entries: the resultant of all forces
+      moment   = force + 3,  // three entries, about the centre of the body
+      energy   = moment + 3, // uᵀKu
+      work,
+      n_sums
+    };
+    std::array<double, n_sums> sums{};
+    for (const Body::Node &node : body.locally_owned_nodes())
+      {
+        Tensor<1, 3> applied, reaction, residual, all;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const auto   dof = node.dofs[c];
+            const double f   = load(dof);
+            applied[c]       = f;
+            all[c]           = f + contact_force(dof);
+            if (elasticity_.constraints().is_constrained(dof))
+              {
+                reaction[c] = Ku(dof) - all[c];
+                all[c] += Ku(dof) - f;
+                sums[work] += reaction[c] * u(dof);
+              }
+            else
+              residual[c] = all[c] - Ku(dof);
+            sums[work] += f * u(dof);
+            sums[energy] += u(dof) * Ku(dof);
+          }
+        sums[loads] += applied.norm();
+        sums[reactions] += reaction.norm();
+        sums[imbalance] += residual.norm();
+        const Tensor<1, 3> m = cross_product_3d(node.position - centre, all);
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            sums[force + c] += all[c];
+            sums[moment + c] += m[c];
+          }
+      }
+    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
+                        body.communicator(),
+                        ArrayView<double>(sums.data(), sums.size()));
+
+    const Eigen::Index    m               = surface_.n_nodes();
+    const Eigen::VectorXd cartesian_force = -surface_.to_cartesian(lambda_);
+    double                contact_forces  = 0.;
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const Tensor<1, 3> at_node({cartesian_force(i),
+                                    cartesian_force(i + m),
+                                    cartesian_force(i + 2 * m)});
+        contact_forces += at_node.norm();
+        force_on_body_ += at_node;
+        moment_on_body_ +=
+          cross_product_3d(surface_.nodes()[i].position, at_node);
+      }
+
+    const double S =
+      nonzero(std::max({sums[loads], sums[reactions], contact_forces}));
+    const auto   corners = body.bounding_box().get_boundary_points();
+    const double size    = corners.first.distance(corners.second);
+
+    figures_.equilibrium_residual = sums[imbalance] / S;
+    figures_.force_balance =
+      std::hypot(sums[force], sums[force + 1], sums[force + 2]) / S;
+    figures_.moment_balance =
+      std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) /
+      (S * size);
+    strain_energy_ = sums[energy] / 2.;
+    load_work_     = sums[work];
+
+    scaling_.force        = surface_.areas() * (S / surface_.boundary_area());
+    scaling_.displacement = nonzero(sums[energy] / S);
+  }
+
+
+
+  Eigen::Vector3d
+  Certificate::trial(const Eigen::Index node) const
+  {
+    Eigen::Vector3d a;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const Eigen::Index k = node + c * surface_.n_nodes();
+        a(c)                 = lambda_(k) / scaling_.force(node) -
+               gradient_(k) / scaling_.displacement;
+      }
+    return a;
+  }
+
+
+
+  double
+  Certificate::relative_slip_bound(const Eigen::Index node) const
+  {
+    return slip_bound_(node) / scaling_.force(node);
+  }
+
+
+
+  void
+  Certificate::compute_contact_figures()
+  {
+    const Eigen::Index m = surface_.n_nodes();
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const double          force = scaling_.force(i);
+        const double          u0    = scaling_.displacement;
+        const double          gap   = gradient_(i);
+        const Eigen::Vector2d lambda_t(lambda_(i + m), lambda_(i + 2 * m));
+        const Eigen::Vector2d slip(-gradient_(i + m), -gradient_(i + 2 * m));
+
+        raise(figures_.penetration, -gap / u0);
+        raise(figures_.complementarity,
+              std::abs(lambda_(i) * gap) / (force * u0));
+        raise(figures_.cone_violation, -lambda_(i) / force);
+        raise(figures_.cone_violation,
+              (lambda_t.norm() - slip_bound_(i)) / force);
+        if (slip.norm() > 1e-6 * u0 && lambda_t.norm() > 1e-6 * force)
+          raise(figures_.slip_angle,
+                std::atan2(std::abs(lambda_t(0) * slip(1) -
+                                    lambda_t(1) * slip(0)),
+                           lambda_t.dot(slip)) *
+                  180. / numbers::PI);
+      }
+    figures_.kkt_residual =
+      qp::HalfLinesTimesDiscs(slip_bound_)
+        .natural_residual(lambda_, gradient_, scaling_);
+  }
+
+
+
+  void
+  Certificate::compute_duality_gap(const LA::Vector &u,
+                                   StiffnessSolver & solver)
+  {
+    const Eigen::Index m = surface_.n_nodes();
+
+    // λ̂: the nearest feasible forces, with the bound frozen there
+    Eigen::VectorXd feasible = lambda_;
+    feasible.head(m)         = feasible.head(m).cwiseMax(0.);
+    const Eigen::VectorXd         g = surface_.slip_bound(feasible);
+    const qp::HalfLinesTimesDiscs feasible_set(g);
+    feasible_set.project(feasible);
+
+    // One prox step with the stiffness of the node itself: λ⁺ = P(λ̂ + k w),
+    // p = w − (λ⁺ − λ̂)/k, where w = Bu − (d; 0; 0).
+    LA::Vector diagonal = elasticity_.zero_vector();
+    for (const auto dof : elasticity_.body().locally_owned_dofs())
+      diagonal(dof) = elasticity_.constrained_stiffness().diag_element(dof);
+    const Eigen::VectorXd K_diagonal = surface_.trace().restriction(diagonal);
+    const Eigen::VectorXd k          = K_diagonal.head(m)
+                                .cwiseMax(K_diagonal.segment(m, m))
+                                .cwiseMax(K_diagonal.tail(m))
+                                .replicate(3, 1);
+    const Eigen::VectorXd w    = -gradient_;
+    Eigen::VectorXd       plus = feasible + k.cwiseProduct(w);
+    feasible_set.project(plus);
+    const Eigen::VectorXd shift = (plus - feasible).cwiseQuotient(k); // w − p
+    const Eigen::VectorXd p     = w - shift;
+
+    // Each term is at least zero.
+    double gap = -feasible.head(m).dot(p.head(m));
+    for (Eigen::Index i = 0; i < m; ++i)
+      gap += g(i) * std::hypot(p(i + m), p(i + 2 * m)) -
+             feasible(i + m) * p(i + m) - feasible(i + 2 * m) * p(i + 2 * m);
+
+    // ½ sᵀK⁻¹s with s = f − Bᵀλ̂ − Kû, û = u − Bᵀ(w − p): K⁻¹s is Bᵀ(w − p)
+    // plus what u lacks to be in equilibrium with λ̂.
+    LA::Vector lacking = elasticity_.load();
+    surface_.add_transpose_B(-1., feasible, lacking);
+    lacking -= elasticity_.internal_force(u);
+    for (const auto dof : elasticity_.body().locally_owned_dofs())
+      if (elasticity_.constraints().is_constrained(dof))
+        lacking(dof) = 0.;
+    lacking.compress(VectorOperation::insert);
+
+    LA::Vector correction = elasticity_.zero_vector();
+    if (lacking.l2_norm() > 0.)
+      solver.solve(correction, lacking);
+    surface_.add_transpose_B(1., shift, correction);
+    gap += 0.5 * (correction * elasticity_.internal_force(correction));
+
+    LA::Vector u_hat = u;
+    surface_.add_transpose_B(-1., shift, u_hat);
+    figures_.duality_gap =
+      std::sqrt(2. * std::max(gap, 0.) /
+                nonzero(u_hat * elasticity_.internal_force(u_hat)));
+  }
+
+
+
+  std::vector<std::pair<std::string, double>>
+  Certificate::deciding_figures() const
+  {
+    return {{"equilibrium_residual", figures_.equilibrium_residual},
+            {"kkt_residual", figures_.kkt_residual},
+            {"penetration", figures_.penetration},
+            {"complementarity", figures_.complementarity},
+            {"cone_violation", figures_.cone_violation},
+            {"force_balance", figures_.force_balance},
+            {"moment_balance", figures_.moment_balance}};
+  }
+
+
+
+  bool
+  Certificate::converged(const double tolerance) const
+  {
+    const auto figures = deciding_figures();
+    return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
+      return figure.second <= tolerance;
+    });
+  }
+
+
+
+  std::string
+  Certificate::worst() const
+  {
+    std::pair<std::string, double> worst{"", -1.};
+    for (const auto &figure : deciding_figures())
+      if (!(figure.second <= worst.second))
+        worst = figure;
+    std::ostringstream out;
+    out.precision(3);
+    out << worst.first << " is " << worst.second;
+    return out.str();
+  }
+
+
+
+  NodeStatus
+  Certificate::status(const Eigen::Index node) const
+  {
+    const Eigen::Vector3d a     = trial(node);
+    const double          gamma = relative_slip_bound(node);
+    if (a(0) <= 0.)
+      return NodeStatus::open;
+    if (gamma == 0. || a.tail<2>().norm() > gamma)
+      return NodeStatus::slip;
+    return NodeStatus::stick;
+  }
+
+
+
+  bool
+  Certificate::is_undecided(const Eigen::Index node,
+                            const double       tolerance) const
+  {
+    const Eigen::Vector3d a     = trial(node);
+    const double          gamma = relative_slip_bound(node);
+    return std::abs(a(0)) <= tolerance ||
+           (a(0) > 0. && gamma > 0. &&
+            std::abs(a.tail<2>().norm() - gamma) <= tolerance);
+  }
+} // namespace stiction

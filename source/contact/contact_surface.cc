@@ -1,0 +1,297 @@
+#include <stiction/contact/contact_surface.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/boundary_functions.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/errors.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  void
+  set_tangents(ContactNode &node)
+  {
+    Tensor<1, 3> e;
+    e[std::abs(node.normal[0]) > 0.9 ? 1 : 0] = 1.;
+    node.tangent1 = e - (e * node.normal) * node.normal;
+    node.tangent1 /= node.tangent1.norm();
+    node.tangent2 = cross_product_3d(node.tangent1, node.normal);
+  }
+
+
+
+  ContactSurface::ContactSurface(const LinearElasticity &elasticity,
+                                 const Parameters &      parameters)
+    : boundary_id_(parameters.boundary.contact_boundary)
+    , law_(parameters.friction.law())
+  {
+    const std::string entry = "Boundary conditions/Contact boundary";
+    elasticity.body().require_boundary(boundary_id_,
+                                       parameters.source.locate(entry));
+    collect_nodes(elasticity);
+    if (nodes_.empty())
+      throw InputError(parameters.source.describe(entry) +
+                       ", the displacement is prescribed at every node of "
+                       "this boundary, must be a boundary with free nodes.");
+    evaluate_data(parameters);
+  }
+
+
+
+  void
+  ContactSurface::collect_nodes(const LinearElasticity &elasticity)
+  {
+    const Body &body = elasticity.body();
+
+    // What the owners of the faces around a node each know of it.
+    using Share = std::array<double, 10>; // dofs, position, area × n, area
+    std::map<types::global_dof_index, Share> shares;
+
+    const QGauss<2>         quadrature(2);
+    const FiniteElement<3> &fe = body.dof_handler().get_fe();
+    FEFaceValues<3>         values(body.mapping(),
+                           fe,
+                           quadrature,
+                           update_values | update_normal_vectors |
+                             update_JxW_values);
+
+    for (const auto &cell : body.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == boundary_id_)
+            {
+              const auto face = cell->face(f);
+              values.reinit(cell, f);
+              for (const unsigned int v : face->vertex_indices())
+                {
+                  const auto   first = face->vertex_dof_index(v, 0);
+                  Tensor<1, 3> normal;
+                  double       area = 0.;
+                  // vertices come first among the unknowns of a face
+                  const unsigned int i = fe.face_to_cell_index(3 * v, f);
+                  for (const unsigned int q : values.quadrature_point_indices())
+                    {
+                      const double w =
+                        values.shape_value(i, q) * values.JxW(q);
+                      area += w;
+                      normal += w * values.normal_vector(q);
+                    }
+                  boundary_area_ += area;
+                  if (elasticity.constraints().is_constrained(first))
+                    continue;
+
+                  Share &share =
+                    shares.emplace(first, Share{}).first->second;
+                  for (unsigned int c = 0; c < 3; ++c)
+                    {
+                      share[c] =
+                        static_cast<double>(face->vertex_dof_index(v, c));
+                      share[3 + c] = face->vertex(v)[c];
+                      share[6 + c] += normal[c];
+                    }
+                  share[9] += area;
+                }
+            }
+    boundary_area_ = Utilities::MPI::sum(boundary_area_, body.communicator());
+
+    std::vector<Share> mine;
+    for (const auto &share : shares)
+      mine.push_back(share.second);
+    shares.clear();
+    for (const auto &theirs :
+         Utilities::MPI::all_gather(body.communicator(), mine))
+      for (const Share &share : theirs)
+        {
+          Share &sum =
+            shares
+              .emplace(static_cast<types::global_dof_index>(share[0]), Share{})
+              .first->second;
+          std::copy(share.begin(), share.begin() + 6, sum.begin());
+          for (unsigned int k = 6; k < share.size(); ++k)
+            sum[k] += share[k];
+        }
+
+    // The unknowns' numbers depend on the partition, places do not. Rounded,
+    // because a vertex may have been computed along different edges.
+    std::vector<Share> sorted;
+    for (const auto &share : shares)
+      sorted.push_back(share.second);
+    const auto   corners = body.bounding_box().get_boundary_points();
+    const double unit = 1e-9 * corners.first.distance(corners.second);
+    const auto   key  = [&](const Share &share) {
+      std::array<long long, 3> k;
+      for (unsigned int c = 0; c < 3; ++c)
+        k[c] = std::llround((share[3 + c] - corners.first[c]) / unit);
+      return k;
+    };
+    std::sort(sorted.begin(),
+              sorted.end(),
+              [&](const Share &a, const Share &b) { return key(a) < key(b); });
+
+    const std::size_t                    m = sorted.size();
+    std::vector<types::global_dof_index> dofs(3 * m);
+    for (std::size_t i = 0; i < m; ++i)
+      {
+        ContactNode node;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            dofs[i + c * m] =
+              static_cast<types::global_dof_index>(sorted[i][c]);
+            node.position[c] = sorted[i][3 + c];
+            node.normal[c]   = sorted[i][6 + c];
+          }
+        node.normal /= node.normal.norm();
+        node.area = sorted[i][9];
+        set_tangents(node);
+        node_of_dof_[dofs[i]] = static_cast<Eigen::Index>(i);
+        nodes_.push_back(node);
+      }
+    trace_ = Trace(std::move(dofs));
+  }
+
+
+
+  void
+  ContactSurface::evaluate_data(const Parameters &parameters)
+  {
+    const auto read = [&](const std::string &entry,
+                          const std::string &expression) {
+      return ParsedFunction(expression, 1, parameters.source.locate(entry));
+    };
+    const ParsedFunction gap =
+      read("Boundary conditions/Initial gap", parameters.boundary.initial_gap);
+    const ParsedFunction coefficient =
+      read("Friction/Coefficient", parameters.friction.coefficient);
+    const ParsedFunction slip_stress =
+      read("Friction/Slip stress", parameters.friction.slip_stress);
+
+    const auto not_negative = [&](const ParsedFunction &function,
+                                  const std::string &   entry,
+                                  const Point<3> &      p) {
+      const double value = function.value(p);
+      if (value < 0.)
+        {
+          std::ostringstream message;
+          message << parameters.source.describe(entry) << ", gives " << value
+                  << " at (" << p << "), must be >= 0 everywhere.";
+          throw InputError(message.str());
+        }
+      return value;
+    };
+
+    gaps_.resize(n_nodes());
+    areas_.resize(n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        ContactNode &node = nodes_[i];
+        node.gap          = gap.value(node.position);
+        if (law_ == FrictionLaw::coulomb)
+          node.coefficient =
+            not_negative(coefficient, "Friction/Coefficient", node.position);
+        if (law_ == FrictionLaw::given)
+          node.slip_stress =
+            not_negative(slip_stress, "Friction/Slip stress", node.position);
+        gaps_(i)  = node.gap;
+        areas_(i) = node.area;
+      }
+  }
+
+
+
+  Eigen::Index
+  ContactSurface::node_of(const types::global_dof_index first_dof) const
+  {
+    const auto node = node_of_dof_.find(first_dof);
+    return node == node_of_dof_.end() ? -1 : node->second;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactSurface::apply_B(const LA::Vector &u) const
+  {
+    return to_local(trace_.restriction(u));
+  }
+
+
+
+  void
+  ContactSurface::add_transpose_B(const double           factor,
+                                  const Eigen::VectorXd &lambda,
+                                  LA::Vector &           dst) const
+  {
+    trace_.add_extension(factor * to_cartesian(lambda), dst);
+  }
+
+
+
+  Eigen::MatrixXd
+  ContactSurface::to_local(const Eigen::MatrixXd &v) const
+  {
+    const Eigen::Index m = n_nodes();
+    Eigen::MatrixXd    w(v.rows(), v.cols());
+    for (Eigen::Index j = 0; j < v.cols(); ++j)
+      for (Eigen::Index i = 0; i < m; ++i)
+        {
+          const Tensor<1, 3> x({v(i, j), v(i + m, j), v(i + 2 * m, j)});
+          w(i, j)         = nodes_[i].normal * x;
+          w(i + m, j)     = nodes_[i].tangent1 * x;
+          w(i + 2 * m, j) = nodes_[i].tangent2 * x;
+        }
+    return w;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
+  {
+    const Eigen::Index m = n_nodes();
+    Eigen::VectorXd    w(v.size());
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const Tensor<1, 3> x = v(i) * nodes_[i].normal +
+                               v(i + m) * nodes_[i].tangent1 +
+                               v(i + 2 * m) * nodes_[i].tangent2;
+        for (unsigned int c = 0; c < 3; ++c)
+          w(i + c * m) = x[c];
+      }
+    return w;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactSurface::slip_bound(const Eigen::VectorXd &lambda) const
+  {
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (law_ == FrictionLaw::given)
+        g(i) = nodes_[i].area * nodes_[i].slip_stress;
+      else if (law_ == FrictionLaw::coulomb)
+        g(i) = nodes_[i].coefficient * std::max(lambda(i), 0.);
+    return g;
+  }
+
+
+
+  bool
+  ContactSurface::is_plane() const
+  {
+    return std::all_of(nodes_.begin(), nodes_.end(), [&](const auto &node) {
+      return (node.normal - nodes_[0].normal).norm() < 1e-10;
+    });
+  }
+} // namespace stiction

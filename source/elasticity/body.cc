@@ -1,0 +1,99 @@
+#include <stiction/elasticity/body.h>
+#include <stiction/errors.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <map>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  Body::Body(const GeometryParameters &geometry, MPI_Comm communicator)
+    // the multigrid hierarchy and all ranks' answers agree only if a cell's
+    // vertices do not depend on the partition
+    : triangulation_(communicator,
+                     Triangulation<3>::limit_level_difference_at_vertices,
+                     parallel::distributed::Triangulation<
+                       3>::construct_multigrid_hierarchy)
+    , fe_(FE_Q<3>(1), 3)
+    , dof_handler_(triangulation_)
+  {
+    make_grid(geometry);
+    distribute_dofs();
+    collect_nodes();
+  }
+
+
+
+  void
+  Body::make_grid(const GeometryParameters &geometry)
+  {
+    Point<3> corner;
+    for (unsigned int d = 0; d < 3; ++d)
+      corner[d] = geometry.lengths[d];
+    GridGenerator::subdivided_hyper_rectangle(
+      triangulation_, geometry.subdivisions, Point<3>(), corner, true);
+
+    // the coarse mesh is known to every rank, so this needs no communication
+    bounding_box_ = GridTools::compute_bounding_box(triangulation_);
+
+    triangulation_.refine_global(geometry.global_refinement);
+  }
+
+
+
+  void
+  Body::distribute_dofs()
+  {
+    dof_handler_.distribute_dofs(fe_);
+    DoFTools::extract_locally_relevant_dofs(dof_handler_,
+                                            locally_relevant_dofs_);
+  }
+
+
+
+  void
+  Body::collect_nodes()
+  {
+    const IndexSet &owned = locally_owned_dofs();
+    std::map<types::global_dof_index, Node> nodes; // by their first unknown
+
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (owned.is_element(cell->vertex_dof_index(v, 0)))
+            {
+              Node node;
+              for (unsigned int c = 0; c < 3; ++c)
+                node.dofs[c] = cell->vertex_dof_index(v, c);
+              node.position = cell->vertex(v);
+              nodes.emplace(node.dofs[0], node);
+            }
+
+    nodes_.reserve(nodes.size());
+    for (const auto &node : nodes)
+      nodes_.push_back(node.second);
+  }
+
+
+
+  void
+  Body::require_boundary(const types::boundary_id id,
+                         const std::string &      location) const
+  {
+    const auto ids = triangulation_.get_boundary_ids();
+    if (std::find(ids.begin(), ids.end(), id) != ids.end())
+      return;
+    std::string known;
+    for (const auto other : ids)
+      known += (known.empty() ? "" : ", ") + std::to_string(other);
+    throw InputError(location + ": the mesh has no boundary " +
+                     std::to_string(id) + ", it has " + known + ".");
+  }
+} // namespace stiction

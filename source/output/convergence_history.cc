@@ -1,0 +1,82 @@
+#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/output/convergence_history.h>
+#include <stiction/output/log.h>
+
+#include <fstream>
+
+namespace stiction
+{
+  ConvergenceHistory::ConvergenceHistory(Log &              log,
+                                         const std::string &step_name,
+                                         const bool         print)
+    : log_(log)
+    , print_(print)
+    , step_name_(step_name)
+  {}
+
+
+
+  void
+  ConvergenceHistory::add(const ContactStep &step)
+  {
+    if (print_ && !has_header_)
+      log_.line(format("  %-12s %7s %9s %13s %13s %12s",
+                       step_name_.c_str(),
+                       "sweeps",
+                       "products",
+                       "kkt residual",
+                       "change",
+                       "contraction"));
+    has_header_ = true;
+    if (print_)
+      log_.line(format("  %-12u %7u %9.1f %13.3e %13.3e %12.3f",
+                       step.step,
+                       step.sweeps,
+                       step.multiplications,
+                       step.residual,
+                       step.change,
+                       step.contraction));
+
+    table_.add_value("step", step.step);
+    table_.add_value("sweeps", step.sweeps);
+    table_.add_value("dual_multiplications", step.multiplications);
+    table_.add_value("kkt_residual", step.residual);
+    table_.add_value("relative_change", step.change);
+    table_.add_value("contraction", step.contraction);
+    table_.add_value("normal_force", step.normal_force);
+  }
+
+
+
+  void
+  ConvergenceHistory::write(const std::string &file) const
+  {
+    // TableHandler separates by blanks; its rows are rewritten with commas
+    dealii::TableHandler table = table_;
+    for (const char *column :
+         {"kkt_residual", "relative_change", "normal_force"})
+      if (has_header_)
+        {
+          table.set_precision(column, 9);
+          table.set_scientific(column, true);
+        }
+    std::stringstream text;
+    if (has_header_)
+      table.write_text(text,
+                       dealii::TableHandler::simple_table_with_separate_column_description);
+
+    std::ofstream out(file);
+    out << "step,sweeps,dual_multiplications,kkt_residual,relative_change,"
+           "contraction,normal_force\n";
+    for (std::string line; std::getline(text, line);)
+      {
+        if (line.empty() || line[0] == '#')
+          continue;
+        std::istringstream words(line);
+        std::string        row;
+        for (std::string word; words >> word;)
+          row += (row.empty() ? "" : ",") + word;
+        out << row << '\n';
+      }
+  }
+} // namespace stiction

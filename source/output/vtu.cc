@@ -1,0 +1,296 @@
+#include <stiction/contact/certificate.h>
+#include <stiction/contact/contact_surface.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/output/vtu.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The stress tensor of the isotropic material, all nine components for
+    // ParaView.
+    class Stress : public DataPostprocessorTensor<3>
+    {
+    public:
+      Stress(const double lame_lambda, const double shear_modulus)
+        : DataPostprocessorTensor<3>("stress", update_gradients)
+        , lame_lambda_(lame_lambda)
+        , shear_modulus_(shear_modulus)
+      {}
+
+      SymmetricTensor<2, 3>
+      stress(const std::vector<Tensor<1, 3>> &gradients) const
+      {
+        SymmetricTensor<2, 3> strain;
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = a; b < 3; ++b)
+            strain[a][b] = (gradients[a][b] + gradients[b][a]) / 2.;
+        return lame_lambda_ * trace(strain) *
+                 unit_symmetric_tensor<3, double>() +
+               2. * shear_modulus_ * strain;
+      }
+
+      void
+      evaluate_vector_field(
+        const DataPostprocessorInputs::Vector<3> &inputs,
+        std::vector<Vector<double>> &             quantities) const override
+      {
+        for (unsigned int p = 0; p < quantities.size(); ++p)
+          {
+            const auto sigma = stress(inputs.solution_gradients[p]);
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int b = 0; b < 3; ++b)
+                quantities[p](
+                  Tensor<2, 3>::component_to_unrolled_index({a, b})) =
+                  sigma[a][b];
+          }
+      }
+
+    private:
+      const double lame_lambda_, shear_modulus_;
+    };
+
+
+
+    class VonMisesStress : public DataPostprocessorScalar<3>
+    {
+    public:
+      explicit VonMisesStress(const Stress &stress)
+        : DataPostprocessorScalar<3>("von_Mises_stress", update_gradients)
+        , stress_(stress)
+      {}
+
+      void
+      evaluate_vector_field(
+        const DataPostprocessorInputs::Vector<3> &inputs,
+        std::vector<Vector<double>> &             quantities) const override
+      {
+        for (unsigned int p = 0; p < quantities.size(); ++p)
+          quantities[p](0) =
+            std::sqrt(1.5) *
+            deviator(stress_.stress(inputs.solution_gradients[p])).norm();
+      }
+
+    private:
+      const Stress &stress_;
+    };
+
+
+
+    // The contact boundary as an output of its own: one patch a face.
+    class ContactOutput : public DataOutInterface<2, 3>
+    {
+    public:
+      ContactOutput(const LinearElasticity &elasticity,
+                    const ContactSurface &  surface,
+                    const Certificate &     certificate)
+      {
+        const auto &dof_handler = elasticity.body().dof_handler();
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary() &&
+                  face->boundary_id() == surface.boundary_id())
+                {
+                  DataOutBase::Patch<2, 3> patch;
+                  patch.n_subdivisions = 1;
+                  patch.reference_cell = ReferenceCells::Quadrilateral;
+                  patch.patch_index    = patches_.size();
+                  patch.data.reinit(n_fields, 4);
+                  for (const unsigned int v : face->vertex_indices())
+                    {
+                      patch.vertices[v] = face->vertex(v);
+                      fill(patch,
+                           v,
+                           surface.node_of(face->vertex_dof_index(v, 0)),
+                           surface,
+                           certificate);
+                    }
+                  patches_.push_back(patch);
+                }
+      }
+
+    protected:
+      const std::vector<DataOutBase::Patch<2, 3>> &
+      get_patches() const override
+      {
+        return patches_;
+      }
+
+      std::vector<std::string>
+      get_dataset_names() const override
+      {
+        return {"pressure",
+                "traction",
+                "traction",
+                "traction",
+                "slip",
+                "slip",
+                "slip",
+                "gap",
+                "status",
+                "area",
+                "slip_bound"};
+      }
+
+      std::vector<
+        std::tuple<unsigned int,
+                   unsigned int,
+                   std::string,
+                   DataComponentInterpretation::DataComponentInterpretation>>
+      get_nonscalar_data_ranges() const override
+      {
+        return {std::make_tuple(
+                  traction,
+                  traction + 2,
+                  "traction",
+                  DataComponentInterpretation::component_is_part_of_vector),
+                std::make_tuple(
+                  slip,
+                  slip + 2,
+                  "slip",
+                  DataComponentInterpretation::component_is_part_of_vector)};
+      }
+
+    private:
+      enum Field : unsigned int
+      {
+        pressure,
+        traction,
+        slip     = traction + 3,
+        gap      = slip + 3,
+        status   = gap + 1,
+        area     = status + 1,
+        bound    = area + 1,
+        n_fields = bound + 1
+      };
+
+      static void
+      fill(DataOutBase::Patch<2, 3> &patch,
+           const unsigned int        v,
+           const Eigen::Index        i,
+           const ContactSurface &    surface,
+           const Certificate &       certificate)
+      {
+        if (i < 0) // clamped: not a contact node
+          {
+            patch.data(status, v) = -1.f;
+            return;
+          }
+        const Eigen::Index m      = surface.n_nodes();
+        const ContactNode &node   = surface.nodes()[i];
+        const auto &       lambda = certificate.lambda();
+        const auto &       r      = certificate.gradient();
+
+        const Tensor<1, 3> force = lambda(i) * node.normal +
+                                   lambda(i + m) * node.tangent1 +
+                                   lambda(i + 2 * m) * node.tangent2;
+        const Tensor<1, 3> slip_vector =
+          -r(i + m) * node.tangent1 - r(i + 2 * m) * node.tangent2;
+
+        patch.data(pressure, v) = static_cast<float>(lambda(i) / node.area);
+        patch.data(gap, v)      = static_cast<float>(r(i));
+        patch.data(area, v)     = static_cast<float>(node.area);
+        patch.data(bound, v) =
+          static_cast<float>(certificate.slip_bound()(i) / node.area);
+        patch.data(status, v) =
+          static_cast<float>(static_cast<int>(certificate.status(i)));
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            patch.data(traction + c, v) =
+              static_cast<float>(-force[c] / node.area);
+            patch.data(slip + c, v) = static_cast<float>(slip_vector[c]);
+          }
+      }
+
+      std::vector<DataOutBase::Patch<2, 3>> patches_;
+    };
+
+
+
+    // NAME.pvtu on rank 0 over one NAME.RRRR.vtu a rank, and NAME.pvd over
+    // the (one) load step.
+    template <int dim>
+    void
+    write_pieces(const DataOutInterface<dim, 3> &out,
+                 const std::string &             directory,
+                 const std::string &             name,
+                 MPI_Comm                        communicator)
+    {
+      const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+      const auto         piece = [&](const unsigned int r) {
+        return name + "." + Utilities::int_to_string(r, 4) + ".vtu";
+      };
+      std::ofstream file(directory + "/" + piece(rank));
+      out.write_vtu(file);
+
+      if (rank != 0)
+        return;
+      std::vector<std::string> pieces;
+      for (unsigned int r = 0; r < Utilities::MPI::n_mpi_processes(communicator);
+           ++r)
+        pieces.push_back(piece(r));
+      std::ofstream record(directory + "/" + name + ".pvtu");
+      out.write_pvtu_record(record, pieces);
+      std::ofstream steps(directory + "/" + name + ".pvd");
+      DataOutBase::write_pvd_record(steps, {{0., name + ".pvtu"}});
+    }
+  } // namespace
+
+
+
+  void
+  write_solution(const std::string &     directory,
+                 const LinearElasticity &elasticity,
+                 const LA::Vector &      u)
+  {
+    const Body &body = elasticity.body();
+    LA::Vector  with_ghosts(body.locally_owned_dofs(),
+                           body.locally_relevant_dofs(),
+                           body.communicator());
+    with_ghosts = u;
+
+    const Stress         stress(elasticity.lame_lambda(),
+                        elasticity.shear_modulus());
+    const VonMisesStress von_mises(stress);
+    DataOut<3>           out;
+    out.attach_dof_handler(body.dof_handler());
+    out.add_data_vector(
+      with_ghosts,
+      std::vector<std::string>(3, "displacement"),
+      DataOut<3>::type_dof_data,
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        3, DataComponentInterpretation::component_is_part_of_vector));
+    out.add_data_vector(with_ghosts, stress);
+    out.add_data_vector(with_ghosts, von_mises);
+    out.build_patches();
+    write_pieces(out, directory, "solution", body.communicator());
+  }
+
+
+
+  void
+  write_contact(const std::string &     directory,
+                const LinearElasticity &elasticity,
+                const ContactSurface &  surface,
+                const Certificate &     certificate)
+  {
+    write_pieces(ContactOutput(elasticity, surface, certificate),
+                 directory,
+                 "contact",
+                 elasticity.body().communicator());
+  }
+} // namespace stiction

@@ -1,0 +1,231 @@
+#include <stiction/errors.h>
+#include <stiction/parameter_file.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace stiction
+{
+  namespace
+  {
+    using dealii::ParameterHandler;
+    using nlohmann::json;
+
+    std::string
+    trim(const std::string &text)
+    {
+      return dealii::Utilities::trim(text);
+    }
+
+    // The declared sections and entries, with patterns and current values.
+    json
+    declared(const ParameterHandler &prm)
+    {
+      std::ostringstream out;
+      prm.print_parameters(out,
+                           ParameterHandler::JSON |
+                             ParameterHandler::KeepDeclarationOrder);
+      return json::parse(out.str());
+    }
+
+    std::string
+    names_of(const json &node)
+    {
+      std::string names;
+      for (const auto &item : node.items())
+        names += (names.empty() ? "'" : ", '") + item.key() + "'";
+      return names;
+    }
+
+    // deal.II's "[Double 0...1 (inclusive)]" in words.
+    std::string
+    allowed(const std::string &pattern)
+    {
+      const auto inside = [&](const std::string &begin) {
+        const std::size_t from = pattern.find(begin) + begin.size();
+        return trim(pattern.substr(from, pattern.find_last_of("](") - from));
+      };
+      const auto range = [](const std::string &text) {
+        const std::size_t dots = text.find("...");
+        if (dots == std::string::npos)
+          return text;
+        std::string low = text.substr(0, dots), high = text.substr(dots + 3);
+        if (high.rfind("MAX", 0) == 0 || high == "2147483647")
+          return " of at least " + low;
+        return " from " + low + " to " + high;
+      };
+
+      if (pattern.rfind("[Selection", 0) == 0)
+        return "one of " + inside("[Selection");
+      if (pattern.rfind("[Bool", 0) == 0)
+        return "true or false";
+      if (pattern == "[Double -MAX_DOUBLE...MAX_DOUBLE (inclusive)]")
+        return "a number";
+      if (pattern.rfind("[Double", 0) == 0)
+        return "a number" + range(inside("[Double"));
+      if (pattern.rfind("[Integer range", 0) == 0)
+        return "an integer" + range(inside("[Integer range"));
+      if (pattern == "[Integer]")
+        return "an integer";
+      if (pattern.rfind("[List", 0) == 0)
+        {
+          const std::size_t of = pattern.find("<") + 1;
+          const std::size_t to = pattern.rfind(">");
+          const std::size_t n  = pattern.find("length ") + 7;
+          return pattern.substr(n, pattern.find("...", n) - n) +
+                 " entries separated by ',', each " +
+                 allowed(pattern.substr(of, to - of));
+        }
+      return pattern;
+    }
+  } // namespace
+
+
+
+  void
+  ParameterFile::assign(const std::string &where,
+                        const std::string &section,
+                        const std::string &name,
+                        const std::string &value,
+                        ParameterHandler & prm)
+  {
+    const json all = declared(prm);
+    if (section.empty() || !all.contains(section))
+      throw InputError(where + ": unknown section '" + section +
+                       "', allowed are " + names_of(all) + ".");
+    if (!all[section].contains(name))
+      throw InputError(where + ": unknown entry '" + name + "' in section '" +
+                       section + "', allowed are " + names_of(all[section]) +
+                       ".");
+
+    prm.enter_subsection(section);
+    try
+      {
+        prm.set(name, value);
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        throw InputError(
+          where + ": " + section + "/" + name + " = " + value + ", must be " +
+          allowed(all[section][name]["pattern_description"]) + ".");
+      }
+    prm.leave_subsection();
+    places_[section + "/" + name] = {where, value};
+  }
+
+
+
+  void
+  ParameterFile::read(const std::string &             file,
+                      const std::vector<std::string> &settings,
+                      ParameterHandler &              prm)
+  {
+    std::ifstream in(file);
+    std::string   line;
+    if (!in || (in.peek(), in.bad()))
+      throw InputError(file + ": cannot be read, a parameter file is needed "
+                              "(stiction --print-parameters prints one).");
+
+    std::string section;
+    for (unsigned int number = 1; std::getline(in, line); ++number)
+      {
+        const std::string where = file + ", line " + std::to_string(number);
+        line                    = trim(line.substr(0, line.find('#')));
+        while (!line.empty() && line.back() == '\\')
+          {
+            std::string next;
+            std::getline(in, next);
+            ++number;
+            line.pop_back();
+            line = trim(line + trim(next.substr(0, next.find('#'))));
+          }
+        if (line.empty())
+          continue;
+
+        std::istringstream words(line);
+        std::string        keyword, rest;
+        words >> keyword;
+        std::getline(words, rest);
+        rest = trim(rest);
+        if (keyword == "subsection")
+          {
+            if (!section.empty())
+              throw InputError(where + ": section '" + rest +
+                               "' begins inside '" + section +
+                               "', an 'end' is missing before it.");
+            const json all = declared(prm);
+            if (!all.contains(rest))
+              throw InputError(where + ": unknown section '" + rest +
+                               "', allowed are " + names_of(all) + ".");
+            section = rest;
+          }
+        else if (keyword == "end" && rest.empty())
+          {
+            if (section.empty())
+              throw InputError(where + ": 'end' without a subsection.");
+            section.clear();
+          }
+        else if (keyword == "set" && rest.find('=') != std::string::npos)
+          {
+            if (section.empty())
+              throw InputError(where + ": '" + line +
+                               "' stands outside of a subsection, all entries "
+                               "stand in one.");
+            const std::size_t equals = rest.find('=');
+            assign(where,
+                   section,
+                   trim(rest.substr(0, equals)),
+                   trim(rest.substr(equals + 1)),
+                   prm);
+          }
+        else
+          throw InputError(where + ": '" + line +
+                           "' is no statement, allowed are 'subsection NAME', "
+                           "'set ENTRY = VALUE', 'end' and comments "
+                           "beginning with '#'.");
+      }
+    if (!section.empty())
+      throw InputError(file + ": the file ends inside section '" + section +
+                       "', an 'end' is missing.");
+
+    for (const std::string &setting : settings)
+      {
+        const std::string where  = "--set '" + setting + "'";
+        const std::size_t equals = setting.find('=');
+        const std::size_t slash  = setting.find('/');
+        if (equals == std::string::npos || slash > equals)
+          throw InputError(where + ": must read 'Section/Entry=value'.");
+        assign(where,
+               trim(setting.substr(0, slash)),
+               trim(setting.substr(slash + 1, equals - slash - 1)),
+               trim(setting.substr(equals + 1)),
+               prm);
+      }
+  }
+
+
+
+  std::string
+  ParameterFile::locate(const std::string &entry) const
+  {
+    const auto place = places_.find(entry);
+    return (place == places_.end() ? "default value" : place->second.where) +
+           ": " + entry;
+  }
+
+
+
+  std::string
+  ParameterFile::describe(const std::string &entry) const
+  {
+    const auto place = places_.find(entry);
+    return locate(entry) +
+           (place == places_.end() ? "" : " = " + place->second.value);
+  }
+} // namespace stiction

@@ -1,0 +1,334 @@
+#include <stiction/errors.h>
+#include <stiction/parameters.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace stiction
+{
+  namespace Patterns = dealii::Patterns;
+
+  GeometryParameters::GeometryParameters()
+    : ParameterAcceptor("Geometry")
+  {
+    add_parameter("Type",
+                  type,
+                  "The shape of the body. brick: (0,Lx) x (0,Ly) x (0,Lz). Its "
+                  "faces have the boundary ids 0: x = 0, 1: x = Lx, 2: y = 0, "
+                  "3: y = Ly, 4: z = 0, 5: z = Lz.",
+                  prm,
+                  Patterns::Selection("brick"));
+    add_parameter("Lengths",
+                  lengths,
+                  "Edge lengths in x, y, z. Unit: m. The default is the "
+                  "reference brick.",
+                  prm,
+                  Patterns::List(Patterns::Double(), 3, 3));
+    add_parameter("Subdivisions",
+                  subdivisions,
+                  "Number of coarse cells along x, y, z.",
+                  prm,
+                  Patterns::List(Patterns::Integer(1, 100000), 3, 3));
+    add_parameter("Global refinement",
+                  global_refinement,
+                  "How many times every cell is cut into eight.",
+                  prm,
+                  Patterns::Integer(0, 12));
+    add_parameter("Table 1 level",
+                  table_1_level,
+                  "Row k = 1...6 (or beyond) of Table 1 of the paper: sets "
+                  "Lengths, Subdivisions and Global refinement to a mesh with "
+                  "the table's numbers n/m. 0: the three entries above count.",
+                  prm,
+                  Patterns::Integer(0, 100));
+    add_parameter("Table 1 reading",
+                  table_1_reading,
+                  "What n/m in Table 1 counts, which the paper leaves open. "
+                  "nodes: nodes and contact nodes; the 4 x 3 x 1 m brick in "
+                  "(6k+2) x 6k x 2k cells, clamped at y = 0. unknowns: primal "
+                  "and dual unknowns; the 3 x 1 x 1 m brick in 6k x 2k x 2k "
+                  "cells, clamped at x = 0. Both readings give every row of "
+                  "the table exactly.",
+                  prm,
+                  Patterns::Selection("nodes|unknowns"));
+  }
+
+
+
+  MaterialParameters::MaterialParameters()
+    : ParameterAcceptor("Material")
+  {
+    add_parameter("Young's modulus",
+                  youngs_modulus,
+                  "E of the isotropic linear elastic body, > 0. Unit: Pa. The "
+                  "default is the steel of the reference brick.",
+                  prm,
+                  Patterns::Double());
+    add_parameter("Poisson ratio",
+                  poisson_ratio,
+                  "nu, above -1 and below 0.5. Trilinear elements lock as it "
+                  "approaches 0.5.",
+                  prm,
+                  Patterns::Double());
+  }
+
+
+
+  BoundaryParameters::BoundaryParameters()
+    : ParameterAcceptor("Boundary conditions")
+  {
+    add_parameter("Prescribed displacement",
+                  prescribed_displacement,
+                  "Boundary id and displacement, 'id : ux; uy; uz', several "
+                  "separated by '|'. Each component is a formula in x, y, z. "
+                  "Unit: m. Zeros clamp the face.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Traction",
+                  traction,
+                  "Boundary id and traction on the body, 'id : tx; ty; tz', "
+                  "several separated by '|'. Each component is a formula in x, "
+                  "y, z. Unit: Pa.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Contact boundary",
+                  contact_boundary,
+                  "Id of the boundary that may touch the rigid foundation, "
+                  "which lies opposite to it along its outward normal.",
+                  prm,
+                  Patterns::Integer(0));
+    add_parameter("Initial gap",
+                  initial_gap,
+                  "Distance from the undeformed contact boundary to the "
+                  "foundation along the outward normal, a formula in x, y, z. "
+                  "Negative: initial interference. Unit: m.",
+                  prm,
+                  Patterns::Anything());
+  }
+
+
+
+  FrictionParameters::FrictionParameters()
+    : ParameterAcceptor("Friction")
+  {
+    add_parameter("Law",
+                  law_name,
+                  "frictionless; given: the tangential traction is at most the "
+                  "slip stress, at every node of the contact boundary (Tresca "
+                  "friction); coulomb: at most the coefficient times the "
+                  "contact pressure.",
+                  prm,
+                  Patterns::Selection("frictionless|given|coulomb"));
+    add_parameter("Coefficient",
+                  coefficient,
+                  "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Slip stress",
+                  slip_stress,
+                  "Slip stress >= 0 of given friction, a formula in x, y, z. "
+                  "Unit: Pa.",
+                  prm,
+                  Patterns::Anything());
+  }
+
+
+
+  FrictionLaw
+  FrictionParameters::law() const
+  {
+    if (law_name == "given")
+      return FrictionLaw::given;
+    if (law_name == "coulomb")
+      return FrictionLaw::coulomb;
+    return FrictionLaw::frictionless;
+  }
+
+
+
+  ContactSolverParameters::ContactSolverParameters()
+    : ParameterAcceptor("Contact solver")
+  {
+    add_parameter("Method",
+                  method,
+                  "gauss seidel: the paper's ALGORITHM GS, alternating between "
+                  "the normal forces (half-lines) and the tangential forces "
+                  "(discs, ALGORITHM QPQ), with Coulomb friction by successive "
+                  "approximations.",
+                  prm,
+                  Patterns::Selection("gauss seidel"));
+    add_parameter("Tolerance",
+                  tolerance,
+                  "What every error figure of the certificate has to reach; "
+                  "they are relative, so that no unit enters. All inner "
+                  "tolerances follow from it.",
+                  prm,
+                  Patterns::Double(1e-12, 1e-2));
+    add_parameter("Maximum iterations",
+                  maximum_iterations,
+                  "Cap on the Gauss-Seidel sweeps of the whole run. The run "
+                  "that meets it writes its files and ends with status 2.",
+                  prm,
+                  Patterns::Integer(1));
+  }
+
+
+
+  StiffnessSolverParameters::StiffnessSolverParameters()
+    : ParameterAcceptor("Stiffness solver")
+  {
+    add_parameter("Type",
+                  type,
+                  "How systems with the stiffness matrix are solved. mumps: "
+                  "one sparse factorisation, then cheap solves; amg: conjugate "
+                  "gradients with algebraic multigrid, for bodies whose "
+                  "factorisation does not fit into memory.",
+                  prm,
+                  Patterns::Selection("mumps|amg"));
+  }
+
+
+
+  DualOperatorParameters::DualOperatorParameters()
+    : ParameterAcceptor("Dual operator")
+  {
+    add_parameter("Form",
+                  form,
+                  "How the dual Hessian Q is held. assembled: as a dense "
+                  "matrix of three rows a contact node; by solves: one elastic "
+                  "solve a product, no storage.",
+                  prm,
+                  Patterns::Selection("assembled|by solves"));
+  }
+
+
+
+  OutputParameters::OutputParameters()
+    : ParameterAcceptor("Output")
+  {
+    add_parameter("Directory",
+                  directory,
+                  "Where all results are written; made if it does not exist. "
+                  "--output on the command line goes before it.");
+    add_parameter("Print progress",
+                  print_progress,
+                  "Whether a line is printed for each step of the solver.");
+  }
+
+
+
+  PerformanceParameters::PerformanceParameters()
+    : ParameterAcceptor("Performance")
+  {
+    add_parameter("Measure one elastic solve",
+                  measure_one_elastic_solve,
+                  "Also solve the body without contact by conjugate gradients "
+                  "with algebraic multigrid, twice, and state the price of "
+                  "the contact solve in such solves.");
+    add_parameter("Print timing",
+                  print_timing,
+                  "Whether times and iteration counts are printed at the end. "
+                  "summary.json has them in any case.");
+  }
+
+
+
+  // -------------------------------------------------------------- Parameters
+
+  Parameters::Reset::Reset()
+  {
+    dealii::ParameterAcceptor::clear();
+  }
+
+
+
+  void
+  Parameters::read(const std::string &             file,
+                   const std::vector<std::string> &settings)
+  {
+    source.read(file, settings, dealii::ParameterAcceptor::prm);
+    check();
+    apply_table_1_level();
+
+    std::ostringstream out;
+    dealii::ParameterAcceptor::prm.print_parameters(
+      out,
+      dealii::ParameterHandler::ShortPRM |
+        dealii::ParameterHandler::KeepDeclarationOrder);
+    used_file_ = out.str();
+  }
+
+
+
+  std::string
+  Parameters::default_file()
+  {
+    const Parameters   defaults;
+    std::ostringstream out;
+    dealii::ParameterAcceptor::prm.print_parameters(
+      out,
+      dealii::ParameterHandler::PRM |
+        dealii::ParameterHandler::KeepDeclarationOrder);
+    return out.str();
+  }
+
+
+
+  void
+  Parameters::apply_table_1_level()
+  {
+    const unsigned int k = geometry.table_1_level;
+    if (k == 0)
+      return;
+    // refined once, so that a multigrid method finds two levels
+    geometry.global_refinement = 1;
+    if (geometry.table_1_reading == "nodes")
+      {
+        geometry.lengths      = {4., 3., 1.};
+        geometry.subdivisions = {3 * k + 1, 3 * k, k};
+      }
+    else
+      {
+        geometry.lengths      = {3., 1., 1.};
+        geometry.subdivisions = {3 * k, k, k};
+      }
+  }
+
+
+
+  void
+  Parameters::check() const
+  {
+    const auto require = [&](const bool         condition,
+                             const std::string &entry,
+                             const std::string &allowed) {
+      if (!condition)
+        throw InputError(source.describe(entry) + ", " + allowed + ".");
+    };
+
+    for (const double length : geometry.lengths)
+      require(std::isfinite(length) && length > 0.,
+              "Geometry/Lengths",
+              "each must be a finite number > 0 m");
+
+    double cells = std::pow(8., geometry.global_refinement);
+    for (const unsigned int n : geometry.subdivisions)
+      cells *= n;
+    require(cells <= 4e8,
+            "Geometry/Subdivisions",
+            "together with Geometry/Global refinement this makes " +
+              std::to_string(static_cast<long long>(cells)) +
+              " cells, at most 400000000 are allowed");
+
+    require(std::isfinite(material.youngs_modulus) &&
+              material.youngs_modulus > 0.,
+            "Material/Young's modulus",
+            "must be a finite number > 0 Pa");
+    require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
+            "Material/Poisson ratio",
+            "must be above -1 and below 0.5");
+    require(!dealii::Utilities::trim(output.directory).empty(),
+            "Output/Directory",
+            "must name a directory");
+  }
+} // namespace stiction

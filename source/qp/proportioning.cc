@@ -1,0 +1,39 @@
+#include <stiction/qp/proportioning.h>
+#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/symmetric_operator.h>
+
+#include <algorithm>
+
+namespace stiction::qp
+{
+  Proportioning::Proportioning(const SymmetricOperator &A,
+                               const FeasibleSet &      set,
+                               const double             norm,
+                               const double             gamma)
+    : ActiveSetMethod(A, set, norm)
+    , gamma_(gamma)
+  {}
+
+
+
+  bool
+  Proportioning::must_release(const Scaling &, const double) const
+  {
+    return is_disproportionate(gamma_);
+  }
+
+
+
+  void
+  Proportioning::release()
+  {
+    const Eigen::VectorXd d = -chopped_;
+    Eigen::VectorXd       Ad;
+    A_.vmult(Ad, d);
+    const double alpha = std::min(-gradient_.dot(d) / d.dot(Ad),
+                                  set_.largest_feasible_step(x_, d));
+    x_ += alpha * d;
+    gradient_ += alpha * Ad;
+    set_.project(x_); // removes rounding only
+  }
+} // namespace stiction::qp
