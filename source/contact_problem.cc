@@ -99,15 +99,8 @@ namespace stiction
       measure_one_elastic_solve();
       output_results();
     }
-    print_report(*log_,
-                 summary(),
-                 parameters_.contact_solver.tolerance,
-                 solution_->reason,
-                 parameters_.performance.print_timing);
-    log_->line("Open " + parameters_.output.directory + "/solution.pvtu and " +
-               parameters_.output.directory + "/contact.pvtu in ParaView.");
-    if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-      write_json(parameters_.output.directory + "/summary.json", summary());
+    summarize();
+    report();
     return solution_->converged;
   }
 
@@ -304,8 +297,8 @@ namespace stiction
 
 
 
-  json
-  ContactProblem::summary() const
+  void
+  ContactProblem::summarize()
   {
     const auto second = [&](const char *phase) -> json {
       const auto entry = seconds_.find(phase);
@@ -316,7 +309,8 @@ namespace stiction
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
 
-    json summary;
+    summary_      = std::make_unique<json>();
+    json &summary = *summary_;
     summary["program"] = {
       {"name", "stiction"},
       {"version", STICTION_VERSION},
@@ -364,6 +358,23 @@ namespace stiction
     summary["peak_memory_MB"] =
       dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM) / 1024.,
                                   communicator_);
-    return summary;
+
+    if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+      write_json(parameters_.output.directory + "/summary.json", summary);
+  }
+
+
+
+  void
+  ContactProblem::report() const
+  {
+    const std::string &directory = parameters_.output.directory;
+    print_report(*log_,
+                 *summary_,
+                 parameters_.contact_solver.tolerance,
+                 solution_->reason,
+                 parameters_.performance.print_timing);
+    log_->line("Open " + directory + "/solution.pvtu and " + directory +
+               "/contact.pvtu in ParaView.");
   }
 } // namespace stiction

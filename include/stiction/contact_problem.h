@@ -45,9 +45,12 @@ namespace stiction
     void
     validate();
 
-    /// The content of summary.json after run().
-    nlohmann::json
-    summary() const;
+    /// The content of summary.json, after run().
+    const nlohmann::json &
+    summary() const
+    {
+      return *summary_;
+    }
 
     const ContactSurface &
     contact_surface() const
@@ -88,6 +91,10 @@ namespace stiction
     measure_one_elastic_solve();
     void
     output_results();
+    void
+    summarize();
+    void
+    report() const;
 
     const Parameters &parameters_;
     const MPI_Comm    communicator_;
@@ -100,6 +107,8 @@ namespace stiction
     std::unique_ptr<StiffnessSolver>    stiffness_solver_;
     std::unique_ptr<SchurComplement>    schur_;
     std::unique_ptr<ContactSolution>    solution_;
+
+    std::unique_ptr<nlohmann::json>     summary_;
 
     /// Wall time of the phases, by their names in summary.json.
     std::map<std::string, double> seconds_;
