@@ -39,19 +39,19 @@ namespace stiction
       Phase(std::map<std::string, double> &seconds, const std::string &name)
         : seconds_(seconds[name])
         , begin_(std::chrono::steady_clock::now())
-      {}
+      {
+      }
       ~Phase()
       {
         seconds_ += std::chrono::duration<double>(
                       std::chrono::steady_clock::now() - begin_)
                       .count();
       }
-      Phase(const Phase &) = delete;
-      Phase &
-      operator=(const Phase &) = delete;
+      Phase(const Phase &)            = delete;
+      Phase &operator=(const Phase &) = delete;
 
     private:
-      double &                                    seconds_;
+      double &seconds_;
       const std::chrono::steady_clock::time_point begin_;
     };
 
@@ -63,16 +63,17 @@ namespace stiction
 
 
   ContactProblem::ContactProblem(const Parameters &parameters,
-                                 MPI_Comm          communicator)
+                                 MPI_Comm communicator)
     : parameters_(parameters)
     , communicator_(communicator)
     , log_(std::make_unique<Log>(communicator))
     , history_(std::make_unique<ConvergenceHistory>(
         *log_,
-        parameters.friction.law() == FrictionLaw::coulomb ? "Coulomb step" :
-                                                            "sweep",
+        parameters.friction.law() == FrictionLaw::coulomb ? "Coulomb step"
+                                                          : "sweep",
         parameters.output.print_progress))
-  {}
+  {
+  }
 
 
 
@@ -80,8 +81,7 @@ namespace stiction
 
 
 
-  bool
-  ContactProblem::run()
+  bool ContactProblem::run()
   {
     {
       const Phase total(seconds_, "total");
@@ -106,8 +106,7 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::validate()
+  void ContactProblem::validate()
   {
     make_grid();
     assemble_system();
@@ -117,33 +116,30 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::make_grid()
+  void ContactProblem::make_grid()
   {
     const Phase phase(seconds_, "mesh");
     if (parameters_.performance.print_timing)
-      log_->line(
-        format("stiction %s (deal.II %s, %s, %u rank%s)",
-               STICTION_VERSION,
-               DEAL_II_PACKAGE_VERSION,
-               STICTION_BUILD_TYPE,
-               dealii::Utilities::MPI::n_mpi_processes(communicator_),
-               dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1 ?
-                 "" :
-                 "s"));
+      log_->line(format(
+        "stiction %s (deal.II %s, %s, %u rank%s)",
+        STICTION_VERSION,
+        DEAL_II_PACKAGE_VERSION,
+        STICTION_BUILD_TYPE,
+        dealii::Utilities::MPI::n_mpi_processes(communicator_),
+        dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1 ? ""
+                                                                    : "s"));
     body_ = std::make_unique<Body>(parameters_.geometry, communicator_);
-    log_->line(format("Body: %llu cells, %llu nodes, %llu unknowns",
-                      static_cast<unsigned long long>(
-                        body_->triangulation().n_global_active_cells()),
-                      static_cast<unsigned long long>(body_->n_nodes()),
-                      static_cast<unsigned long long>(
-                        body_->dof_handler().n_dofs())));
+    log_->line(
+      format("Body: %llu cells, %llu nodes, %llu unknowns",
+             static_cast<unsigned long long>(
+               body_->triangulation().n_global_active_cells()),
+             static_cast<unsigned long long>(body_->n_nodes()),
+             static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
   }
 
 
 
-  void
-  ContactProblem::assemble_system()
+  void ContactProblem::assemble_system()
   {
     const Phase phase(seconds_, "assembly");
     elasticity_ = std::make_unique<LinearElasticity>(*body_, parameters_);
@@ -151,8 +147,7 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::make_contact_surface()
+  void ContactProblem::make_contact_surface()
   {
     const Phase phase(seconds_, "mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
@@ -160,17 +155,15 @@ namespace stiction
     log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
                       static_cast<long long>(surface_->n_nodes()),
                       static_cast<long long>(3 * surface_->n_nodes()),
-                      surface_->law() == FrictionLaw::coulomb ?
-                        "Coulomb friction" :
-                      surface_->law() == FrictionLaw::given ?
-                        "given friction" :
-                        "no friction"));
+                      surface_->law() == FrictionLaw::coulomb
+                        ? "Coulomb friction"
+                      : surface_->law() == FrictionLaw::given ? "given friction"
+                                                              : "no friction"));
   }
 
 
 
-  void
-  ContactProblem::open_output()
+  void ContactProblem::open_output()
   {
     const std::string &directory = parameters_.output.directory;
     together(communicator_, [&]() {
@@ -179,7 +172,7 @@ namespace stiction
       std::error_code error;
       std::filesystem::create_directories(directory, error);
       const std::string probe = directory + "/.writable";
-      const bool        writable =
+      const bool writable =
         std::filesystem::is_directory(directory) && std::ofstream(probe).good();
       std::filesystem::remove(probe, error);
       if (!writable)
@@ -193,8 +186,7 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::set_up_stiffness_solver()
+  void ContactProblem::set_up_stiffness_solver()
   {
     const Phase phase(seconds_, "stiffness_setup");
     stiffness_solver_ = StiffnessSolver::create(
@@ -205,8 +197,7 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::set_up_dual_operator()
+  void ContactProblem::set_up_dual_operator()
   {
     const Phase phase(seconds_, "dual_operator");
     if (parameters_.output.print_progress)
@@ -220,10 +211,9 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::solve_contact()
+  void ContactProblem::solve_contact()
   {
-    GaussSeidel       gauss_seidel(*schur_);
+    GaussSeidel gauss_seidel(*schur_);
     CoulombFixedPoint solver(*elasticity_,
                              *surface_,
                              *schur_,
@@ -236,24 +226,21 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::certify()
+  void ContactProblem::certify()
   {
     // the other figures were computed when the iteration asked for them
     solution_->certificate->compute_duality_gap(*solution_->u,
                                                 *stiffness_solver_);
     if (!solution_->converged)
-      solution_->reason =
-        format("%s, the tolerance is %g; ",
-               solution_->certificate->worst().c_str(),
-               parameters_.contact_solver.tolerance) +
-        solution_->reason;
+      solution_->reason = format("%s, the tolerance is %g; ",
+                                 solution_->certificate->worst().c_str(),
+                                 parameters_.contact_solver.tolerance) +
+                          solution_->reason;
   }
 
 
 
-  void
-  ContactProblem::measure_one_elastic_solve()
+  void ContactProblem::measure_one_elastic_solve()
   {
     if (!parameters_.performance.measure_one_elastic_solve)
       return;
@@ -266,24 +253,23 @@ namespace stiction
         std::map<std::string, double> seconds;
         {
           const Phase phase(seconds, "elastic_solve");
-          AmgSolver   solver(*elasticity_, 1e-8);
-          LA::Vector  u = elasticity_->zero_vector();
+          AmgSolver solver(*elasticity_, 1e-8);
+          LA::Vector u = elasticity_->zero_vector();
           solver.solve(u, elasticity_->constrained_load());
           elastic_solve_iterations_ =
             static_cast<unsigned int>(solver.n_iterations());
         }
-        best = run == 0 ? seconds["elastic_solve"] :
-                          std::min(best, seconds["elastic_solve"]);
+        best = run == 0 ? seconds["elastic_solve"]
+                        : std::min(best, seconds["elastic_solve"]);
       }
     seconds_["elastic_solve"] = best;
   }
 
 
 
-  void
-  ContactProblem::output_results()
+  void ContactProblem::output_results()
   {
-    const Phase        phase(seconds_, "output");
+    const Phase phase(seconds_, "output");
     const std::string &directory = parameters_.output.directory;
     write_solution(directory, *elasticity_, *solution_->u);
     write_contact(directory, *elasticity_, *surface_, *solution_->certificate);
@@ -297,8 +283,7 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::summarize()
+  void ContactProblem::summarize()
   {
     const auto second = [&](const char *phase) -> json {
       const auto entry = seconds_.find(phase);
@@ -309,8 +294,8 @@ namespace stiction
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
 
-    summary_      = std::make_unique<json>();
-    json &summary = *summary_;
+    summary_           = std::make_unique<json>();
+    json &summary      = *summary_;
     summary["program"] = {
       {"name", "stiction"},
       {"version", STICTION_VERSION},
@@ -319,11 +304,11 @@ namespace stiction
       {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator_)}};
     summary["converged"] = solution_->converged;
     summary["problem"]   = {
-      {"cells", body_->triangulation().n_global_active_cells()},
-      {"nodes", body_->n_nodes()},
-      {"dofs", body_->dof_handler().n_dofs()},
-      {"contact_nodes", surface_->n_nodes()},
-      {"dual_unknowns", 3 * surface_->n_nodes()}};
+        {"cells", body_->triangulation().n_global_active_cells()},
+        {"nodes", body_->n_nodes()},
+        {"dofs", body_->dof_handler().n_dofs()},
+        {"contact_nodes", surface_->n_nodes()},
+        {"dual_unknowns", 3 * surface_->n_nodes()}};
     summary["solver"] = {
       {"law", parameters_.friction.law_name},
       {"method", parameters_.contact_solver.method},
@@ -336,15 +321,13 @@ namespace stiction
       {"elastic_solve_iterations",
        measured ? json(elastic_solve_iterations_) : json(nullptr)},
       {"elastic_solve_equivalents",
-       measured ?
-         json(seconds_.at("contact_solve") / seconds_.at("elastic_solve")) :
-         json(nullptr)}};
+       measured
+         ? json(seconds_.at("contact_solve") / seconds_.at("elastic_solve"))
+         : json(nullptr)}};
     summary["certificate"] = certificate_to_json(*solution_->certificate);
-    summary["contact"]     = contact_to_json(*surface_,
-                                         *solution_->certificate,
-                                         parameters_.contact_solver.tolerance);
-    summary["displacement"] =
-      displacement_to_json(*elasticity_, *solution_->u);
+    summary["contact"]     = contact_to_json(
+      *surface_, *solution_->certificate, parameters_.contact_solver.tolerance);
+    summary["displacement"] = displacement_to_json(*elasticity_, *solution_->u);
     summary["energy"] = energy_to_json(*surface_, *solution_->certificate);
     for (const char *phase : {"mesh",
                               "assembly",
@@ -355,9 +338,8 @@ namespace stiction
                               "output",
                               "total"})
       summary["seconds"][phase] = second(phase);
-    summary["peak_memory_MB"] =
-      dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM) / 1024.,
-                                  communicator_);
+    summary["peak_memory_MB"] = dealii::Utilities::MPI::sum(
+      static_cast<double>(memory.VmHWM) / 1024., communicator_);
 
     if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
       write_json(parameters_.output.directory + "/summary.json", summary);
@@ -365,8 +347,7 @@ namespace stiction
 
 
 
-  void
-  ContactProblem::report() const
+  void ContactProblem::report() const
   {
     const std::string &directory = parameters_.output.directory;
     print_report(*log_,

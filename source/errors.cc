@@ -4,8 +4,7 @@
 
 namespace stiction
 {
-  void
-  together(MPI_Comm communicator, const std::function<void()> &work)
+  void together(MPI_Comm communicator, const std::function<void()> &work)
   {
     std::string message;
     try

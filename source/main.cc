@@ -21,13 +21,12 @@ namespace
 
   struct CommandLine
   {
-    std::string              file, output;
+    std::string file, output;
     std::vector<std::string> settings;
-    bool                     validate = false, print_parameters = false;
+    bool validate = false, print_parameters = false;
   };
 
-  int
-  run(const CommandLine &arguments)
+  int run(const CommandLine &arguments)
   {
     using namespace stiction;
     if (arguments.file.empty())
@@ -52,8 +51,7 @@ namespace
 
 
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   // the linear algebra is parallel over ranks; more threads would only fight
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -61,13 +59,14 @@ main(int argc, char *argv[])
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
   CommandLine arguments;
-  CLI::App    app("Contact of an elastic body with friction, in three "
+  CLI::App app("Contact of an elastic body with friction, in three "
                "dimensions, with a certificate.",
                "stiction");
   app.add_option("FILE", arguments.file, "Parameter file");
-  app.add_option("--set",
-                 arguments.settings,
-                 "'Section/Entry=value', goes before the file; any number")
+  app
+    .add_option("--set",
+                arguments.settings,
+                "'Section/Entry=value', goes before the file; any number")
     ->expected(1)
     ->take_all();
   app.add_option("--output", arguments.output, "Directory for all results");

@@ -17,25 +17,21 @@ namespace stiction
     using dealii::ParameterHandler;
     using nlohmann::json;
 
-    std::string
-    trim(const std::string &text)
+    std::string trim(const std::string &text)
     {
       return dealii::Utilities::trim(text);
     }
 
     // The declared sections and entries, with patterns and current values.
-    json
-    declared(const ParameterHandler &prm)
+    json declared(const ParameterHandler &prm)
     {
       std::ostringstream out;
-      prm.print_parameters(out,
-                           ParameterHandler::JSON |
-                             ParameterHandler::KeepDeclarationOrder);
+      prm.print_parameters(
+        out, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
       return json::parse(out.str());
     }
 
-    std::string
-    names_of(const json &node)
+    std::string names_of(const json &node)
     {
       std::string names;
       for (const auto &item : node.items())
@@ -44,8 +40,7 @@ namespace stiction
     }
 
     // deal.II's "[Double 0...1 (inclusive)]" in words.
-    std::string
-    allowed(const std::string &pattern)
+    std::string allowed(const std::string &pattern)
     {
       const auto inside = [&](const std::string &begin) {
         const std::size_t from = pattern.find(begin) + begin.size();
@@ -88,12 +83,11 @@ namespace stiction
 
 
 
-  void
-  ParameterFile::assign(const std::string &where,
-                        const std::string &section,
-                        const std::string &name,
-                        const std::string &value,
-                        ParameterHandler & prm)
+  void ParameterFile::assign(const std::string &where,
+                             const std::string &section,
+                             const std::string &name,
+                             const std::string &value,
+                             ParameterHandler &prm)
   {
     const json all = declared(prm);
     if (section.empty() || !all.contains(section))
@@ -121,13 +115,12 @@ namespace stiction
 
 
 
-  void
-  ParameterFile::read(const std::string &             file,
-                      const std::vector<std::string> &settings,
-                      ParameterHandler &              prm)
+  void ParameterFile::read(const std::string &file,
+                           const std::vector<std::string> &settings,
+                           ParameterHandler &prm)
   {
     std::ifstream in(file);
-    std::string   line;
+    std::string line;
     if (!in || (in.peek(), in.bad()))
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
@@ -149,7 +142,7 @@ namespace stiction
           continue;
 
         std::istringstream words(line);
-        std::string        keyword, rest;
+        std::string keyword, rest;
         words >> keyword;
         std::getline(words, rest);
         rest = trim(rest);
@@ -211,8 +204,7 @@ namespace stiction
 
 
 
-  std::string
-  ParameterFile::locate(const std::string &entry) const
+  std::string ParameterFile::locate(const std::string &entry) const
   {
     const auto place = places_.find(entry);
     return (place == places_.end() ? "default value" : place->second.where) +
@@ -221,8 +213,7 @@ namespace stiction
 
 
 
-  std::string
-  ParameterFile::describe(const std::string &entry) const
+  std::string ParameterFile::describe(const std::string &entry) const
   {
     const auto place = places_.find(entry);
     return locate(entry) +

@@ -1,3 +1,4 @@
+#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
@@ -134,8 +135,7 @@ namespace stiction
 
 
 
-  FrictionLaw
-  FrictionParameters::law() const
+  FrictionLaw FrictionParameters::law() const
   {
     if (law_name == "given")
       return FrictionLaw::given;
@@ -242,9 +242,8 @@ namespace stiction
 
 
 
-  void
-  Parameters::read(const std::string &             file,
-                   const std::vector<std::string> &settings)
+  void Parameters::read(const std::string &file,
+                        const std::vector<std::string> &settings)
   {
     source.read(file, settings, dealii::ParameterAcceptor::prm);
     check();
@@ -260,10 +259,9 @@ namespace stiction
 
 
 
-  std::string
-  Parameters::default_file()
+  std::string Parameters::default_file()
   {
-    const Parameters   defaults;
+    const Parameters defaults;
     std::ostringstream out;
     dealii::ParameterAcceptor::prm.print_parameters(
       out,
@@ -274,8 +272,7 @@ namespace stiction
 
 
 
-  void
-  Parameters::apply_table_1_level()
+  void Parameters::apply_table_1_level()
   {
     const unsigned int k = geometry.table_1_level;
     if (k == 0)
@@ -296,10 +293,9 @@ namespace stiction
 
 
 
-  void
-  Parameters::check() const
+  void Parameters::check() const
   {
-    const auto require = [&](const bool         condition,
+    const auto require = [&](const bool condition,
                              const std::string &entry,
                              const std::string &allowed) {
       if (!condition)
@@ -327,6 +323,20 @@ namespace stiction
     require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
+
+    // n/m of the table come out only with the face clamped that goes with it
+    const auto displacement = parse_boundary_functions(
+      boundary.prescribed_displacement,
+      source.locate("Boundary conditions/Prescribed displacement"));
+    const unsigned int clamped = geometry.table_1_reading == "nodes" ? 2 : 0;
+    require(geometry.table_1_level == 0 ||
+              (displacement.size() == 1 && displacement.count(clamped) == 1 &&
+               boundary.contact_boundary == 4),
+            "Geometry/Table 1 reading",
+            "does not match the boundary conditions, this reading needs "
+            "'Prescribed displacement' on boundary " +
+              std::to_string(clamped) + " alone and 'Contact boundary = 4'");
+
     require(!dealii::Utilities::trim(output.directory).empty(),
             "Output/Directory",
             "must name a directory");

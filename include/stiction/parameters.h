@@ -26,12 +26,12 @@ namespace stiction
   {
     GeometryParameters();
 
-    std::string               type              = "brick";
-    std::vector<double>       lengths           = {4., 3., 1.};
-    std::vector<unsigned int> subdivisions      = {4, 3, 1};
-    unsigned int              global_refinement = 1;
-    unsigned int              table_1_level     = 0;
-    std::string               table_1_reading   = "nodes";
+    std::string type                       = "brick";
+    std::vector<double> lengths            = {4., 3., 1.};
+    std::vector<unsigned int> subdivisions = {4, 3, 1};
+    unsigned int global_refinement         = 1;
+    unsigned int table_1_level             = 0;
+    std::string table_1_reading            = "nodes";
   };
 
   struct MaterialParameters : dealii::ParameterAcceptor
@@ -47,10 +47,9 @@ namespace stiction
     BoundaryParameters();
 
     std::string prescribed_displacement = "2 : 0; 0; 0";
-    std::string traction =
-      "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
-    int         contact_boundary = 4;
-    std::string initial_gap      = "0";
+    std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
+    int contact_boundary = 4;
+    std::string initial_gap = "0";
   };
 
   struct FrictionParameters : dealii::ParameterAcceptor
@@ -58,8 +57,7 @@ namespace stiction
     FrictionParameters();
 
     /// The entry Law as a value.
-    FrictionLaw
-    law() const;
+    FrictionLaw law() const;
 
     std::string law_name    = "coulomb";
     std::string coefficient = "0.3";
@@ -70,8 +68,8 @@ namespace stiction
   {
     ContactSolverParameters();
 
-    std::string  method             = "gauss seidel";
-    double       tolerance          = 1e-6;
+    std::string method              = "gauss seidel";
+    double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
   };
 
@@ -93,8 +91,8 @@ namespace stiction
   {
     OutputParameters();
 
-    std::string directory      = "output/stiction";
-    bool        print_progress = true;
+    std::string directory = "output/stiction";
+    bool print_progress   = true;
   };
 
   struct PerformanceParameters : dealii::ParameterAcceptor
@@ -122,34 +120,30 @@ namespace stiction
     } reset_;
 
   public:
-
     /// Reads a file and command line settings and checks every value.
     ///
     /// Throws InputError: see ParameterFile::read() and check().
-    void
-    read(const std::string &             file,
-         const std::vector<std::string> &settings = {});
+    void read(const std::string &file,
+              const std::vector<std::string> &settings = {});
 
     /// The complete commented default file, in declaration order.
-    static std::string
-    default_file();
+    static std::string default_file();
 
     /// The values in use, as a parameter file.
-    const std::string &
-    used_file() const
+    const std::string &used_file() const
     {
       return used_file_;
     }
 
-    GeometryParameters        geometry;
-    MaterialParameters        material;
-    BoundaryParameters        boundary;
-    FrictionParameters        friction;
-    ContactSolverParameters   contact_solver;
+    GeometryParameters geometry;
+    MaterialParameters material;
+    BoundaryParameters boundary;
+    FrictionParameters friction;
+    ContactSolverParameters contact_solver;
     StiffnessSolverParameters stiffness_solver;
-    DualOperatorParameters    dual_operator;
-    OutputParameters          output;
-    PerformanceParameters     performance;
+    DualOperatorParameters dual_operator;
+    OutputParameters output;
+    PerformanceParameters performance;
 
     /// Where the values came from, for messages.
     ParameterFile source;
@@ -157,13 +151,11 @@ namespace stiction
   private:
     /// What a pattern alone cannot see: open ranges, entries that need each
     /// other. Throws InputError.
-    void
-    check() const;
+    void check() const;
 
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table
     /// in place of the given ones when Table 1 level is not 0.
-    void
-    apply_table_1_level();
+    void apply_table_1_level();
 
     std::string used_file_;
   };

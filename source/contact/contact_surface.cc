@@ -19,8 +19,7 @@ namespace stiction
 {
   using namespace dealii;
 
-  void
-  set_tangents(ContactNode &node)
+  void set_tangents(ContactNode &node)
   {
     Tensor<1, 3> e;
     e[std::abs(node.normal[0]) > 0.9 ? 1 : 0] = 1.;
@@ -32,7 +31,7 @@ namespace stiction
 
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
-                                 const Parameters &      parameters)
+                                 const Parameters &parameters)
     : boundary_id_(parameters.boundary.contact_boundary)
     , law_(parameters.friction.law())
   {
@@ -49,8 +48,7 @@ namespace stiction
 
 
 
-  void
-  ContactSurface::collect_nodes(const LinearElasticity &elasticity)
+  void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
   {
     const Body &body = elasticity.body();
 
@@ -58,9 +56,9 @@ namespace stiction
     using Share = std::array<double, 10>; // dofs, position, area × n, area
     std::map<types::global_dof_index, Share> shares;
 
-    const QGauss<2>         quadrature(2);
+    const QGauss<2> quadrature(2);
     const FiniteElement<3> &fe = body.dof_handler().get_fe();
-    FEFaceValues<3>         values(body.mapping(),
+    FEFaceValues<3> values(body.mapping(),
                            fe,
                            quadrature,
                            update_values | update_normal_vectors |
@@ -76,15 +74,14 @@ namespace stiction
               values.reinit(cell, f);
               for (const unsigned int v : face->vertex_indices())
                 {
-                  const auto   first = face->vertex_dof_index(v, 0);
+                  const auto first = face->vertex_dof_index(v, 0);
                   Tensor<1, 3> normal;
-                  double       area = 0.;
+                  double area = 0.;
                   // vertices come first among the unknowns of a face
                   const unsigned int i = fe.face_to_cell_index(3 * v, f);
                   for (const unsigned int q : values.quadrature_point_indices())
                     {
-                      const double w =
-                        values.shape_value(i, q) * values.JxW(q);
+                      const double w = values.shape_value(i, q) * values.JxW(q);
                       area += w;
                       normal += w * values.normal_vector(q);
                     }
@@ -92,8 +89,7 @@ namespace stiction
                   if (elasticity.constraints().is_constrained(first))
                     continue;
 
-                  Share &share =
-                    shares.emplace(first, Share{}).first->second;
+                  Share &share = shares.emplace(first, Share{}).first->second;
                   for (unsigned int c = 0; c < 3; ++c)
                     {
                       share[c] =
@@ -128,9 +124,9 @@ namespace stiction
     std::vector<Share> sorted;
     for (const auto &share : shares)
       sorted.push_back(share.second);
-    const auto   corners = body.bounding_box().get_boundary_points();
-    const double unit = 1e-9 * corners.first.distance(corners.second);
-    const auto   key  = [&](const Share &share) {
+    const auto corners = body.bounding_box().get_boundary_points();
+    const double unit  = 1e-9 * corners.first.distance(corners.second);
+    const auto key     = [&](const Share &share) {
       std::array<long long, 3> k;
       for (unsigned int c = 0; c < 3; ++c)
         k[c] = std::llround((share[3 + c] - corners.first[c]) / unit);
@@ -140,7 +136,7 @@ namespace stiction
               sorted.end(),
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
-    const std::size_t                    m = sorted.size();
+    const std::size_t m = sorted.size();
     std::vector<types::global_dof_index> dofs(3 * m);
     for (std::size_t i = 0; i < m; ++i)
       {
@@ -163,8 +159,7 @@ namespace stiction
 
 
 
-  void
-  ContactSurface::evaluate_data(const Parameters &parameters)
+  void ContactSurface::evaluate_data(const Parameters &parameters)
   {
     const auto read = [&](const std::string &entry,
                           const std::string &expression) {
@@ -178,8 +173,8 @@ namespace stiction
       read("Friction/Slip stress", parameters.friction.slip_stress);
 
     const auto not_negative = [&](const ParsedFunction &function,
-                                  const std::string &   entry,
-                                  const Point<3> &      p) {
+                                  const std::string &entry,
+                                  const Point<3> &p) {
       const double value = function.value(p);
       if (value < 0.)
         {
@@ -210,8 +205,8 @@ namespace stiction
 
 
 
-  Eigen::Index
-  ContactSurface::node_of(const types::global_dof_index first_dof) const
+  Eigen::Index ContactSurface::node_of(
+    const types::global_dof_index first_dof) const
   {
     const auto node = node_of_dof_.find(first_dof);
     return node == node_of_dof_.end() ? -1 : node->second;
@@ -219,29 +214,26 @@ namespace stiction
 
 
 
-  Eigen::VectorXd
-  ContactSurface::apply_B(const LA::Vector &u) const
+  Eigen::VectorXd ContactSurface::apply_B(const LA::Vector &u) const
   {
     return to_local(trace_.restriction(u));
   }
 
 
 
-  void
-  ContactSurface::add_transpose_B(const double           factor,
-                                  const Eigen::VectorXd &lambda,
-                                  LA::Vector &           dst) const
+  void ContactSurface::add_transpose_B(const double factor,
+                                       const Eigen::VectorXd &lambda,
+                                       LA::Vector &dst) const
   {
     trace_.add_extension(factor * to_cartesian(lambda), dst);
   }
 
 
 
-  Eigen::MatrixXd
-  ContactSurface::to_local(const Eigen::MatrixXd &v) const
+  Eigen::MatrixXd ContactSurface::to_local(const Eigen::MatrixXd &v) const
   {
     const Eigen::Index m = n_nodes();
-    Eigen::MatrixXd    w(v.rows(), v.cols());
+    Eigen::MatrixXd w(v.rows(), v.cols());
     for (Eigen::Index j = 0; j < v.cols(); ++j)
       for (Eigen::Index i = 0; i < m; ++i)
         {
@@ -255,11 +247,10 @@ namespace stiction
 
 
 
-  Eigen::VectorXd
-  ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
+  Eigen::VectorXd ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
   {
     const Eigen::Index m = n_nodes();
-    Eigen::VectorXd    w(v.size());
+    Eigen::VectorXd w(v.size());
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const Tensor<1, 3> x = v(i) * nodes_[i].normal +
@@ -273,8 +264,8 @@ namespace stiction
 
 
 
-  Eigen::VectorXd
-  ContactSurface::slip_bound(const Eigen::VectorXd &lambda) const
+  Eigen::VectorXd ContactSurface::slip_bound(
+    const Eigen::VectorXd &lambda) const
   {
     Eigen::VectorXd g = Eigen::VectorXd::Zero(n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
@@ -287,8 +278,7 @@ namespace stiction
 
 
 
-  bool
-  ContactSurface::is_plane() const
+  bool ContactSurface::is_plane() const
   {
     return std::all_of(nodes_.begin(), nodes_.end(), [&](const auto &node) {
       return (node.normal - nodes_[0].normal).norm() < 1e-10;

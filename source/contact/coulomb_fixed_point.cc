@@ -29,11 +29,11 @@ namespace stiction
 
 
   CoulombFixedPoint::CoulombFixedPoint(
-    const LinearElasticity &       elasticity,
-    const ContactSurface &         surface,
-    const SchurComplement &        schur,
-    StiffnessSolver &              stiffness_solver,
-    GivenFrictionSolver &          given_friction_solver,
+    const LinearElasticity &elasticity,
+    const ContactSurface &surface,
+    const SchurComplement &schur,
+    StiffnessSolver &stiffness_solver,
+    GivenFrictionSolver &given_friction_solver,
     const ContactSolverParameters &parameters)
     : elasticity_(elasticity)
     , surface_(surface)
@@ -41,16 +41,16 @@ namespace stiction
     , stiffness_solver_(stiffness_solver)
     , given_friction_solver_(given_friction_solver)
     , parameters_(parameters)
-  {}
-
-
-
-  ContactSolution
-  CoulombFixedPoint::solve(const Observer &observer)
   {
-    const bool   bound_changes = surface_.law() == FrictionLaw::coulomb;
-    const double tolerance     = parameters_.tolerance;
-    const auto   infinity      = std::numeric_limits<double>::infinity();
+  }
+
+
+
+  ContactSolution CoulombFixedPoint::solve(const Observer &observer)
+  {
+    const bool bound_changes = surface_.law() == FrictionLaw::coulomb;
+    const double tolerance   = parameters_.tolerance;
+    const auto infinity      = std::numeric_limits<double>::infinity();
 
     ContactSolution solution;
     solution.lambda = Eigen::VectorXd::Zero(3 * surface_.n_nodes());
@@ -68,7 +68,7 @@ namespace stiction
           observer(row);
         };
 
-        double       last_residual = residual;
+        double last_residual = residual;
         StoppingRule rule;
         rule.residual =
           std::max(safety * tolerance,
@@ -94,14 +94,13 @@ namespace stiction
         solution.sweeps += result.iterations;
 
         const double norm = iterate.lambda.norm();
-        change            = norm > 0. ?
-                              (iterate.lambda - solution.lambda).norm() / norm :
-                              0.;
-        solution.lambda   = iterate.lambda;
+        change =
+          norm > 0. ? (iterate.lambda - solution.lambda).norm() / norm : 0.;
+        solution.lambda = iterate.lambda;
         certify(solution);
-        iterate.gradient        = solution.certificate->gradient();
-        const double before     = residual;
-        residual                = solution.certificate->figures().kkt_residual;
+        iterate.gradient         = solution.certificate->gradient();
+        const double before      = residual;
+        residual                 = solution.certificate->figures().kkt_residual;
         const double contraction = residual / before;
         if (bound_changes)
           {
@@ -143,16 +142,13 @@ namespace stiction
 
 
 
-  void
-  CoulombFixedPoint::certify(ContactSolution &solution) const
+  void CoulombFixedPoint::certify(ContactSolution &solution) const
   {
     LA::Vector force = elasticity_.constrained_load();
     surface_.add_transpose_B(-1., solution.lambda, force);
     solution.u = std::make_unique<LA::Vector>(elasticity_.zero_vector());
     stiffness_solver_.solve(*solution.u, force);
-    solution.certificate = std::make_unique<Certificate>(elasticity_,
-                                                         surface_,
-                                                         *solution.u,
-                                                         solution.lambda);
+    solution.certificate = std::make_unique<Certificate>(
+      elasticity_, surface_, *solution.u, solution.lambda);
   }
 } // namespace stiction

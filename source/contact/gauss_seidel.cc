@@ -22,9 +22,8 @@ namespace stiction
     // error of a sweep shrinks by about 0.55.
     constexpr unsigned int max_idle_sweeps = 20;
 
-    void
-    accumulate(qp::ActiveSetStatistics &      sum,
-               const qp::ActiveSetStatistics &one)
+    void accumulate(qp::ActiveSetStatistics &sum,
+                    const qp::ActiveSetStatistics &one)
     {
       sum.conjugate_gradient_steps += one.conjugate_gradient_steps;
       sum.expansion_steps += one.expansion_steps;
@@ -43,22 +42,21 @@ namespace stiction
     , tangential_block_(schur, DualBlock::tangential)
     , normal_norm_(qp::spectral_norm(normal_block_))
     , tangential_norm_(qp::spectral_norm(tangential_block_))
-  {}
+  {
+  }
 
 
 
-  GivenFrictionResult
-  GaussSeidel::solve(DualIterate &          iterate,
-                     const Eigen::VectorXd &slip_bound,
-                     const qp::Scaling &    scaling,
-                     const StoppingRule &   rule,
-                     const Observer &       observer)
+  GivenFrictionResult GaussSeidel::solve(DualIterate &iterate,
+                                         const Eigen::VectorXd &slip_bound,
+                                         const qp::Scaling &scaling,
+                                         const StoppingRule &rule,
+                                         const Observer &observer)
   {
     const qp::HalfLinesTimesDiscs feasible_set(slip_bound);
-    const auto                    residual = [&]() {
-      return feasible_set.natural_residual(iterate.lambda,
-                                           iterate.gradient,
-                                           scaling);
+    const auto residual = [&]() {
+      return feasible_set.natural_residual(
+        iterate.lambda, iterate.gradient, scaling);
     };
 
     GivenFrictionResult result;
@@ -66,7 +64,7 @@ namespace stiction
     result.residual  = residual();
     result.converged = result.residual <= rule.residual;
 
-    double       smallest    = result.residual;
+    double smallest          = result.residual;
     unsigned int idle_sweeps = 0;
     while (!result.converged && !result.stagnated &&
            result.iterations < rule.max_iterations)
@@ -83,8 +81,8 @@ namespace stiction
           norm > 0. ? (iterate.lambda - before).norm() / norm : 0.;
         observer(result.iterations, result.residual, result.change);
 
-        result.converged = result.residual <= rule.residual &&
-                           result.change <= rule.change;
+        result.converged =
+          result.residual <= rule.residual && result.change <= rule.change;
         idle_sweeps = result.residual < 0.9 * smallest ? 0 : idle_sweeps + 1;
         smallest    = std::min(smallest, result.residual);
         result.stagnated =
@@ -96,12 +94,11 @@ namespace stiction
 
 
 
-  void
-  GaussSeidel::make_feasible(DualIterate &          iterate,
-                             const Eigen::VectorXd &slip_bound) const
+  void GaussSeidel::make_feasible(DualIterate &iterate,
+                                  const Eigen::VectorXd &slip_bound) const
   {
-    const Eigen::Index m         = schur_.n_nodes();
-    Eigen::VectorXd    projected = iterate.lambda;
+    const Eigen::Index m      = schur_.n_nodes();
+    Eigen::VectorXd projected = iterate.lambda;
     qp::HalfLinesTimesDiscs(slip_bound).project(projected);
     const Eigen::VectorXd d = projected - iterate.lambda;
 
@@ -120,22 +117,19 @@ namespace stiction
 
 
 
-  void
-  GaussSeidel::normal_half_sweep(DualIterate &      iterate,
-                                 const qp::Scaling &scaling,
-                                 const double       tolerance)
+  void GaussSeidel::normal_half_sweep(DualIterate &iterate,
+                                      const qp::Scaling &scaling,
+                                      const double tolerance)
   {
-    const Eigen::Index    m        = schur_.n_nodes();
-    Eigen::VectorXd       lambda   = iterate.lambda.head(m);
-    Eigen::VectorXd       gradient = iterate.gradient.head(m);
-    const qp::HalfLines   half_lines(m);
-    qp::Proportioning     solver(normal_block_, half_lines, normal_norm_);
-    accumulate(normal_statistics_,
-               solver.solve(lambda,
-                            gradient,
-                            scaling,
-                            tolerance,
-                            max_inner_multiplications));
+    const Eigen::Index m     = schur_.n_nodes();
+    Eigen::VectorXd lambda   = iterate.lambda.head(m);
+    Eigen::VectorXd gradient = iterate.gradient.head(m);
+    const qp::HalfLines half_lines(m);
+    qp::Proportioning solver(normal_block_, half_lines, normal_norm_);
+    accumulate(
+      normal_statistics_,
+      solver.solve(
+        lambda, gradient, scaling, tolerance, max_inner_multiplications));
 
     const Eigen::VectorXd change = lambda - iterate.lambda.head(m);
     if (change.isZero(0.))
@@ -149,23 +143,20 @@ namespace stiction
 
 
 
-  void
-  GaussSeidel::tangential_half_sweep(DualIterate &          iterate,
-                                     const Eigen::VectorXd &slip_bound,
-                                     const qp::Scaling &    scaling,
-                                     const double           tolerance)
+  void GaussSeidel::tangential_half_sweep(DualIterate &iterate,
+                                          const Eigen::VectorXd &slip_bound,
+                                          const qp::Scaling &scaling,
+                                          const double tolerance)
   {
-    const Eigen::Index m        = schur_.n_nodes();
-    Eigen::VectorXd    lambda   = iterate.lambda.tail(2 * m);
-    Eigen::VectorXd    gradient = iterate.gradient.tail(2 * m);
-    const qp::Discs    discs(slip_bound);
-    qp::DiscActiveSet  solver(tangential_block_, discs, tangential_norm_);
-    accumulate(tangential_statistics_,
-               solver.solve(lambda,
-                            gradient,
-                            scaling,
-                            tolerance,
-                            max_inner_multiplications));
+    const Eigen::Index m     = schur_.n_nodes();
+    Eigen::VectorXd lambda   = iterate.lambda.tail(2 * m);
+    Eigen::VectorXd gradient = iterate.gradient.tail(2 * m);
+    const qp::Discs discs(slip_bound);
+    qp::DiscActiveSet solver(tangential_block_, discs, tangential_norm_);
+    accumulate(
+      tangential_statistics_,
+      solver.solve(
+        lambda, gradient, scaling, tolerance, max_inner_multiplications));
 
     const Eigen::VectorXd change = lambda - iterate.lambda.tail(2 * m);
     if (change.isZero(0.))

@@ -9,8 +9,7 @@ namespace stiction
 {
   namespace
   {
-    unsigned long
-    thirds(const DualBlock block)
+    unsigned long thirds(const DualBlock block)
     {
       switch (block)
         {
@@ -30,8 +29,8 @@ namespace stiction
     {
     public:
       AssembledSchurComplement(const LinearElasticity &elasticity,
-                               const ContactSurface &  surface,
-                               StiffnessSolver &       solver)
+                               const ContactSurface &surface,
+                               StiffnessSolver &solver)
         : SchurComplement(elasticity, surface)
       {
         // Q = R C Rᵀ with C the block of K⁻¹ at the contact unknowns
@@ -42,11 +41,10 @@ namespace stiction
       }
 
     protected:
-      void
-      apply(const DualBlock        rows,
-            const DualBlock        columns,
-            Eigen::VectorXd &      dst,
-            const Eigen::VectorXd &src) const override
+      void apply(const DualBlock rows,
+                 const DualBlock columns,
+                 Eigen::VectorXd &dst,
+                 const Eigen::VectorXd &src) const override
       {
         dst.noalias() =
           Q_.block(begin(rows), begin(columns), length(rows), length(columns)) *
@@ -65,8 +63,8 @@ namespace stiction
     {
     public:
       SchurComplementBySolves(const LinearElasticity &elasticity,
-                              const ContactSurface &  surface,
-                              StiffnessSolver &       solver)
+                              const ContactSurface &surface,
+                              StiffnessSolver &solver)
         : SchurComplement(elasticity, surface)
         , solver_(solver)
       {
@@ -74,11 +72,10 @@ namespace stiction
       }
 
     protected:
-      void
-      apply(const DualBlock        rows,
-            const DualBlock        columns,
-            Eigen::VectorXd &      dst,
-            const Eigen::VectorXd &src) const override
+      void apply(const DualBlock rows,
+                 const DualBlock columns,
+                 Eigen::VectorXd &dst,
+                 const Eigen::VectorXd &src) const override
       {
         Eigen::VectorXd lambda = Eigen::VectorXd::Zero(3 * n_nodes());
         lambda.segment(begin(columns), length(columns)) = src;
@@ -98,33 +95,31 @@ namespace stiction
 
 
   SchurComplement::SchurComplement(const LinearElasticity &elasticity,
-                                   const ContactSurface &  surface)
+                                   const ContactSurface &surface)
     : elasticity_(elasticity)
     , surface_(surface)
     , n_nodes_(surface.n_nodes())
-  {}
-
-
-
-  std::unique_ptr<SchurComplement>
-  SchurComplement::create(const std::string &     form,
-                          const LinearElasticity &elasticity,
-                          const ContactSurface &  surface,
-                          StiffnessSolver &       solver)
   {
-    if (form == "by solves")
-      return std::make_unique<SchurComplementBySolves>(elasticity,
-                                                       surface,
-                                                       solver);
-    return std::make_unique<AssembledSchurComplement>(elasticity,
-                                                      surface,
-                                                      solver);
   }
 
 
 
-  void
-  SchurComplement::set_right_hand_side(StiffnessSolver &solver)
+  std::unique_ptr<SchurComplement> SchurComplement::create(
+    const std::string &form,
+    const LinearElasticity &elasticity,
+    const ContactSurface &surface,
+    StiffnessSolver &solver)
+  {
+    if (form == "by solves")
+      return std::make_unique<SchurComplementBySolves>(
+        elasticity, surface, solver);
+    return std::make_unique<AssembledSchurComplement>(
+      elasticity, surface, solver);
+  }
+
+
+
+  void SchurComplement::set_right_hand_side(StiffnessSolver &solver)
   {
     LA::Vector u = elasticity_.zero_vector();
     solver.solve(u, elasticity_.constrained_load());
@@ -134,11 +129,10 @@ namespace stiction
 
 
 
-  void
-  SchurComplement::vmult(const DualBlock        rows,
-                         const DualBlock        columns,
-                         Eigen::VectorXd &      dst,
-                         const Eigen::VectorXd &src) const
+  void SchurComplement::vmult(const DualBlock rows,
+                              const DualBlock columns,
+                              Eigen::VectorXd &dst,
+                              const Eigen::VectorXd &src) const
   {
     n_ninths_ += thirds(rows) * thirds(columns);
     apply(rows, columns, dst, src);
@@ -146,16 +140,14 @@ namespace stiction
 
 
 
-  Eigen::Index
-  SchurComplement::begin(const DualBlock block) const
+  Eigen::Index SchurComplement::begin(const DualBlock block) const
   {
     return block == DualBlock::tangential ? n_nodes_ : 0;
   }
 
 
 
-  Eigen::Index
-  SchurComplement::length(const DualBlock block) const
+  Eigen::Index SchurComplement::length(const DualBlock block) const
   {
     return static_cast<Eigen::Index>(thirds(block)) * n_nodes_;
   }
@@ -167,20 +159,19 @@ namespace stiction
   SchurBlock::SchurBlock(const SchurComplement &schur, const DualBlock block)
     : schur_(schur)
     , block_(block)
-  {}
+  {
+  }
 
 
 
-  Eigen::Index
-  SchurBlock::size() const
+  Eigen::Index SchurBlock::size() const
   {
     return static_cast<Eigen::Index>(thirds(block_)) * schur_.n_nodes();
   }
 
 
 
-  void
-  SchurBlock::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
+  void SchurBlock::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     schur_.vmult(block_, block_, dst, src);
   }

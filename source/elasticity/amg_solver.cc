@@ -18,21 +18,21 @@ namespace stiction
   // keeps a pointer to the modes.
   struct AmgSolver::Hierarchy
   {
-    std::unique_ptr<Epetra_MultiVector>      modes;
+    std::unique_ptr<Epetra_MultiVector> modes;
     dealii::TrilinosWrappers::PreconditionAMG amg;
   };
 
 
 
   AmgSolver::AmgSolver(const LinearElasticity &elasticity,
-                       const double            relative_residual)
+                       const double relative_residual)
     : StiffnessSolver(elasticity)
     , hierarchy_(std::make_unique<Hierarchy>())
     , relative_residual_(relative_residual)
   {
-    const LA::SparseMatrix &K     = elasticity.constrained_stiffness();
-    const auto              modes = rigid_body_modes(elasticity.body());
-    const auto &            owned = elasticity.body().locally_owned_dofs();
+    const LA::SparseMatrix &K = elasticity.constrained_stiffness();
+    const auto modes          = rigid_body_modes(elasticity.body());
+    const auto &owned         = elasticity.body().locally_owned_dofs();
 
     hierarchy_->modes = std::make_unique<Epetra_MultiVector>(
       K.trilinos_matrix().OperatorDomainMap(), static_cast<int>(modes.size()));
@@ -77,8 +77,7 @@ namespace stiction
 
 
 
-  unsigned int
-  AmgSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int AmgSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     dealii::SolverControl control(1000, relative_residual_ * src.l2_norm());
     dealii::SolverCG<LA::Vector> cg(control);

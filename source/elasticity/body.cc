@@ -17,10 +17,10 @@ namespace stiction
   Body::Body(const GeometryParameters &geometry, MPI_Comm communicator)
     // the multigrid hierarchy and all ranks' answers agree only if a cell's
     // vertices do not depend on the partition
-    : triangulation_(communicator,
-                     Triangulation<3>::limit_level_difference_at_vertices,
-                     parallel::distributed::Triangulation<
-                       3>::construct_multigrid_hierarchy)
+    : triangulation_(
+        communicator,
+        Triangulation<3>::limit_level_difference_at_vertices,
+        parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
     , fe_(FE_Q<3>(1), 3)
     , dof_handler_(triangulation_)
   {
@@ -31,8 +31,7 @@ namespace stiction
 
 
 
-  void
-  Body::make_grid(const GeometryParameters &geometry)
+  void Body::make_grid(const GeometryParameters &geometry)
   {
     Point<3> corner;
     for (unsigned int d = 0; d < 3; ++d)
@@ -48,8 +47,7 @@ namespace stiction
 
 
 
-  void
-  Body::distribute_dofs()
+  void Body::distribute_dofs()
   {
     dof_handler_.distribute_dofs(fe_);
     DoFTools::extract_locally_relevant_dofs(dof_handler_,
@@ -58,8 +56,7 @@ namespace stiction
 
 
 
-  void
-  Body::collect_nodes()
+  void Body::collect_nodes()
   {
     const IndexSet &owned = locally_owned_dofs();
     std::map<types::global_dof_index, Node> nodes; // by their first unknown
@@ -83,9 +80,8 @@ namespace stiction
 
 
 
-  void
-  Body::require_boundary(const types::boundary_id id,
-                         const std::string &      location) const
+  void Body::require_boundary(const types::boundary_id id,
+                              const std::string &location) const
   {
     const auto ids = triangulation_.get_boundary_ids();
     if (std::find(ids.begin(), ids.end(), id) != ids.end())

@@ -16,8 +16,7 @@ namespace stiction
     using dealii::Utilities::trim;
 
     // The last line deal.II's message on a formula has to say is muParser's.
-    std::string
-    reason(const dealii::ExceptionBase &exception)
+    std::string reason(const dealii::ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
@@ -30,8 +29,7 @@ namespace stiction
     }
 
     // At single bars only: '||' is the logical or.
-    std::vector<std::string>
-    split_at_bars(const std::string &text)
+    std::vector<std::string> split_at_bars(const std::string &text)
     {
       std::vector<std::string> parts(1);
       for (std::size_t i = 0; i < text.size(); ++i)
@@ -52,31 +50,27 @@ namespace stiction
 
   ParsedFunction::ParsedFunction(const std::string &expression,
                                  const unsigned int n_components,
-                                 std::string        location)
+                                 std::string location)
     : dealii::Function<3>(n_components)
     , expression_(trim(expression))
     , location_(std::move(location))
     , parser_(std::make_unique<dealii::FunctionParser<3>>(n_components))
   {
-    const auto parts =
-      dealii::Utilities::split_string_list(expression_, ';');
-    bool complete = parts.size() == n_components;
+    const auto parts = dealii::Utilities::split_string_list(expression_, ';');
+    bool complete    = parts.size() == n_components;
     for (const std::string &part : parts)
       complete = complete && !trim(part).empty();
     if (!complete)
       throw InputError(location_ + " = " + expression_ + ", must be " +
-                       (n_components == 1 ?
-                          std::string("one formula") :
-                          std::to_string(n_components) +
-                            " formulas separated by ';'") +
+                       (n_components == 1 ? std::string("one formula")
+                                          : std::to_string(n_components) +
+                                              " formulas separated by ';'") +
                        ".");
 
     try
       {
-        parser_->initialize("x,y,z",
-                            expression_,
-                            {{"pi", dealii::numbers::PI}},
-                            false);
+        parser_->initialize(
+          "x,y,z", expression_, {{"pi", dealii::numbers::PI}}, false);
         // muParser reads a formula when it is first evaluated
         for (unsigned int c = 0; c < n_components; ++c)
           parser_->value(dealii::Point<3>(), c);
@@ -84,8 +78,7 @@ namespace stiction
     catch (const dealii::ExceptionBase &exception)
       {
         throw InputError(location_ + " = " + expression_ +
-                         ", is not a formula in x, y, z: " +
-                         reason(exception));
+                         ", is not a formula in x, y, z: " + reason(exception));
       }
   }
 
@@ -95,9 +88,8 @@ namespace stiction
 
 
 
-  double
-  ParsedFunction::value(const dealii::Point<3> &p,
-                        const unsigned int      component) const
+  double ParsedFunction::value(const dealii::Point<3> &p,
+                               const unsigned int component) const
   {
     const double value = parser_->value(p, component);
     if (!std::isfinite(value))
@@ -112,8 +104,8 @@ namespace stiction
 
 
 
-  BoundaryFunctions
-  parse_boundary_functions(const std::string &text, const std::string &location)
+  BoundaryFunctions parse_boundary_functions(const std::string &text,
+                                             const std::string &location)
   {
     BoundaryFunctions functions;
     if (trim(text).empty())
@@ -131,10 +123,10 @@ namespace stiction
         const auto id =
           static_cast<dealii::types::boundary_id>(std::stoul(name));
         if (functions.count(id) != 0)
-          throw InputError(location + " = " + trim(text) + ", boundary " + name +
-                           " stands twice, must stand once.");
-        functions[id] = std::make_unique<ParsedFunction>(
-          part.substr(colon + 1), 3, location);
+          throw InputError(location + " = " + trim(text) + ", boundary " +
+                           name + " stands twice, must stand once.");
+        functions[id] =
+          std::make_unique<ParsedFunction>(part.substr(colon + 1), 3, location);
       }
     return functions;
   }

@@ -27,7 +27,7 @@ namespace stiction
 
 
 
-  LinearElasticity::LinearElasticity(const Body &      body,
+  LinearElasticity::LinearElasticity(const Body &body,
                                      const Parameters &parameters)
     : body_(body)
     , lame_lambda_(parameters.material.youngs_modulus *
@@ -47,40 +47,35 @@ namespace stiction
 
 
 
-  const LA::SparseMatrix &
-  LinearElasticity::constrained_stiffness() const
+  const LA::SparseMatrix &LinearElasticity::constrained_stiffness() const
   {
     return *constrained_stiffness_;
   }
 
 
 
-  const LA::Vector &
-  LinearElasticity::constrained_load() const
+  const LA::Vector &LinearElasticity::constrained_load() const
   {
     return *constrained_load_;
   }
 
 
 
-  const LA::Vector &
-  LinearElasticity::load() const
+  const LA::Vector &LinearElasticity::load() const
   {
     return *load_;
   }
 
 
 
-  LA::Vector
-  LinearElasticity::zero_vector() const
+  LA::Vector LinearElasticity::zero_vector() const
   {
     return LA::Vector(body_.locally_owned_dofs(), body_.communicator());
   }
 
 
 
-  LA::Vector
-  LinearElasticity::internal_force(const LA::Vector &u) const
+  LA::Vector LinearElasticity::internal_force(const LA::Vector &u) const
   {
     LA::Vector force = zero_vector();
     stiffness_->vmult(force, u);
@@ -89,22 +84,19 @@ namespace stiction
 
 
 
-  void
-  LinearElasticity::read_boundary_conditions(const Parameters &parameters)
+  void LinearElasticity::read_boundary_conditions(const Parameters &parameters)
   {
-    const std::string displacement_location = parameters.source.locate(
-      "Boundary conditions/Prescribed displacement");
+    const std::string displacement_location =
+      parameters.source.locate("Boundary conditions/Prescribed displacement");
     const std::string traction_location =
       parameters.source.locate("Boundary conditions/Traction");
     support_location_ = displacement_location;
 
-    boundary_ = std::make_unique<BoundaryData>();
-    boundary_->displacement =
-      parse_boundary_functions(parameters.boundary.prescribed_displacement,
-                               displacement_location);
+    boundary_               = std::make_unique<BoundaryData>();
+    boundary_->displacement = parse_boundary_functions(
+      parameters.boundary.prescribed_displacement, displacement_location);
     boundary_->traction =
-      parse_boundary_functions(parameters.boundary.traction,
-                               traction_location);
+      parse_boundary_functions(parameters.boundary.traction, traction_location);
 
     for (const auto &condition : boundary_->displacement)
       body_.require_boundary(condition.first, displacement_location);
@@ -134,13 +126,12 @@ namespace stiction
 
 
 
-  void
-  LinearElasticity::assemble()
+  void LinearElasticity::assemble()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
-    const IndexSet &     owned       = body_.locally_owned_dofs();
-    const IndexSet &     relevant    = body_.locally_relevant_dofs();
-    const MPI_Comm       comm        = body_.communicator();
+    const IndexSet &owned            = body_.locally_owned_dofs();
+    const IndexSet &relevant         = body_.locally_relevant_dofs();
+    const MPI_Comm comm              = body_.communicator();
 
     // one pattern for both matrices: the entries of constrained rows stay
     DynamicSparsityPattern pattern(relevant);
@@ -155,21 +146,21 @@ namespace stiction
     constrained_load_ = std::make_unique<LA::Vector>(owned, comm);
 
     const FiniteElement<3> &fe = dof_handler.get_fe();
-    const QGauss<3>         cell_quadrature(fe.degree + 1);
-    const QGauss<2>         face_quadrature(fe.degree + 1);
-    FEValues<3>             cell_values(body_.mapping(),
+    const QGauss<3> cell_quadrature(fe.degree + 1);
+    const QGauss<2> face_quadrature(fe.degree + 1);
+    FEValues<3> cell_values(body_.mapping(),
                             fe,
                             cell_quadrature,
                             update_gradients | update_JxW_values);
-    FEFaceValues<3>         face_values(body_.mapping(),
+    FEFaceValues<3> face_values(body_.mapping(),
                                 fe,
                                 face_quadrature,
                                 update_values | update_quadrature_points |
                                   update_JxW_values);
 
-    const unsigned int                   n = fe.n_dofs_per_cell();
-    FullMatrix<double>                   cell_matrix(n, n);
-    Vector<double>                       cell_load(n);
+    const unsigned int n = fe.n_dofs_per_cell();
+    FullMatrix<double> cell_matrix(n, n);
+    Vector<double> cell_load(n);
     std::vector<types::global_dof_index> indices(n);
 
     together(comm, [&]() {
@@ -185,7 +176,7 @@ namespace stiction
             for (const unsigned int q : cell_values.quadrature_point_indices())
               for (unsigned int i = 0; i < n; ++i)
                 {
-                  const unsigned int   a  = fe.system_to_component_index(i).first;
+                  const unsigned int a = fe.system_to_component_index(i).first;
                   const Tensor<1, 3> &gi = cell_values.shape_grad(i, q);
                   for (unsigned int j = 0; j < n; ++j)
                     {
@@ -236,14 +227,13 @@ namespace stiction
 
 
 
-  void
-  LinearElasticity::require_support() const
+  void LinearElasticity::require_support() const
   {
     const std::string free_motions =
       free_rigid_body_motions(body_, constraints_);
     if (!free_motions.empty())
-      throw InputError(support_location_ +
-                       ": the body is not held, free are " + free_motions +
+      throw InputError(support_location_ + ": the body is not held, free are " +
+                       free_motions +
                        "; prescribe the displacement of a boundary other than "
                        "the contact boundary.");
   }

@@ -29,9 +29,8 @@ namespace stiction
     };
 
     // MUMPS never wants a null pointer, even where there is nothing to see.
-    template <typename T, typename Container>
-    T *
-    data_or(Container &container, T &nothing)
+    template<typename T, typename Container>
+    T *data_or(Container &container, T &nothing)
     {
       return container.size() == 0 ? &nothing : container.data();
     }
@@ -41,32 +40,24 @@ namespace stiction
 
   struct MumpsFactorization::Mumps
   {
-    Mumps(const LA::SparseMatrix &                            matrix,
-          unsigned int                                        dofs_per_node,
+    Mumps(const LA::SparseMatrix &matrix,
+          unsigned int dofs_per_node,
           const std::vector<dealii::types::global_dof_index> &schur_dofs);
     ~Mumps();
-    Mumps(const Mumps &) = delete;
-    Mumps &
-    operator=(const Mumps &) = delete;
+    Mumps(const Mumps &)            = delete;
+    Mumps &operator=(const Mumps &) = delete;
 
-    void
-    copy_lower_triangle(const LA::SparseMatrix &matrix);
-    void
-    run_analysis(unsigned int dofs_per_node);
-    void
-    run_factorisation();
-    void
-    run_solve(int              condensation,
-              Eigen::VectorXd &b,
-              Eigen::VectorXd *condensed);
-    void
-    call(Job job);
-    void
-    check(const char *phase) const;
+    void copy_lower_triangle(const LA::SparseMatrix &matrix);
+    void run_analysis(unsigned int dofs_per_node);
+    void run_factorisation();
+    void run_solve(int condensation,
+                   Eigen::VectorXd &b,
+                   Eigen::VectorXd *condensed);
+    void call(Job job);
+    void check(const char *phase) const;
 
     // the numbering of MUMPS' manual
-    MUMPS_INT &
-    icntl(const int i)
+    MUMPS_INT &icntl(const int i)
     {
       return id.icntl[i - 1];
     }
@@ -76,23 +67,23 @@ namespace stiction
       return id.infog[i - 1];
     }
 
-    DMUMPS_STRUC_C  id{};
-    bool            is_host = false;
-    int             n_schur = 0;
+    DMUMPS_STRUC_C id{};
+    bool is_host = false;
+    int n_schur  = 0;
     Eigen::MatrixXd schur;
 
     // what MUMPS keeps pointers to
     std::vector<MUMPS_INT> rows, columns, permutation, schur_list;
-    std::vector<double>    values;
-    MUMPS_INT              no_integer = 0;
-    double                 no_number  = 0.;
+    std::vector<double> values;
+    MUMPS_INT no_integer = 0;
+    double no_number     = 0.;
   };
 
 
 
   MumpsFactorization::Mumps::Mumps(
-    const LA::SparseMatrix &                            matrix,
-    const unsigned int                                  dofs_per_node,
+    const LA::SparseMatrix &matrix,
+    const unsigned int dofs_per_node,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
     : n_schur(static_cast<int>(schur_dofs.size()))
   {
@@ -110,9 +101,9 @@ namespace stiction
     for (const int stream : {1, 2, 3})
       icntl(stream) = -1; // errors come back as numbers, not as print
     icntl(4)  = 0;
-    icntl(5)  = 0; // assembled matrix ...
-    icntl(18) = 3; // ... distributed over the ranks
-    icntl(8)  = 0; // a positive definite matrix needs no scaling
+    icntl(5)  = 0;  // assembled matrix ...
+    icntl(18) = 3;  // ... distributed over the ranks
+    icntl(8)  = 0;  // a positive definite matrix needs no scaling
     icntl(14) = 30; // per cent of work space more than estimated
 
     id.n = static_cast<MUMPS_INT>(matrix.m()); // after it was initialised
@@ -132,15 +123,15 @@ namespace stiction
 
 
 
-  void
-  MumpsFactorization::Mumps::copy_lower_triangle(const LA::SparseMatrix &matrix)
+  void MumpsFactorization::Mumps::copy_lower_triangle(
+    const LA::SparseMatrix &matrix)
   {
     const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
     for (int i = 0; i < K.NumMyRows(); ++i)
       {
-        int     n_entries = 0;
-        double *entries   = nullptr;
-        int *   indices   = nullptr;
+        int n_entries   = 0;
+        double *entries = nullptr;
+        int *indices    = nullptr;
         K.ExtractMyRowView(i, n_entries, entries, indices);
         const int row = K.GRID(i);
         for (int k = 0; k < n_entries; ++k)
@@ -155,8 +146,7 @@ namespace stiction
 
 
 
-  void
-  MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
+  void MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
   {
     // Left to itself MUMPS orders by minimum degree as soon as a Schur
     // complement is asked for, at three times the operations.
@@ -188,8 +178,7 @@ namespace stiction
 
 
 
-  void
-  MumpsFactorization::Mumps::run_factorisation()
+  void MumpsFactorization::Mumps::run_factorisation()
   {
     if (n_schur > 0)
       {
@@ -207,7 +196,7 @@ namespace stiction
         icntl(23) = megabytes;
         call(factorise);
         // the errors of which the manual says: enlarge the work space
-        const std::array<MUMPS_INT, 3> limit_too_small = {{-9, -11, -19}};
+        const std::array<MUMPS_INT, 3> limit_too_small    = {{-9, -11, -19}};
         const std::array<MUMPS_INT, 5> estimate_too_small = {
           {-8, -14, -15, -17, -20}};
         const auto is_one_of = [&](const auto &errors) {
@@ -226,10 +215,9 @@ namespace stiction
 
 
 
-  void
-  MumpsFactorization::Mumps::run_solve(const int        condensation,
-                                       Eigen::VectorXd &b,
-                                       Eigen::VectorXd *condensed)
+  void MumpsFactorization::Mumps::run_solve(const int condensation,
+                                            Eigen::VectorXd &b,
+                                            Eigen::VectorXd *condensed)
   {
     id.nrhs = 1;
     id.lrhs = id.n;
@@ -247,8 +235,7 @@ namespace stiction
 
 
 
-  void
-  MumpsFactorization::Mumps::call(const Job job)
+  void MumpsFactorization::Mumps::call(const Job job)
   {
     id.job = job;
     dmumps_c(&id);
@@ -256,8 +243,7 @@ namespace stiction
 
 
 
-  void
-  MumpsFactorization::Mumps::check(const char *phase) const
+  void MumpsFactorization::Mumps::check(const char *phase) const
   {
     if (infog(1) == -13)
       throw std::bad_alloc();
@@ -272,11 +258,12 @@ namespace stiction
   // -------------------------------------------------- MumpsFactorization
 
   MumpsFactorization::MumpsFactorization(
-    const LA::SparseMatrix &                            matrix,
-    const unsigned int                                  dofs_per_node,
+    const LA::SparseMatrix &matrix,
+    const unsigned int dofs_per_node,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
     : mumps_(std::make_unique<Mumps>(matrix, dofs_per_node, schur_dofs))
-  {}
+  {
+  }
 
 
 
@@ -284,40 +271,37 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd &
-  MumpsFactorization::schur_complement()
+  Eigen::MatrixXd &MumpsFactorization::schur_complement()
   {
     return mumps_->schur;
   }
 
 
 
-  bool
-  MumpsFactorization::is_host() const
+  bool MumpsFactorization::is_host() const
   {
     return mumps_->is_host;
   }
 
 
 
-  void
-  MumpsFactorization::solve(Eigen::VectorXd &b)
+  void MumpsFactorization::solve(Eigen::VectorXd &b)
   {
     mumps_->run_solve(0, b, nullptr);
   }
 
 
 
-  void
-  MumpsFactorization::condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
+  void MumpsFactorization::condense(Eigen::VectorXd &b,
+                                    Eigen::VectorXd &condensed)
   {
     mumps_->run_solve(1, b, &condensed);
   }
 
 
 
-  void
-  MumpsFactorization::expand(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
+  void MumpsFactorization::expand(Eigen::VectorXd &b,
+                                  Eigen::VectorXd &condensed)
   {
     mumps_->run_solve(2, b, &condensed);
   }

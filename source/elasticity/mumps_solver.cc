@@ -19,8 +19,7 @@ namespace stiction
     constexpr unsigned int dofs_per_node = 3;
 
     // A large matrix goes out in pieces: an MPI count is an int.
-    void
-    broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
+    void broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
     {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j)
         MPI_Bcast(matrix.col(j).data(),
@@ -39,16 +38,14 @@ namespace stiction
         : communicator_(v.get_mpi_communicator())
         , is_host_(dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
         , local_size_(static_cast<int>(v.locally_owned_size()))
-        , counts_(
-            dealii::Utilities::MPI::gather(communicator_, local_size_, 0))
+        , counts_(dealii::Utilities::MPI::gather(communicator_, local_size_, 0))
         , offsets_(counts_.size(), 0)
       {
         for (std::size_t r = 1; r < counts_.size(); ++r)
           offsets_[r] = offsets_[r - 1] + counts_[r - 1];
       }
 
-      Eigen::VectorXd
-      gather(const LA::Vector &v) const
+      Eigen::VectorXd gather(const LA::Vector &v) const
       {
         Eigen::VectorXd whole(is_host_ ? v.size() : 0);
         MPI_Gatherv(v.begin(),
@@ -63,8 +60,7 @@ namespace stiction
         return whole;
       }
 
-      void
-      scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
+      void scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
       {
         MPI_Scatterv(whole.data(),
                      counts_.data(),
@@ -78,9 +74,9 @@ namespace stiction
       }
 
     private:
-      MPI_Comm         communicator_;
-      bool             is_host_;
-      int              local_size_;
+      MPI_Comm communicator_;
+      bool is_host_;
+      int local_size_;
       std::vector<int> counts_, offsets_;
     };
   } // namespace
@@ -89,7 +85,8 @@ namespace stiction
 
   MumpsSolver::MumpsSolver(const LinearElasticity &elasticity)
     : StiffnessSolver(elasticity)
-  {}
+  {
+  }
 
 
 
@@ -97,17 +94,14 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd
-  MumpsSolver::compliance(const Trace &trace)
+  Eigen::MatrixXd MumpsSolver::compliance(const Trace &trace)
   {
     factorization_.reset(); // before the new one: it may be large
-    factorization_ =
-      std::make_unique<MumpsFactorization>(elasticity_.constrained_stiffness(),
-                                           dofs_per_node,
-                                           trace.dofs());
+    factorization_ = std::make_unique<MumpsFactorization>(
+      elasticity_.constrained_stiffness(), dofs_per_node, trace.dofs());
     is_condensed_ = true;
 
-    const auto      n = static_cast<int>(trace.size());
+    const auto n = static_cast<int>(trace.size());
     Eigen::MatrixXd C(n, n);
     if (factorization_->is_host())
       {
@@ -124,15 +118,14 @@ namespace stiction
 
 
 
-  unsigned int
-  MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     if (!factorization_)
       factorization_ = std::make_unique<MumpsFactorization>(
         elasticity_.constrained_stiffness(), dofs_per_node);
 
     const HostVector host(src);
-    Eigen::VectorXd  x = host.gather(src);
+    Eigen::VectorXd x = host.gather(src);
     if (is_condensed_)
       {
         Eigen::VectorXd condensed;

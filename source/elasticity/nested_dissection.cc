@@ -14,27 +14,24 @@ namespace stiction
     using Edge  = std::array<int, 2>;
     using Edges = std::vector<Edge>;
 
-    void
-    make_unique(Edges &edges)
+    void make_unique(Edges &edges)
     {
       std::sort(edges.begin(), edges.end());
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     }
 
     // The edges of the graph of the nodes, all of them on rank 0.
-    Edges
-    gather_node_graph(const std::vector<int> &rows,
-                      const std::vector<int> &columns,
-                      const int               dofs_per_node,
-                      MPI_Comm                communicator)
+    Edges gather_node_graph(const std::vector<int> &rows,
+                            const std::vector<int> &columns,
+                            const int dofs_per_node,
+                            MPI_Comm communicator)
     {
       Edges mine;
       for (std::size_t k = 0; k < rows.size(); ++k)
         {
-          const Edge edge{{(rows[k] - 1) / dofs_per_node,
-                           (columns[k] - 1) / dofs_per_node}};
-          if (edge[0] != edge[1] &&
-              (mine.empty() || mine.back() != edge))
+          const Edge edge{
+            {(rows[k] - 1) / dofs_per_node, (columns[k] - 1) / dofs_per_node}};
+          if (edge[0] != edge[1] && (mine.empty() || mine.back() != edge))
             mine.push_back(edge);
         }
       make_unique(mine);
@@ -52,10 +49,9 @@ namespace stiction
     }
 
     // METIS' order of a graph: which vertex is eliminated as the k-th.
-    std::vector<int>
-    dissect(const Edges &edges, const std::size_t n_vertices)
+    std::vector<int> dissect(const Edges &edges, const std::size_t n_vertices)
     {
-      auto               n = static_cast<idx_t>(n_vertices);
+      auto n = static_cast<idx_t>(n_vertices);
       std::vector<idx_t> begin_of(n_vertices + 1, 0), neighbours;
       for (const Edge &edge : edges)
         {
@@ -86,15 +82,14 @@ namespace stiction
 
 
 
-  std::vector<int>
-  nested_dissection(const std::vector<int> &rows,
-                    const std::vector<int> &columns,
-                    const int               n,
-                    const unsigned int      dofs_per_node,
-                    const std::vector<int> &last,
-                    MPI_Comm                communicator)
+  std::vector<int> nested_dissection(const std::vector<int> &rows,
+                                     const std::vector<int> &columns,
+                                     const int n,
+                                     const unsigned int dofs_per_node,
+                                     const std::vector<int> &last,
+                                     MPI_Comm communicator)
   {
-    const int   size  = static_cast<int>(dofs_per_node);
+    const int size    = static_cast<int>(dofs_per_node);
     const Edges edges = gather_node_graph(rows, columns, size, communicator);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
       return {};
@@ -117,7 +112,7 @@ namespace stiction
     std::sort(kept.begin(), kept.end());
 
     std::vector<int> position(n);
-    int              count = 0;
+    int count = 0;
     for (const int vertex : dissect(kept, nodes.size()))
       for (int dof = nodes[vertex] * size;
            dof < std::min(n, (nodes[vertex] + 1) * size);

@@ -11,12 +11,11 @@ namespace stiction
 {
   using namespace dealii;
 
-  std::vector<std::vector<double>>
-  rigid_body_modes(const Body &body)
+  std::vector<std::vector<double>> rigid_body_modes(const Body &body)
   {
-    const auto &   corners = body.bounding_box().get_boundary_points();
-    const Point<3> centre  = body.bounding_box().center();
-    const double   radius  = corners.first.distance(corners.second) / 2.;
+    const auto &corners   = body.bounding_box().get_boundary_points();
+    const Point<3> centre = body.bounding_box().center();
+    const double radius   = corners.first.distance(corners.second) / 2.;
     const IndexSet &owned = body.locally_owned_dofs();
 
     std::vector<std::vector<double>> modes(
@@ -40,17 +39,17 @@ namespace stiction
 
 
 
-  std::string
-  free_rigid_body_motions(const Body &                     body,
-                          const AffineConstraints<double> &constraints)
+  std::string free_rigid_body_motions(
+    const Body &body,
+    const AffineConstraints<double> &constraints)
   {
-    const auto      modes = rigid_body_modes(body);
+    const auto modes      = rigid_body_modes(body);
     const IndexSet &owned = body.locally_owned_dofs();
 
     // A motion is free if it vanishes at every fixed unknown: the null space
     // of the Gram matrix of the modes restricted to them.
     std::array<double, 36> gram{};
-    std::size_t            k = 0;
+    std::size_t k = 0;
     for (const auto dof : owned)
       {
         if (constraints.is_constrained(dof) &&
@@ -69,15 +68,14 @@ namespace stiction
       matrix);
     const double scale = eigen.eigenvalues()(5);
 
-    static const std::array<const char *, 6> names = {
-      {"translation along x",
-       "translation along y",
-       "translation along z",
-       "rotation about x",
-       "rotation about y",
-       "rotation about z"}};
+    static const std::array<const char *, 6> names = {{"translation along x",
+                                                       "translation along y",
+                                                       "translation along z",
+                                                       "rotation about x",
+                                                       "rotation about y",
+                                                       "rotation about z"}};
 
-    std::string                 text;
+    std::string text;
     Eigen::Matrix<double, 6, 1> in_null_space =
       Eigen::Matrix<double, 6, 1>::Zero();
     for (unsigned int e = 0; e < 6; ++e)

@@ -11,14 +11,15 @@ namespace stiction
 {
   StiffnessSolver::StiffnessSolver(const LinearElasticity &elasticity)
     : elasticity_(elasticity)
-  {}
+  {
+  }
 
 
 
-  std::unique_ptr<StiffnessSolver>
-  StiffnessSolver::create(const StiffnessSolverParameters &parameters,
-                          const LinearElasticity &         elasticity,
-                          const double                     relative_residual)
+  std::unique_ptr<StiffnessSolver> StiffnessSolver::create(
+    const StiffnessSolverParameters &parameters,
+    const LinearElasticity &elasticity,
+    const double relative_residual)
   {
     if (parameters.type == "amg")
       return std::make_unique<AmgSolver>(elasticity, relative_residual);
@@ -27,8 +28,7 @@ namespace stiction
 
 
 
-  void
-  StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
+  void StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
   {
     n_iterations_ += do_solve(dst, src);
     ++n_solves_;
@@ -36,17 +36,15 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd
-  StiffnessSolver::compliance(const Trace &trace)
+  Eigen::MatrixXd StiffnessSolver::compliance(const Trace &trace)
   {
     Eigen::MatrixXd C(trace.size(), trace.size());
-    LA::Vector      unit_force   = elasticity_.zero_vector();
-    LA::Vector      displacement = elasticity_.zero_vector();
+    LA::Vector unit_force   = elasticity_.zero_vector();
+    LA::Vector displacement = elasticity_.zero_vector();
     for (Eigen::Index j = 0; j < trace.size(); ++j)
       {
         unit_force = 0.;
-        trace.add_extension(Eigen::VectorXd::Unit(trace.size(), j),
-                            unit_force);
+        trace.add_extension(Eigen::VectorXd::Unit(trace.size(), j), unit_force);
         displacement = 0.;
         solve(displacement, unit_force);
         C.col(j) = trace.restriction(displacement);

@@ -9,12 +9,12 @@ namespace stiction
 {
   Trace::Trace(std::vector<dealii::types::global_dof_index> dofs)
     : dofs_(std::move(dofs))
-  {}
+  {
+  }
 
 
 
-  Eigen::VectorXd
-  Trace::restriction(const LA::Vector &u) const
+  Eigen::VectorXd Trace::restriction(const LA::Vector &u) const
   {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(size());
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -29,8 +29,8 @@ namespace stiction
 
 
 
-  void
-  Trace::add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const
+  void Trace::add_extension(const Eigen::VectorXd &values,
+                            LA::Vector &dst) const
   {
     for (Eigen::Index i = 0; i < size(); ++i)
       if (dst.in_local_range(dofs_[i]))

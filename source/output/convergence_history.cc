@@ -6,18 +6,18 @@
 
 namespace stiction
 {
-  ConvergenceHistory::ConvergenceHistory(Log &              log,
+  ConvergenceHistory::ConvergenceHistory(Log &log,
                                          const std::string &step_name,
-                                         const bool         print)
+                                         const bool print)
     : log_(log)
     , print_(print)
     , step_name_(step_name)
-  {}
+  {
+  }
 
 
 
-  void
-  ConvergenceHistory::add(const ContactStep &step)
+  void ConvergenceHistory::add(const ContactStep &step)
   {
     if (print_ && !has_header_)
       log_.line(format("  %-12s %7s %9s %13s %13s %12s",
@@ -48,8 +48,7 @@ namespace stiction
 
 
 
-  void
-  ConvergenceHistory::write(const std::string &file) const
+  void ConvergenceHistory::write(const std::string &file) const
   {
     // TableHandler separates by blanks; its rows are rewritten with commas
     dealii::TableHandler table = table_;
@@ -62,8 +61,9 @@ namespace stiction
         }
     std::stringstream text;
     if (has_header_)
-      table.write_text(text,
-                       dealii::TableHandler::simple_table_with_separate_column_description);
+      table.write_text(
+        text,
+        dealii::TableHandler::simple_table_with_separate_column_description);
 
     std::ofstream out(file);
     out << "step,sweeps,dual_multiplications,kkt_residual,relative_change,"
@@ -73,7 +73,7 @@ namespace stiction
         if (line.empty() || line[0] == '#')
           continue;
         std::istringstream words(line);
-        std::string        row;
+        std::string row;
         for (std::string word; words >> word;)
           row += (row.empty() ? "" : ",") + word;
         out << row << '\n';

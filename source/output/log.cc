@@ -10,12 +10,12 @@ namespace stiction
 {
   Log::Log(MPI_Comm communicator)
     : speaks_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-  {}
+  {
+  }
 
 
 
-  void
-  Log::line(const std::string &text)
+  void Log::line(const std::string &text)
   {
     if (!speaks_)
       return;
@@ -28,8 +28,7 @@ namespace stiction
 
 
 
-  void
-  Log::open_file(const std::string &name)
+  void Log::open_file(const std::string &name)
   {
     if (!speaks_)
       return;
@@ -39,8 +38,7 @@ namespace stiction
 
 
 
-  std::string
-  format(const char *pattern, ...)
+  std::string format(const char *pattern, ...)
   {
     std::va_list arguments, again;
     va_start(arguments, pattern);

@@ -13,8 +13,7 @@ namespace stiction
 
     // The largest of three numbers' magnitudes picks the unit, so that what is
     // printed is of size one in any unit system.
-    std::string
-    vector_line(const char *name, const json &v)
+    std::string vector_line(const char *name, const json &v)
     {
       return format("  %-24s %.6g, %.6g, %.6g",
                     name,
@@ -23,22 +22,20 @@ namespace stiction
                     v[2].get<double>());
     }
 
-    std::string
-    number(const json &value)
+    std::string number(const json &value)
     {
-      return value.is_null() ? std::string("not measured") :
-                               format("%.4g", value.get<double>());
+      return value.is_null() ? std::string("not measured")
+                             : format("%.4g", value.get<double>());
     }
   } // namespace
 
 
 
-  void
-  print_report(Log &              log,
-               const json &       summary,
-               const double       tolerance,
-               const std::string &reason,
-               const bool         with_costs)
+  void print_report(Log &log,
+                    const json &summary,
+                    const double tolerance,
+                    const std::string &reason,
+                    const bool with_costs)
   {
     const json &contact = summary["contact"];
     log.line();
@@ -68,7 +65,7 @@ namespace stiction
     struct Row
     {
       const char *name, *meaning;
-      bool        decides;
+      bool decides;
     };
     static const std::array<Row, 9> rows = {
       {{"equilibrium_residual", "forces in balance at every node", true},
@@ -87,12 +84,13 @@ namespace stiction
                         row.name,
                         value,
                         row.meaning,
-                        !row.decides       ? "" :
-                        value <= tolerance ? "ok" :
-                                             "NOT REACHED"));
+                        !row.decides         ? ""
+                        : value <= tolerance ? "ok"
+                                             : "NOT REACHED"));
       }
     if (summary["solver"]["law"] == "coulomb")
-      log.line("  (the duality gap is that of the last slip bound, held fixed)");
+      log.line(
+        "  (the duality gap is that of the last slip bound, held fixed)");
 
     if (with_costs)
       {

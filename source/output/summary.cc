@@ -20,8 +20,7 @@ namespace stiction
   {
     using nlohmann::json;
 
-    json
-    to_json(const dealii::Tensor<1, 3> &v)
+    json to_json(const dealii::Tensor<1, 3> &v)
     {
       return {v[0], v[1], v[2]};
     }
@@ -29,8 +28,7 @@ namespace stiction
 
 
 
-  json
-  certificate_to_json(const Certificate &certificate)
+  json certificate_to_json(const Certificate &certificate)
   {
     const Certificate::Figures &figures = certificate.figures();
     return {{"equilibrium_residual", figures.equilibrium_residual},
@@ -46,17 +44,16 @@ namespace stiction
 
 
 
-  json
-  contact_to_json(const ContactSurface &surface,
-                  const Certificate &   certificate,
-                  const double          tolerance)
+  json contact_to_json(const ContactSurface &surface,
+                       const Certificate &certificate,
+                       const double tolerance)
   {
-    const Eigen::Index     m      = surface.n_nodes();
+    const Eigen::Index m          = surface.n_nodes();
     const Eigen::VectorXd &lambda = certificate.lambda();
 
     std::array<unsigned int, 3> count{};
-    unsigned int                undecided    = 0;
-    double                      max_pressure = 0., area = 0.;
+    unsigned int undecided = 0;
+    double max_pressure = 0., area = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const NodeStatus status = certificate.status(i);
@@ -85,22 +82,22 @@ namespace stiction
 
 
 
-  json
-  energy_to_json(const ContactSurface &surface, const Certificate &certificate)
+  json energy_to_json(const ContactSurface &surface,
+                      const Certificate &certificate)
   {
     // Σ λ_t · slip, and r_t = −slip
     const Eigen::Index n = 2 * surface.n_nodes();
-    return {{"strain", certificate.strain_energy()},
-            {"load_work", certificate.load_work()},
-            {"friction_dissipation",
-             -certificate.lambda().tail(n).dot(
-               certificate.gradient().tail(n))}};
+    return {
+      {"strain", certificate.strain_energy()},
+      {"load_work", certificate.load_work()},
+      {"friction_dissipation",
+       0. - certificate.lambda().tail(n).dot(certificate.gradient().tail(n))}};
   }
 
 
 
-  json
-  displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u)
+  json displacement_to_json(const LinearElasticity &elasticity,
+                            const LA::Vector &u)
   {
     // the first component is the size, so that the largest array is the one
     // sought; ties go to the largest place, on any number of ranks
@@ -124,8 +121,7 @@ namespace stiction
 
 
 
-  void
-  write_json(const std::string &file, const json &document)
+  void write_json(const std::string &file, const json &document)
   {
     const std::string unfinished = file + ".new";
     std::ofstream(unfinished) << document.dump(2) << '\n';

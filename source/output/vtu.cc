@@ -29,10 +29,11 @@ namespace stiction
         : DataPostprocessorTensor<3>("stress", update_gradients)
         , lame_lambda_(lame_lambda)
         , shear_modulus_(shear_modulus)
-      {}
+      {
+      }
 
-      SymmetricTensor<2, 3>
-      stress(const std::vector<Tensor<1, 3>> &gradients) const
+      SymmetricTensor<2, 3> stress(
+        const std::vector<Tensor<1, 3>> &gradients) const
       {
         SymmetricTensor<2, 3> strain;
         for (unsigned int a = 0; a < 3; ++a)
@@ -43,19 +44,17 @@ namespace stiction
                2. * shear_modulus_ * strain;
       }
 
-      void
-      evaluate_vector_field(
+      void evaluate_vector_field(
         const DataPostprocessorInputs::Vector<3> &inputs,
-        std::vector<Vector<double>> &             quantities) const override
+        std::vector<Vector<double>> &quantities) const override
       {
         for (unsigned int p = 0; p < quantities.size(); ++p)
           {
             const auto sigma = stress(inputs.solution_gradients[p]);
             for (unsigned int a = 0; a < 3; ++a)
               for (unsigned int b = 0; b < 3; ++b)
-                quantities[p](
-                  Tensor<2, 3>::component_to_unrolled_index({a, b})) =
-                  sigma[a][b];
+                quantities[p](Tensor<2, 3>::component_to_unrolled_index(
+                  {a, b})) = sigma[a][b];
           }
       }
 
@@ -71,12 +70,12 @@ namespace stiction
       explicit VonMisesStress(const Stress &stress)
         : DataPostprocessorScalar<3>("von_Mises_stress", update_gradients)
         , stress_(stress)
-      {}
+      {
+      }
 
-      void
-      evaluate_vector_field(
+      void evaluate_vector_field(
         const DataPostprocessorInputs::Vector<3> &inputs,
-        std::vector<Vector<double>> &             quantities) const override
+        std::vector<Vector<double>> &quantities) const override
       {
         for (unsigned int p = 0; p < quantities.size(); ++p)
           quantities[p](0) =
@@ -95,8 +94,8 @@ namespace stiction
     {
     public:
       ContactOutput(const LinearElasticity &elasticity,
-                    const ContactSurface &  surface,
-                    const Certificate &     certificate)
+                    const ContactSurface &surface,
+                    const Certificate &certificate)
       {
         const auto &dof_handler = elasticity.body().dof_handler();
         for (const auto &cell : dof_handler.active_cell_iterators())
@@ -124,14 +123,12 @@ namespace stiction
       }
 
     protected:
-      const std::vector<DataOutBase::Patch<2, 3>> &
-      get_patches() const override
+      const std::vector<DataOutBase::Patch<2, 3>> &get_patches() const override
       {
         return patches_;
       }
 
-      std::vector<std::string>
-      get_dataset_names() const override
+      std::vector<std::string> get_dataset_names() const override
       {
         return {"pressure",
                 "traction",
@@ -178,22 +175,21 @@ namespace stiction
         n_fields = bound + 1
       };
 
-      static void
-      fill(DataOutBase::Patch<2, 3> &patch,
-           const unsigned int        v,
-           const Eigen::Index        i,
-           const ContactSurface &    surface,
-           const Certificate &       certificate)
+      static void fill(DataOutBase::Patch<2, 3> &patch,
+                       const unsigned int v,
+                       const Eigen::Index i,
+                       const ContactSurface &surface,
+                       const Certificate &certificate)
       {
         if (i < 0) // clamped: not a contact node
           {
             patch.data(status, v) = -1.f;
             return;
           }
-        const Eigen::Index m      = surface.n_nodes();
-        const ContactNode &node   = surface.nodes()[i];
-        const auto &       lambda = certificate.lambda();
-        const auto &       r      = certificate.gradient();
+        const Eigen::Index m    = surface.n_nodes();
+        const ContactNode &node = surface.nodes()[i];
+        const auto &lambda      = certificate.lambda();
+        const auto &r           = certificate.gradient();
 
         const Tensor<1, 3> force = lambda(i) * node.normal +
                                    lambda(i + m) * node.tangent1 +
@@ -223,15 +219,14 @@ namespace stiction
 
     // NAME.pvtu on rank 0 over one NAME.RRRR.vtu a rank, and NAME.pvd over
     // the (one) load step.
-    template <int dim>
-    void
-    write_pieces(const DataOutInterface<dim, 3> &out,
-                 const std::string &             directory,
-                 const std::string &             name,
-                 MPI_Comm                        communicator)
+    template<int dim>
+    void write_pieces(const DataOutInterface<dim, 3> &out,
+                      const std::string &directory,
+                      const std::string &name,
+                      MPI_Comm communicator)
     {
       const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-      const auto         piece = [&](const unsigned int r) {
+      const auto piece        = [&](const unsigned int r) {
         return name + "." + Utilities::int_to_string(r, 4) + ".vtu";
       };
       std::ofstream file(directory + "/" + piece(rank));
@@ -240,7 +235,8 @@ namespace stiction
       if (rank != 0)
         return;
       std::vector<std::string> pieces;
-      for (unsigned int r = 0; r < Utilities::MPI::n_mpi_processes(communicator);
+      for (unsigned int r = 0;
+           r < Utilities::MPI::n_mpi_processes(communicator);
            ++r)
         pieces.push_back(piece(r));
       std::ofstream record(directory + "/" + name + ".pvtu");
@@ -252,21 +248,19 @@ namespace stiction
 
 
 
-  void
-  write_solution(const std::string &     directory,
-                 const LinearElasticity &elasticity,
-                 const LA::Vector &      u)
+  void write_solution(const std::string &directory,
+                      const LinearElasticity &elasticity,
+                      const LA::Vector &u)
   {
     const Body &body = elasticity.body();
-    LA::Vector  with_ghosts(body.locally_owned_dofs(),
+    LA::Vector with_ghosts(body.locally_owned_dofs(),
                            body.locally_relevant_dofs(),
                            body.communicator());
     with_ghosts = u;
 
-    const Stress         stress(elasticity.lame_lambda(),
-                        elasticity.shear_modulus());
+    const Stress stress(elasticity.lame_lambda(), elasticity.shear_modulus());
     const VonMisesStress von_mises(stress);
-    DataOut<3>           out;
+    DataOut<3> out;
     out.attach_dof_handler(body.dof_handler());
     out.add_data_vector(
       with_ghosts,
@@ -282,11 +276,10 @@ namespace stiction
 
 
 
-  void
-  write_contact(const std::string &     directory,
-                const LinearElasticity &elasticity,
-                const ContactSurface &  surface,
-                const Certificate &     certificate)
+  void write_contact(const std::string &directory,
+                     const LinearElasticity &elasticity,
+                     const ContactSurface &surface,
+                     const Certificate &certificate)
   {
     write_pieces(ContactOutput(elasticity, surface, certificate),
                  directory,

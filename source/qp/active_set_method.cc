@@ -5,8 +5,8 @@
 namespace stiction::qp
 {
   ActiveSetMethod::ActiveSetMethod(const SymmetricOperator &A,
-                                   const FeasibleSet &      set,
-                                   const double             norm)
+                                   const FeasibleSet &set,
+                                   const double norm)
     : A_(A)
     , set_(set)
     , fixed_step_(1.9 / norm)
@@ -16,12 +16,12 @@ namespace stiction::qp
 
 
 
-  ActiveSetStatistics
-  ActiveSetMethod::solve(Eigen::VectorXd &  x,
-                         Eigen::VectorXd &  gradient,
-                         const Scaling &    scaling,
-                         const double       tolerance,
-                         const unsigned int max_multiplications)
+  ActiveSetStatistics ActiveSetMethod::solve(
+    Eigen::VectorXd &x,
+    Eigen::VectorXd &gradient,
+    const Scaling &scaling,
+    const double tolerance,
+    const unsigned int max_multiplications)
   {
     eigen_assert(x.size() == A_.size() && gradient.size() == A_.size());
     const unsigned long multiplications_before = A_.n_multiplications();
@@ -36,7 +36,7 @@ namespace stiction::qp
       {
         statistics.multiplications = static_cast<unsigned int>(
           A_.n_multiplications() - multiplications_before);
-        statistics.residual = set_.natural_residual(x_, gradient_, scaling);
+        statistics.residual  = set_.natural_residual(x_, gradient_, scaling);
         statistics.converged = statistics.residual <= tolerance;
         if (statistics.converged ||
             statistics.multiplications >= max_multiplications)
@@ -79,8 +79,8 @@ namespace stiction::qp
 
 
 
-  void
-  ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)
+  void ActiveSetMethod::expand(const double alpha_cg,
+                               const double alpha_feasible)
   {
     if (guarded_projected_step(alpha_cg, p_))
       return;
@@ -91,8 +91,7 @@ namespace stiction::qp
 
 
 
-  void
-  ActiveSetMethod::go_to_boundary(const double alpha_feasible)
+  void ActiveSetMethod::go_to_boundary(const double alpha_feasible)
   {
     x_ -= alpha_feasible * p_;
     gradient_ -= alpha_feasible * Ap_;
@@ -101,9 +100,9 @@ namespace stiction::qp
 
 
 
-  Eigen::VectorXd
-  ActiveSetMethod::step_to_projection(const double           step,
-                                      const Eigen::VectorXd &direction) const
+  Eigen::VectorXd ActiveSetMethod::step_to_projection(
+    const double step,
+    const Eigen::VectorXd &direction) const
   {
     Eigen::VectorXd target = x_ - step * direction;
     set_.project(target);
@@ -112,12 +111,11 @@ namespace stiction::qp
 
 
 
-  void
-  ActiveSetMethod::projected_step(const double           step,
-                                  const Eigen::VectorXd &direction)
+  void ActiveSetMethod::projected_step(const double step,
+                                       const Eigen::VectorXd &direction)
   {
     const Eigen::VectorXd d = step_to_projection(step, direction);
-    Eigen::VectorXd       Ad;
+    Eigen::VectorXd Ad;
     A_.vmult(Ad, d);
     x_ += d;
     gradient_ += Ad;
@@ -125,12 +123,11 @@ namespace stiction::qp
 
 
 
-  bool
-  ActiveSetMethod::guarded_projected_step(const double           step,
-                                          const Eigen::VectorXd &direction)
+  bool ActiveSetMethod::guarded_projected_step(const double step,
+                                               const Eigen::VectorXd &direction)
   {
     const Eigen::VectorXd d = step_to_projection(step, direction);
-    Eigen::VectorXd       Ad;
+    Eigen::VectorXd Ad;
     A_.vmult(Ad, d);
     if (!(d.dot(gradient_) + 0.5 * d.dot(Ad) < 0.))
       return false;
@@ -141,16 +138,14 @@ namespace stiction::qp
 
 
 
-  void
-  ActiveSetMethod::split()
+  void ActiveSetMethod::split()
   {
     set_.split(x_, gradient_, fixed_step_, free_, chopped_);
   }
 
 
 
-  bool
-  ActiveSetMethod::is_disproportionate(const double gamma) const
+  bool ActiveSetMethod::is_disproportionate(const double gamma) const
   {
     const Eigen::VectorXd reduced_free =
       -step_to_projection(fixed_step_, free_) / fixed_step_;

@@ -8,13 +8,12 @@
 
 namespace stiction::qp
 {
-  Eigen::VectorXd
-  unbalanced_boundary_residual(const Discs &          discs,
-                               const Eigen::VectorXd &x,
-                               const Eigen::VectorXd &gradient)
+  Eigen::VectorXd unbalanced_boundary_residual(const Discs &discs,
+                                               const Eigen::VectorXd &x,
+                                               const Eigen::VectorXd &gradient)
   {
     const Eigen::Index m = discs.n_nodes();
-    Eigen::VectorXd    v = Eigen::VectorXd::Zero(2 * m);
+    Eigen::VectorXd v    = Eigen::VectorXd::Zero(2 * m);
     for (Eigen::Index i = 0; i < m; ++i)
       if (discs.radii()(i) > 0. && discs.is_active(x, i))
         {
@@ -28,38 +27,36 @@ namespace stiction::qp
 
 
 
-  double
-  largest_release_step(const Discs &          discs,
-                       const Eigen::VectorXd &x,
-                       const Eigen::VectorXd &gradient)
+  double largest_release_step(const Discs &discs,
+                              const Eigen::VectorXd &x,
+                              const Eigen::VectorXd &gradient)
   {
-    const Eigen::Index    m = discs.n_nodes();
+    const Eigen::Index m    = discs.n_nodes();
     const Eigen::VectorXd v = unbalanced_boundary_residual(discs, x, gradient);
-    double                alpha = std::numeric_limits<double>::infinity();
+    double alpha            = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < m; ++i)
       if (v(i) != 0. || v(i + m) != 0.)
-        alpha = std::min(alpha,
-                         discs.radii()(i) /
-                           std::hypot(gradient(i), gradient(i + m)));
+        alpha = std::min(
+          alpha, discs.radii()(i) / std::hypot(gradient(i), gradient(i + m)));
     return alpha;
   }
 
 
 
   DiscActiveSet::DiscActiveSet(const SymmetricOperator &A,
-                               const Discs &            discs,
-                               const double             norm,
-                               const Variant            variant)
+                               const Discs &discs,
+                               const double norm,
+                               const Variant variant)
     : ActiveSetMethod(A, discs, norm)
     , discs_(discs)
     , variant_(variant)
-  {}
+  {
+  }
 
 
 
-  bool
-  DiscActiveSet::must_release(const Scaling &scaling,
-                              const double   tolerance) const
+  bool DiscActiveSet::must_release(const Scaling &scaling,
+                                   const double tolerance) const
   {
     if (variant_ >= Variant::with_proportioning)
       return is_disproportionate(1.);
@@ -69,8 +66,7 @@ namespace stiction::qp
 
 
 
-  void
-  DiscActiveSet::release()
+  void DiscActiveSet::release()
   {
     if (variant_ >= Variant::with_projected_release)
       {
@@ -85,9 +81,8 @@ namespace stiction::qp
     const double curvature = v.dot(Av);
     if (!(curvature > 0.)) // nothing on the boundary is out of balance
       return;
-    const double alpha =
-      std::min(-gradient_.dot(v) / curvature,
-               largest_release_step(discs_, x_, gradient_));
+    const double alpha = std::min(-gradient_.dot(v) / curvature,
+                                  largest_release_step(discs_, x_, gradient_));
     x_ += alpha * v;
     gradient_ += alpha * Av;
     discs_.project(x_); // removes rounding only
@@ -95,8 +90,7 @@ namespace stiction::qp
 
 
 
-  void
-  DiscActiveSet::expand(const double alpha_cg, const double alpha_feasible)
+  void DiscActiveSet::expand(const double alpha_cg, const double alpha_feasible)
   {
     if (variant_ == Variant::robust)
       {

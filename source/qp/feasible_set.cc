@@ -22,14 +22,14 @@ namespace stiction::qp
                            const unsigned int n_components)
     : n_nodes_(n_nodes)
     , n_components_(n_components)
-  {}
+  {
+  }
 
 
 
-  double
-  FeasibleSet::natural_residual(const Eigen::VectorXd &x,
-                                const Eigen::VectorXd &gradient,
-                                const Scaling &        scaling) const
+  double FeasibleSet::natural_residual(const Eigen::VectorXd &x,
+                                       const Eigen::VectorXd &gradient,
+                                       const Scaling &scaling) const
   {
     eigen_assert(scaling.force.size() == n_nodes_);
 
@@ -64,12 +64,12 @@ namespace stiction::qp
 
   HalfLines::HalfLines(const Eigen::Index n_nodes)
     : FeasibleSet(n_nodes, 1)
-  {}
+  {
+  }
 
 
 
-  void
-  HalfLines::project(Eigen::VectorXd &x) const
+  void HalfLines::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     for (double &entry : x)
@@ -79,12 +79,11 @@ namespace stiction::qp
 
 
 
-  void
-  HalfLines::split(const Eigen::VectorXd &x,
-                   const Eigen::VectorXd &gradient,
-                   const double           step,
-                   Eigen::VectorXd &      free,
-                   Eigen::VectorXd &      chopped) const
+  void HalfLines::split(const Eigen::VectorXd &x,
+                        const Eigen::VectorXd &gradient,
+                        const double step,
+                        Eigen::VectorXd &free,
+                        Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     (void)step; // on a half-line the chopped gradient does not depend on it
@@ -99,9 +98,8 @@ namespace stiction::qp
 
 
 
-  double
-  HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
-                                   const Eigen::VectorXd &d) const
+  double HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
+                                          const Eigen::VectorXd &d) const
   {
     double alpha = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -125,8 +123,7 @@ namespace stiction::qp
 
 
 
-  void
-  Discs::project(Eigen::VectorXd &x) const
+  void Discs::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     const Eigen::Index m = n_nodes();
@@ -143,20 +140,18 @@ namespace stiction::qp
 
 
 
-  bool
-  Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
+  bool Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
   {
     return std::hypot(x(i), x(i + n_nodes())) >= on_circle * radii_(i);
   }
 
 
 
-  void
-  Discs::split(const Eigen::VectorXd &x,
-               const Eigen::VectorXd &gradient,
-               const double           step,
-               Eigen::VectorXd &      free,
-               Eigen::VectorXd &      chopped) const
+  void Discs::split(const Eigen::VectorXd &x,
+                    const Eigen::VectorXd &gradient,
+                    const double step,
+                    Eigen::VectorXd &free,
+                    Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     const Eigen::Index m = n_nodes();
@@ -176,12 +171,11 @@ namespace stiction::qp
 
 
 
-  double
-  Discs::largest_feasible_step(const Eigen::VectorXd &x,
-                               const Eigen::VectorXd &d) const
+  double Discs::largest_feasible_step(const Eigen::VectorXd &x,
+                                      const Eigen::VectorXd &d) const
   {
-    const Eigen::Index m     = n_nodes();
-    double             alpha = std::numeric_limits<double>::infinity();
+    const Eigen::Index m = n_nodes();
+    double alpha         = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const double a = d(i) * d(i) + d(i + m) * d(i + m);
@@ -189,9 +183,9 @@ namespace stiction::qp
           continue;
         // Positive root of a α² + 2 b α − c = 0, in the form that does not
         // cancel. c is how far inside the node is, never negative.
-        const double b = x(i) * d(i) + x(i + m) * d(i + m);
-        const double r = std::hypot(x(i), x(i + m));
-        const double c = std::max(0., (radii_(i) - r) * (radii_(i) + r));
+        const double b    = x(i) * d(i) + x(i + m) * d(i + m);
+        const double r    = std::hypot(x(i), x(i + m));
+        const double c    = std::max(0., (radii_(i) - r) * (radii_(i) + r));
         const double root = std::sqrt(b * b + a * c);
         alpha = std::min(alpha, b > 0. ? c / (b + root) : (root - b) / a);
       }
@@ -206,16 +200,16 @@ namespace stiction::qp
     : FeasibleSet(radii.size(), 3)
     , half_lines_(radii.size())
     , discs_(std::move(radii))
-  {}
+  {
+  }
 
 
 
-  void
-  HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
+  void HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
-    const Eigen::Index m  = n_nodes();
-    Eigen::VectorXd    xn = x.head(m), xt = x.tail(2 * m);
+    const Eigen::Index m = n_nodes();
+    Eigen::VectorXd xn = x.head(m), xt = x.tail(2 * m);
     half_lines_.project(xn);
     discs_.project(xt);
     x << xn, xt;
@@ -223,18 +217,16 @@ namespace stiction::qp
 
 
 
-  void
-  HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
-                             const Eigen::VectorXd &gradient,
-                             const double           step,
-                             Eigen::VectorXd &      free,
-                             Eigen::VectorXd &      chopped) const
+  void HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
+                                  const Eigen::VectorXd &gradient,
+                                  const double step,
+                                  Eigen::VectorXd &free,
+                                  Eigen::VectorXd &chopped) const
   {
     const Eigen::Index m = n_nodes();
-    Eigen::VectorXd    free_n, chopped_n, free_t, chopped_t;
+    Eigen::VectorXd free_n, chopped_n, free_t, chopped_t;
     half_lines_.split(x.head(m), gradient.head(m), step, free_n, chopped_n);
-    discs_.split(
-      x.tail(2 * m), gradient.tail(2 * m), step, free_t, chopped_t);
+    discs_.split(x.tail(2 * m), gradient.tail(2 * m), step, free_t, chopped_t);
     free.resize(size());
     chopped.resize(size());
     free << free_n, free_t;
@@ -243,13 +235,12 @@ namespace stiction::qp
 
 
 
-  double
-  HalfLinesTimesDiscs::largest_feasible_step(const Eigen::VectorXd &x,
-                                             const Eigen::VectorXd &d) const
+  double HalfLinesTimesDiscs::largest_feasible_step(
+    const Eigen::VectorXd &x,
+    const Eigen::VectorXd &d) const
   {
     const Eigen::Index m = n_nodes();
     return std::min(half_lines_.largest_feasible_step(x.head(m), d.head(m)),
-                    discs_.largest_feasible_step(x.tail(2 * m),
-                                                 d.tail(2 * m)));
+                    discs_.largest_feasible_step(x.tail(2 * m), d.tail(2 * m)));
   }
 } // namespace stiction::qp

@@ -7,28 +7,27 @@
 namespace stiction::qp
 {
   Proportioning::Proportioning(const SymmetricOperator &A,
-                               const FeasibleSet &      set,
-                               const double             norm,
-                               const double             gamma)
+                               const FeasibleSet &set,
+                               const double norm,
+                               const double gamma)
     : ActiveSetMethod(A, set, norm)
     , gamma_(gamma)
-  {}
+  {
+  }
 
 
 
-  bool
-  Proportioning::must_release(const Scaling &, const double) const
+  bool Proportioning::must_release(const Scaling &, const double) const
   {
     return is_disproportionate(gamma_);
   }
 
 
 
-  void
-  Proportioning::release()
+  void Proportioning::release()
   {
     const Eigen::VectorXd d = -chopped_;
-    Eigen::VectorXd       Ad;
+    Eigen::VectorXd Ad;
     A_.vmult(Ad, d);
     const double alpha = std::min(-gradient_.dot(d) / d.dot(Ad),
                                   set_.largest_feasible_step(x_, d));

@@ -14,8 +14,7 @@ namespace stiction::qp
     // A fixed vector with components along every mode: mostly constant (the
     // stiffest modes of a contact dual operator are the smooth ones), with an
     // irregular part that no symmetry of the mesh makes orthogonal to a mode.
-    Eigen::VectorXd
-    start_vector(const Eigen::Index n)
+    Eigen::VectorXd start_vector(const Eigen::Index n)
     {
       Eigen::VectorXd v(n);
       for (Eigen::Index i = 0; i < n; ++i)
@@ -26,18 +25,17 @@ namespace stiction::qp
 
 
 
-  double
-  spectral_norm(const SymmetricOperator &A,
-                const double             accuracy,
-                const unsigned int       max_multiplications)
+  double spectral_norm(const SymmetricOperator &A,
+                       const double accuracy,
+                       const unsigned int max_multiplications)
   {
     const Eigen::Index n = A.size();
     if (n == 0)
       return 0.;
 
     std::vector<Eigen::VectorXd> basis{start_vector(n)};
-    std::vector<double>          diagonal, off_diagonal;
-    double                       bound = 0.;
+    std::vector<double> diagonal, off_diagonal;
+    double bound = 0.;
 
     for (unsigned int k = 0; k < max_multiplications; ++k)
       {

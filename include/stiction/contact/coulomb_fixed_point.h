@@ -22,13 +22,13 @@ namespace stiction
   /// One row of the convergence history.
   struct ContactStep
   {
-    unsigned int step           = 0; ///< number of the outermost iteration
-    unsigned int sweeps         = 0; ///< Gauss–Seidel sweeps so far
-    double       multiplications = 0.; ///< products with Q so far
-    double       residual       = 0.; ///< natural residual after the step
-    double       change         = 0.; ///< relative change of λ in the step
-    double       contraction    = 0.; ///< residual over the one before
-    double       normal_force   = 0.; ///< Σλ_ν in N
+    unsigned int step      = 0;  ///< number of the outermost iteration
+    unsigned int sweeps    = 0;  ///< Gauss–Seidel sweeps so far
+    double multiplications = 0.; ///< products with Q so far
+    double residual        = 0.; ///< natural residual after the step
+    double change          = 0.; ///< relative change of λ in the step
+    double contraction     = 0.; ///< residual over the one before
+    double normal_force    = 0.; ///< Σλ_ν in N
   };
 
 
@@ -36,12 +36,12 @@ namespace stiction
   /// The answer and how it was found.
   struct ContactSolution
   {
-    std::unique_ptr<LA::Vector>  u;      ///< displacement, m
-    Eigen::VectorXd              lambda; ///< contact forces, N, length 3m
+    std::unique_ptr<LA::Vector> u; ///< displacement, m
+    Eigen::VectorXd lambda;        ///< contact forces, N, length 3m
     std::unique_ptr<Certificate> certificate;
 
-    bool         converged = false; ///< as the certificate says
-    std::string  reason; ///< if not: what stopped the iteration, what to change
+    bool converged = false; ///< as the certificate says
+    std::string reason; ///< if not: what stopped the iteration, what to change
     unsigned int coulomb_iterations = 0;
     unsigned int sweeps             = 0;
   };
@@ -63,28 +63,26 @@ namespace stiction
     using Observer = std::function<void(const ContactStep &)>;
 
     /// All arguments must outlive the object.
-    CoulombFixedPoint(const LinearElasticity &       elasticity,
-                      const ContactSurface &         surface,
-                      const SchurComplement &        schur,
-                      StiffnessSolver &              stiffness_solver,
-                      GivenFrictionSolver &          given_friction_solver,
+    CoulombFixedPoint(const LinearElasticity &elasticity,
+                      const ContactSurface &surface,
+                      const SchurComplement &schur,
+                      StiffnessSolver &stiffness_solver,
+                      GivenFrictionSolver &given_friction_solver,
                       const ContactSolverParameters &parameters);
 
     /// Solves from zero contact forces. The observer sees every approximation
     /// with Coulomb friction, every sweep otherwise. Collective.
-    ContactSolution
-    solve(const Observer &observer);
+    ContactSolution solve(const Observer &observer);
 
   private:
     /// The displacement and the certificate that belong to the contact forces.
-    void
-    certify(ContactSolution &solution) const;
+    void certify(ContactSolution &solution) const;
 
-    const LinearElasticity &       elasticity_;
-    const ContactSurface &         surface_;
-    const SchurComplement &        schur_;
-    StiffnessSolver &              stiffness_solver_;
-    GivenFrictionSolver &          given_friction_solver_;
+    const LinearElasticity &elasticity_;
+    const ContactSurface &surface_;
+    const SchurComplement &schur_;
+    StiffnessSolver &stiffness_solver_;
+    GivenFrictionSolver &given_friction_solver_;
     const ContactSolverParameters &parameters_;
   };
 } // namespace stiction

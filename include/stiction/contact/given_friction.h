@@ -37,10 +37,10 @@ namespace stiction
   struct GivenFrictionResult
   {
     unsigned int iterations = 0;
-    double       residual   = 0.; ///< natural residual reached
-    double       change     = 0.; ///< last relative change of λ
-    bool         converged  = false;
-    bool         stagnated  = false; ///< rounding stopped the progress
+    double residual         = 0.; ///< natural residual reached
+    double change           = 0.; ///< last relative change of λ
+    bool converged          = false;
+    bool stagnated          = false; ///< rounding stopped the progress
   };
 
 
@@ -52,8 +52,8 @@ namespace stiction
   public:
     /// Called after each iteration with its number, the natural residual and
     /// the relative change.
-    using Observer =
-      std::function<void(unsigned int iteration, double residual, double change)>;
+    using Observer = std::function<
+      void(unsigned int iteration, double residual, double change)>;
 
     virtual ~GivenFrictionSolver() = default;
 
@@ -61,12 +61,11 @@ namespace stiction
     ///
     /// @param iterate in: any λ with its gradient; it is made feasible first.
     /// @param slip_bound g ≥ 0, length m, unit: N.
-    virtual GivenFrictionResult
-    solve(DualIterate &          iterate,
-          const Eigen::VectorXd &slip_bound,
-          const qp::Scaling &    scaling,
-          const StoppingRule &   rule,
-          const Observer &       observer) = 0;
+    virtual GivenFrictionResult solve(DualIterate &iterate,
+                                      const Eigen::VectorXd &slip_bound,
+                                      const qp::Scaling &scaling,
+                                      const StoppingRule &rule,
+                                      const Observer &observer) = 0;
   };
 } // namespace stiction
 

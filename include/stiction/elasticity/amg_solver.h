@@ -15,13 +15,12 @@ namespace stiction
     ~AmgSolver() override;
 
   protected:
-    unsigned int
-    do_solve(LA::Vector &dst, const LA::Vector &src) override;
+    unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
     struct Hierarchy;
     std::unique_ptr<Hierarchy> hierarchy_;
-    const double               relative_residual_;
+    const double relative_residual_;
   };
 } // namespace stiction
 

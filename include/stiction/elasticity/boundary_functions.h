@@ -10,7 +10,7 @@
 
 namespace dealii
 {
-  template <int dim>
+  template<int dim>
   class FunctionParser;
 }
 
@@ -28,17 +28,17 @@ namespace stiction
     /// Throws InputError if the number of components is wrong or a component
     /// is not a formula muParser can read.
     ParsedFunction(const std::string &expression,
-                   unsigned int       n_components,
-                   std::string        location);
+                   unsigned int n_components,
+                   std::string location);
     ~ParsedFunction() override;
 
     /// Throws InputError if the value is not a finite number.
-    double
-    value(const dealii::Point<3> &p, unsigned int component = 0) const override;
+    double value(const dealii::Point<3> &p,
+                 unsigned int component = 0) const override;
 
   private:
-    std::string                                expression_;
-    std::string                                location_;
+    std::string expression_;
+    std::string location_;
     std::unique_ptr<dealii::FunctionParser<3>> parser_;
   };
 
@@ -55,9 +55,8 @@ namespace stiction
   ///
   /// Throws InputError for an id that is not a number or stands twice, and as
   /// ParsedFunction.
-  BoundaryFunctions
-  parse_boundary_functions(const std::string &text,
-                           const std::string &location);
+  BoundaryFunctions parse_boundary_functions(const std::string &text,
+                                             const std::string &location);
 } // namespace stiction
 
 #endif

@@ -19,18 +19,16 @@ namespace stiction
     /// @param print whether lines are printed.
     ConvergenceHistory(Log &log, const std::string &step_name, bool print);
 
-    void
-    add(const ContactStep &step);
+    void add(const ContactStep &step);
 
     /// Writes the table with ',' between columns. Call on one rank.
-    void
-    write(const std::string &file) const;
+    void write(const std::string &file) const;
 
   private:
-    Log &                log_;
-    const bool           print_;
-    bool                 has_header_ = false;
-    const std::string    step_name_;
+    Log &log_;
+    const bool print_;
+    bool has_header_ = false;
+    const std::string step_name_;
     dealii::TableHandler table_;
   };
 } // namespace stiction

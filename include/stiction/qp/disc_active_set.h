@@ -14,10 +14,9 @@ namespace stiction::qp
   ///
   /// It points into the disc, is a descent direction unless it is zero, and
   /// is zero exactly when the KKT boundary condition g r = −‖r‖ x holds.
-  Eigen::VectorXd
-  unbalanced_boundary_residual(const Discs &          discs,
-                               const Eigen::VectorXd &x,
-                               const Eigen::VectorXd &gradient);
+  Eigen::VectorXd unbalanced_boundary_residual(const Discs &discs,
+                                               const Eigen::VectorXd &x,
+                                               const Eigen::VectorXd &gradient);
 
 
 
@@ -27,10 +26,9 @@ namespace stiction::qp
   /// From ‖x_i + α v_i‖ = g_i one gets exactly α = g_i/‖r_i‖. The quadratic
   /// formula for the same number cancels when v_i is small, and the iteration
   /// would stall there for thousands of steps.
-  double
-  largest_release_step(const Discs &          discs,
-                       const Eigen::VectorXd &x,
-                       const Eigen::VectorXd &gradient);
+  double largest_release_step(const Discs &discs,
+                              const Eigen::VectorXd &x,
+                              const Eigen::VectorXd &gradient);
 
 
 
@@ -65,22 +63,19 @@ namespace stiction::qp
 
     /// As ActiveSetMethod.
     DiscActiveSet(const SymmetricOperator &A,
-                  const Discs &            discs,
-                  double                   norm,
-                  Variant                  variant = Variant::robust);
+                  const Discs &discs,
+                  double norm,
+                  Variant variant = Variant::robust);
 
   protected:
-    bool
-    must_release(const Scaling &scaling, double tolerance) const override;
+    bool must_release(const Scaling &scaling, double tolerance) const override;
 
-    void
-    release() override;
+    void release() override;
 
-    void
-    expand(double alpha_cg, double alpha_feasible) override;
+    void expand(double alpha_cg, double alpha_feasible) override;
 
   private:
-    const Discs & discs_;
+    const Discs &discs_;
     const Variant variant_;
   };
 } // namespace stiction::qp

@@ -18,16 +18,14 @@ namespace stiction::qp
     /// As ActiveSetMethod; gamma > 0 weighs the free gradient against the
     /// chopped one.
     Proportioning(const SymmetricOperator &A,
-                  const FeasibleSet &      set,
-                  double                   norm,
-                  double                   gamma = 1.);
+                  const FeasibleSet &set,
+                  double norm,
+                  double gamma = 1.);
 
   protected:
-    bool
-    must_release(const Scaling &scaling, double tolerance) const override;
+    bool must_release(const Scaling &scaling, double tolerance) const override;
 
-    void
-    release() override;
+    void release() override;
 
   private:
     const double gamma_;

@@ -1,0 +1,6 @@
+// The reference brick on the first three rows of Table 1, both laws: the
+// contact force and the numbers of open, slipping and sticking nodes that two
+// independent programs agree on. Here with conjugate gradients and multigrid.
+
+#define STIFFNESS_SOLVER "amg"
+#include "reference_brick.h"
