@@ -47,8 +47,9 @@ namespace stiction
                       std::chrono::steady_clock::now() - begin_)
                       .count();
       }
-      Phase(const Phase &)            = delete;
-      Phase &operator=(const Phase &) = delete;
+      Phase(const Phase &) = delete;
+      Phase &
+      operator=(const Phase &) = delete;
 
     private:
       double &seconds_;
@@ -81,7 +82,8 @@ namespace stiction
 
 
 
-  bool ContactProblem::run()
+  bool
+  ContactProblem::run()
   {
     {
       const Phase total(seconds_, "total");
@@ -106,7 +108,8 @@ namespace stiction
 
 
 
-  void ContactProblem::validate()
+  void
+  ContactProblem::validate()
   {
     make_grid();
     assemble_system();
@@ -116,7 +119,8 @@ namespace stiction
 
 
 
-  void ContactProblem::make_grid()
+  void
+  ContactProblem::make_grid()
   {
     const Phase phase(seconds_, "mesh");
     if (parameters_.performance.print_timing)
@@ -139,7 +143,8 @@ namespace stiction
 
 
 
-  void ContactProblem::assemble_system()
+  void
+  ContactProblem::assemble_system()
   {
     const Phase phase(seconds_, "assembly");
     elasticity_ = std::make_unique<LinearElasticity>(*body_, parameters_);
@@ -147,7 +152,8 @@ namespace stiction
 
 
 
-  void ContactProblem::make_contact_surface()
+  void
+  ContactProblem::make_contact_surface()
   {
     const Phase phase(seconds_, "mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
@@ -163,7 +169,8 @@ namespace stiction
 
 
 
-  void ContactProblem::open_output()
+  void
+  ContactProblem::open_output()
   {
     const std::string &directory = parameters_.output.directory;
     together(communicator_, [&]() {
@@ -186,7 +193,8 @@ namespace stiction
 
 
 
-  void ContactProblem::set_up_stiffness_solver()
+  void
+  ContactProblem::set_up_stiffness_solver()
   {
     const Phase phase(seconds_, "stiffness_setup");
     stiffness_solver_ = StiffnessSolver::create(
@@ -197,7 +205,8 @@ namespace stiction
 
 
 
-  void ContactProblem::set_up_dual_operator()
+  void
+  ContactProblem::set_up_dual_operator()
   {
     const Phase phase(seconds_, "dual_operator");
     if (parameters_.output.print_progress)
@@ -211,7 +220,8 @@ namespace stiction
 
 
 
-  void ContactProblem::solve_contact()
+  void
+  ContactProblem::solve_contact()
   {
     GaussSeidel gauss_seidel(*schur_);
     CoulombFixedPoint solver(*elasticity_,
@@ -226,7 +236,8 @@ namespace stiction
 
 
 
-  void ContactProblem::certify()
+  void
+  ContactProblem::certify()
   {
     // the other figures were computed when the iteration asked for them
     solution_->certificate->compute_duality_gap(*solution_->u,
@@ -240,7 +251,8 @@ namespace stiction
 
 
 
-  void ContactProblem::measure_one_elastic_solve()
+  void
+  ContactProblem::measure_one_elastic_solve()
   {
     if (!parameters_.performance.measure_one_elastic_solve)
       return;
@@ -267,7 +279,8 @@ namespace stiction
 
 
 
-  void ContactProblem::output_results()
+  void
+  ContactProblem::output_results()
   {
     const Phase phase(seconds_, "output");
     const std::string &directory = parameters_.output.directory;
@@ -283,7 +296,8 @@ namespace stiction
 
 
 
-  void ContactProblem::summarize()
+  void
+  ContactProblem::summarize()
   {
     const auto second = [&](const char *phase) -> json {
       const auto entry = seconds_.find(phase);
@@ -347,7 +361,8 @@ namespace stiction
 
 
 
-  void ContactProblem::report() const
+  void
+  ContactProblem::report() const
   {
     const std::string &directory = parameters_.output.directory;
     print_report(*log_,

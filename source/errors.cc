@@ -4,7 +4,8 @@
 
 namespace stiction
 {
-  void together(MPI_Comm communicator, const std::function<void()> &work)
+  void
+  together(MPI_Comm communicator, const std::function<void()> &work)
   {
     std::string message;
     try

@@ -26,7 +26,8 @@ namespace
     bool validate = false, print_parameters = false;
   };
 
-  int run(const CommandLine &arguments)
+  int
+  run(const CommandLine &arguments)
   {
     using namespace stiction;
     if (arguments.file.empty())
@@ -51,7 +52,8 @@ namespace
 
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   // the linear algebra is parallel over ranks; more threads would only fight
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

@@ -17,13 +17,15 @@ namespace stiction
     using dealii::ParameterHandler;
     using nlohmann::json;
 
-    std::string trim(const std::string &text)
+    std::string
+    trim(const std::string &text)
     {
       return dealii::Utilities::trim(text);
     }
 
     // The declared sections and entries, with patterns and current values.
-    json declared(const ParameterHandler &prm)
+    json
+    declared(const ParameterHandler &prm)
     {
       std::ostringstream out;
       prm.print_parameters(
@@ -31,7 +33,8 @@ namespace stiction
       return json::parse(out.str());
     }
 
-    std::string names_of(const json &node)
+    std::string
+    names_of(const json &node)
     {
       std::string names;
       for (const auto &item : node.items())
@@ -40,7 +43,8 @@ namespace stiction
     }
 
     // deal.II's "[Double 0...1 (inclusive)]" in words.
-    std::string allowed(const std::string &pattern)
+    std::string
+    allowed(const std::string &pattern)
     {
       const auto inside = [&](const std::string &begin) {
         const std::size_t from = pattern.find(begin) + begin.size();
@@ -83,11 +87,12 @@ namespace stiction
 
 
 
-  void ParameterFile::assign(const std::string &where,
-                             const std::string &section,
-                             const std::string &name,
-                             const std::string &value,
-                             ParameterHandler &prm)
+  void
+  ParameterFile::assign(const std::string &where,
+                        const std::string &section,
+                        const std::string &name,
+                        const std::string &value,
+                        ParameterHandler &prm)
   {
     const json all = declared(prm);
     if (section.empty() || !all.contains(section))
@@ -115,9 +120,10 @@ namespace stiction
 
 
 
-  void ParameterFile::read(const std::string &file,
-                           const std::vector<std::string> &settings,
-                           ParameterHandler &prm)
+  void
+  ParameterFile::read(const std::string &file,
+                      const std::vector<std::string> &settings,
+                      ParameterHandler &prm)
   {
     std::ifstream in(file);
     std::string line;
@@ -204,7 +210,8 @@ namespace stiction
 
 
 
-  std::string ParameterFile::locate(const std::string &entry) const
+  std::string
+  ParameterFile::locate(const std::string &entry) const
   {
     const auto place = places_.find(entry);
     return (place == places_.end() ? "default value" : place->second.where) +
@@ -213,7 +220,8 @@ namespace stiction
 
 
 
-  std::string ParameterFile::describe(const std::string &entry) const
+  std::string
+  ParameterFile::describe(const std::string &entry) const
   {
     const auto place = places_.find(entry);
     return locate(entry) +

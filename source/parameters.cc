@@ -135,7 +135,8 @@ namespace stiction
 
 
 
-  FrictionLaw FrictionParameters::law() const
+  FrictionLaw
+  FrictionParameters::law() const
   {
     if (law_name == "given")
       return FrictionLaw::given;
@@ -242,8 +243,9 @@ namespace stiction
 
 
 
-  void Parameters::read(const std::string &file,
-                        const std::vector<std::string> &settings)
+  void
+  Parameters::read(const std::string &file,
+                   const std::vector<std::string> &settings)
   {
     source.read(file, settings, dealii::ParameterAcceptor::prm);
     check();
@@ -259,7 +261,8 @@ namespace stiction
 
 
 
-  std::string Parameters::default_file()
+  std::string
+  Parameters::default_file()
   {
     const Parameters defaults;
     std::ostringstream out;
@@ -272,7 +275,8 @@ namespace stiction
 
 
 
-  void Parameters::apply_table_1_level()
+  void
+  Parameters::apply_table_1_level()
   {
     const unsigned int k = geometry.table_1_level;
     if (k == 0)
@@ -293,7 +297,8 @@ namespace stiction
 
 
 
-  void Parameters::check() const
+  void
+  Parameters::check() const
   {
     const auto require = [&](const bool condition,
                              const std::string &entry,

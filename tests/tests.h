@@ -20,18 +20,21 @@
 
 // The shipped parameter file of that name. SOURCE_DIR is the folder of the
 // test.
-inline std::string shipped(const std::string &name)
+inline std::string
+shipped(const std::string &name)
 {
   return SOURCE_DIR "/../../parameters/" + name;
 }
 
-inline const char *yes(const bool condition)
+inline const char *
+yes(const bool condition)
 {
   return condition ? "yes" : "NO";
 }
 
 // With all digits, for settings.
-inline std::string exact(const double value)
+inline std::string
+exact(const double value)
 {
   std::ostringstream out;
   out.precision(17);
@@ -63,7 +66,8 @@ struct Run
     std::cout.rdbuf(screen);
   }
 
-  const nlohmann::json &summary() const
+  const nlohmann::json &
+  summary() const
   {
     return problem->summary();
   }
@@ -74,7 +78,8 @@ struct Run
 };
 
 // The stream of rank 0.
-inline std::ostream &out()
+inline std::ostream &
+out()
 {
   static std::ostream nowhere(nullptr);
   return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0

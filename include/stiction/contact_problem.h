@@ -37,46 +37,64 @@ namespace stiction
     /// Collective. Throws InputError before anything is written.
     ///
     /// @return whether the certificate reached the tolerance.
-    bool run();
+    bool
+    run();
 
     /// Makes mesh and contact surface, prints what they are, and solves and
     /// writes nothing. Throws InputError as run() would.
-    void validate();
+    void
+    validate();
 
     /// The content of summary.json, after run().
-    const nlohmann::json &summary() const
+    const nlohmann::json &
+    summary() const
     {
       return *summary_;
     }
 
-    const ContactSurface &contact_surface() const
+    const ContactSurface &
+    contact_surface() const
     {
       return *surface_;
     }
 
-    const LinearElasticity &elasticity() const
+    const LinearElasticity &
+    elasticity() const
     {
       return *elasticity_;
     }
 
-    const ContactSolution &solution() const
+    const ContactSolution &
+    solution() const
     {
       return *solution_;
     }
 
   private:
-    void make_grid();
-    void assemble_system();
-    void make_contact_surface();
-    void open_output();
-    void set_up_stiffness_solver();
-    void set_up_dual_operator();
-    void solve_contact();
-    void certify();
-    void measure_one_elastic_solve();
-    void output_results();
-    void summarize();
-    void report() const;
+    void
+    make_grid();
+    void
+    assemble_system();
+    void
+    make_contact_surface();
+    void
+    open_output();
+    void
+    set_up_stiffness_solver();
+    void
+    set_up_dual_operator();
+    void
+    solve_contact();
+    void
+    certify();
+    void
+    measure_one_elastic_solve();
+    void
+    output_results();
+    void
+    summarize();
+    void
+    report() const;
 
     const Parameters &parameters_;
     const MPI_Comm communicator_;

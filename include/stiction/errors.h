@@ -27,7 +27,8 @@ namespace stiction
   ///
   /// For checks that only the owner of a cell can make: an exception on one
   /// rank alone would leave the others waiting for ever.
-  void together(MPI_Comm communicator, const std::function<void()> &work);
+  void
+  together(MPI_Comm communicator, const std::function<void()> &work);
 } // namespace stiction
 
 #endif

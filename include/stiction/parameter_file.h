@@ -29,17 +29,20 @@ namespace stiction
     /// Throws InputError naming file, line, entry, value and what is allowed,
     /// for a file that cannot be read, an unknown section or entry, a value
     /// that does not match, or a line that is no statement.
-    void read(const std::string &file,
-              const std::vector<std::string> &settings,
-              dealii::ParameterHandler &prm);
+    void
+    read(const std::string &file,
+         const std::vector<std::string> &settings,
+         dealii::ParameterHandler &prm);
 
     /// "brick.prm, line 12: Material/Poisson ratio = 0.7": the beginning of a
     /// sentence about the value of @p entry ("Section/Entry").
-    std::string describe(const std::string &entry) const;
+    std::string
+    describe(const std::string &entry) const;
 
     /// "brick.prm, line 12: Material/Poisson ratio", for values that are too
     /// long to repeat.
-    std::string locate(const std::string &entry) const;
+    std::string
+    locate(const std::string &entry) const;
 
   private:
     struct Place
@@ -48,11 +51,12 @@ namespace stiction
       std::string value;
     };
 
-    void assign(const std::string &where,
-                const std::string &section,
-                const std::string &name,
-                const std::string &value,
-                dealii::ParameterHandler &prm);
+    void
+    assign(const std::string &where,
+           const std::string &section,
+           const std::string &name,
+           const std::string &value,
+           dealii::ParameterHandler &prm);
 
     std::map<std::string, Place> places_;
   };

@@ -57,7 +57,8 @@ namespace stiction
     FrictionParameters();
 
     /// The entry Law as a value.
-    FrictionLaw law() const;
+    FrictionLaw
+    law() const;
 
     std::string law_name    = "coulomb";
     std::string coefficient = "0.3";
@@ -123,14 +124,17 @@ namespace stiction
     /// Reads a file and command line settings and checks every value.
     ///
     /// Throws InputError: see ParameterFile::read() and check().
-    void read(const std::string &file,
-              const std::vector<std::string> &settings = {});
+    void
+    read(const std::string &file,
+         const std::vector<std::string> &settings = {});
 
     /// The complete commented default file, in declaration order.
-    static std::string default_file();
+    static std::string
+    default_file();
 
     /// The values in use, as a parameter file.
-    const std::string &used_file() const
+    const std::string &
+    used_file() const
     {
       return used_file_;
     }
@@ -151,11 +155,13 @@ namespace stiction
   private:
     /// What a pattern alone cannot see: open ranges, entries that need each
     /// other. Throws InputError.
-    void check() const;
+    void
+    check() const;
 
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table
     /// in place of the given ones when Table 1 level is not 0.
-    void apply_table_1_level();
+    void
+    apply_table_1_level();
 
     std::string used_file_;
   };

@@ -27,13 +27,15 @@ namespace stiction
     // error with 0.1, 3.1 with 0.03, 7 with 0.3 and with 0.01.
     constexpr double prox_stiffness = 0.1;
 
-    double nonzero(const double scale)
+    double
+    nonzero(const double scale)
     {
       return scale == 0. ? 1. : scale;
     }
 
     // std::max that keeps a NaN
-    void raise(double &largest, const double value)
+    void
+    raise(double &largest, const double value)
     {
       if (!(value <= largest))
         largest = std::isnan(largest) ? largest : value;
@@ -59,7 +61,8 @@ namespace stiction
 
 
 
-  void Certificate::compute_body_figures(const LA::Vector &u)
+  void
+  Certificate::compute_body_figures(const LA::Vector &u)
   {
     const Body &body         = elasticity_.body();
     const LA::Vector &load   = elasticity_.load();
@@ -148,7 +151,8 @@ namespace stiction
 
 
 
-  Eigen::Vector3d Certificate::trial(const Eigen::Index node) const
+  Eigen::Vector3d
+  Certificate::trial(const Eigen::Index node) const
   {
     Eigen::Vector3d a;
     for (unsigned int c = 0; c < 3; ++c)
@@ -162,14 +166,16 @@ namespace stiction
 
 
 
-  double Certificate::relative_slip_bound(const Eigen::Index node) const
+  double
+  Certificate::relative_slip_bound(const Eigen::Index node) const
   {
     return slip_bound_(node) / scaling_.force(node);
   }
 
 
 
-  void Certificate::compute_contact_figures()
+  void
+  Certificate::compute_contact_figures()
   {
     const Eigen::Index m = surface_.n_nodes();
     for (Eigen::Index i = 0; i < m; ++i)
@@ -199,8 +205,8 @@ namespace stiction
 
 
 
-  void Certificate::compute_duality_gap(const LA::Vector &u,
-                                        StiffnessSolver &solver)
+  void
+  Certificate::compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver)
   {
     const Eigen::Index m = surface_.n_nodes();
 
@@ -256,8 +262,8 @@ namespace stiction
 
 
 
-  std::vector<std::pair<std::string, double>> Certificate::deciding_figures()
-    const
+  std::vector<std::pair<std::string, double>>
+  Certificate::deciding_figures() const
   {
     return {{"equilibrium_residual", figures_.equilibrium_residual},
             {"kkt_residual", figures_.kkt_residual},
@@ -270,7 +276,8 @@ namespace stiction
 
 
 
-  bool Certificate::converged(const double tolerance) const
+  bool
+  Certificate::converged(const double tolerance) const
   {
     const auto figures = deciding_figures();
     return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
@@ -280,7 +287,8 @@ namespace stiction
 
 
 
-  std::string Certificate::worst() const
+  std::string
+  Certificate::worst() const
   {
     std::pair<std::string, double> worst{"", -1.};
     for (const auto &figure : deciding_figures())
@@ -294,7 +302,8 @@ namespace stiction
 
 
 
-  NodeStatus Certificate::status(const Eigen::Index node) const
+  NodeStatus
+  Certificate::status(const Eigen::Index node) const
   {
     const Eigen::Vector3d a = trial(node);
     const double gamma      = relative_slip_bound(node);
@@ -307,8 +316,9 @@ namespace stiction
 
 
 
-  bool Certificate::is_undecided(const Eigen::Index node,
-                                 const double tolerance) const
+  bool
+  Certificate::is_undecided(const Eigen::Index node,
+                            const double tolerance) const
   {
     const Eigen::Vector3d a = trial(node);
     const double gamma      = relative_slip_bound(node);

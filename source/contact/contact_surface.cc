@@ -19,7 +19,8 @@ namespace stiction
 {
   using namespace dealii;
 
-  void set_tangents(ContactNode &node)
+  void
+  set_tangents(ContactNode &node)
   {
     Tensor<1, 3> e;
     e[std::abs(node.normal[0]) > 0.9 ? 1 : 0] = 1.;
@@ -48,7 +49,8 @@ namespace stiction
 
 
 
-  void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
+  void
+  ContactSurface::collect_nodes(const LinearElasticity &elasticity)
   {
     const Body &body = elasticity.body();
 
@@ -159,7 +161,8 @@ namespace stiction
 
 
 
-  void ContactSurface::evaluate_data(const Parameters &parameters)
+  void
+  ContactSurface::evaluate_data(const Parameters &parameters)
   {
     const auto read = [&](const std::string &entry,
                           const std::string &expression) {
@@ -205,8 +208,8 @@ namespace stiction
 
 
 
-  Eigen::Index ContactSurface::node_of(
-    const types::global_dof_index first_dof) const
+  Eigen::Index
+  ContactSurface::node_of(const types::global_dof_index first_dof) const
   {
     const auto node = node_of_dof_.find(first_dof);
     return node == node_of_dof_.end() ? -1 : node->second;
@@ -214,23 +217,26 @@ namespace stiction
 
 
 
-  Eigen::VectorXd ContactSurface::apply_B(const LA::Vector &u) const
+  Eigen::VectorXd
+  ContactSurface::apply_B(const LA::Vector &u) const
   {
     return to_local(trace_.restriction(u));
   }
 
 
 
-  void ContactSurface::add_transpose_B(const double factor,
-                                       const Eigen::VectorXd &lambda,
-                                       LA::Vector &dst) const
+  void
+  ContactSurface::add_transpose_B(const double factor,
+                                  const Eigen::VectorXd &lambda,
+                                  LA::Vector &dst) const
   {
     trace_.add_extension(factor * to_cartesian(lambda), dst);
   }
 
 
 
-  Eigen::MatrixXd ContactSurface::to_local(const Eigen::MatrixXd &v) const
+  Eigen::MatrixXd
+  ContactSurface::to_local(const Eigen::MatrixXd &v) const
   {
     const Eigen::Index m = n_nodes();
     Eigen::MatrixXd w(v.rows(), v.cols());
@@ -247,7 +253,8 @@ namespace stiction
 
 
 
-  Eigen::VectorXd ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
+  Eigen::VectorXd
+  ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
   {
     const Eigen::Index m = n_nodes();
     Eigen::VectorXd w(v.size());
@@ -264,8 +271,8 @@ namespace stiction
 
 
 
-  Eigen::VectorXd ContactSurface::slip_bound(
-    const Eigen::VectorXd &lambda) const
+  Eigen::VectorXd
+  ContactSurface::slip_bound(const Eigen::VectorXd &lambda) const
   {
     Eigen::VectorXd g = Eigen::VectorXd::Zero(n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
@@ -278,7 +285,8 @@ namespace stiction
 
 
 
-  bool ContactSurface::is_plane() const
+  bool
+  ContactSurface::is_plane() const
   {
     return std::all_of(nodes_.begin(), nodes_.end(), [&](const auto &node) {
       return (node.normal - nodes_[0].normal).norm() < 1e-10;

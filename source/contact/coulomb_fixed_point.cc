@@ -46,7 +46,8 @@ namespace stiction
 
 
 
-  ContactSolution CoulombFixedPoint::solve(const Observer &observer)
+  ContactSolution
+  CoulombFixedPoint::solve(const Observer &observer)
   {
     const bool bound_changes = surface_.law() == FrictionLaw::coulomb;
     const double tolerance   = parameters_.tolerance;
@@ -142,7 +143,8 @@ namespace stiction
 
 
 
-  void CoulombFixedPoint::certify(ContactSolution &solution) const
+  void
+  CoulombFixedPoint::certify(ContactSolution &solution) const
   {
     LA::Vector force = elasticity_.constrained_load();
     surface_.add_transpose_B(-1., solution.lambda, force);

@@ -22,8 +22,8 @@ namespace stiction
     // error of a sweep shrinks by about 0.55.
     constexpr unsigned int max_idle_sweeps = 20;
 
-    void accumulate(qp::ActiveSetStatistics &sum,
-                    const qp::ActiveSetStatistics &one)
+    void
+    accumulate(qp::ActiveSetStatistics &sum, const qp::ActiveSetStatistics &one)
     {
       sum.conjugate_gradient_steps += one.conjugate_gradient_steps;
       sum.expansion_steps += one.expansion_steps;
@@ -47,11 +47,12 @@ namespace stiction
 
 
 
-  GivenFrictionResult GaussSeidel::solve(DualIterate &iterate,
-                                         const Eigen::VectorXd &slip_bound,
-                                         const qp::Scaling &scaling,
-                                         const StoppingRule &rule,
-                                         const Observer &observer)
+  GivenFrictionResult
+  GaussSeidel::solve(DualIterate &iterate,
+                     const Eigen::VectorXd &slip_bound,
+                     const qp::Scaling &scaling,
+                     const StoppingRule &rule,
+                     const Observer &observer)
   {
     const qp::HalfLinesTimesDiscs feasible_set(slip_bound);
     const auto residual = [&]() {
@@ -94,8 +95,9 @@ namespace stiction
 
 
 
-  void GaussSeidel::make_feasible(DualIterate &iterate,
-                                  const Eigen::VectorXd &slip_bound) const
+  void
+  GaussSeidel::make_feasible(DualIterate &iterate,
+                             const Eigen::VectorXd &slip_bound) const
   {
     const Eigen::Index m      = schur_.n_nodes();
     Eigen::VectorXd projected = iterate.lambda;
@@ -117,9 +119,10 @@ namespace stiction
 
 
 
-  void GaussSeidel::normal_half_sweep(DualIterate &iterate,
-                                      const qp::Scaling &scaling,
-                                      const double tolerance)
+  void
+  GaussSeidel::normal_half_sweep(DualIterate &iterate,
+                                 const qp::Scaling &scaling,
+                                 const double tolerance)
   {
     const Eigen::Index m     = schur_.n_nodes();
     Eigen::VectorXd lambda   = iterate.lambda.head(m);
@@ -143,10 +146,11 @@ namespace stiction
 
 
 
-  void GaussSeidel::tangential_half_sweep(DualIterate &iterate,
-                                          const Eigen::VectorXd &slip_bound,
-                                          const qp::Scaling &scaling,
-                                          const double tolerance)
+  void
+  GaussSeidel::tangential_half_sweep(DualIterate &iterate,
+                                     const Eigen::VectorXd &slip_bound,
+                                     const qp::Scaling &scaling,
+                                     const double tolerance)
   {
     const Eigen::Index m     = schur_.n_nodes();
     Eigen::VectorXd lambda   = iterate.lambda.tail(2 * m);

@@ -9,7 +9,8 @@ namespace stiction
 {
   namespace
   {
-    unsigned long thirds(const DualBlock block)
+    unsigned long
+    thirds(const DualBlock block)
     {
       switch (block)
         {
@@ -41,10 +42,11 @@ namespace stiction
       }
 
     protected:
-      void apply(const DualBlock rows,
-                 const DualBlock columns,
-                 Eigen::VectorXd &dst,
-                 const Eigen::VectorXd &src) const override
+      void
+      apply(const DualBlock rows,
+            const DualBlock columns,
+            Eigen::VectorXd &dst,
+            const Eigen::VectorXd &src) const override
       {
         dst.noalias() =
           Q_.block(begin(rows), begin(columns), length(rows), length(columns)) *
@@ -72,10 +74,11 @@ namespace stiction
       }
 
     protected:
-      void apply(const DualBlock rows,
-                 const DualBlock columns,
-                 Eigen::VectorXd &dst,
-                 const Eigen::VectorXd &src) const override
+      void
+      apply(const DualBlock rows,
+            const DualBlock columns,
+            Eigen::VectorXd &dst,
+            const Eigen::VectorXd &src) const override
       {
         Eigen::VectorXd lambda = Eigen::VectorXd::Zero(3 * n_nodes());
         lambda.segment(begin(columns), length(columns)) = src;
@@ -104,11 +107,11 @@ namespace stiction
 
 
 
-  std::unique_ptr<SchurComplement> SchurComplement::create(
-    const std::string &form,
-    const LinearElasticity &elasticity,
-    const ContactSurface &surface,
-    StiffnessSolver &solver)
+  std::unique_ptr<SchurComplement>
+  SchurComplement::create(const std::string &form,
+                          const LinearElasticity &elasticity,
+                          const ContactSurface &surface,
+                          StiffnessSolver &solver)
   {
     if (form == "by solves")
       return std::make_unique<SchurComplementBySolves>(
@@ -119,7 +122,8 @@ namespace stiction
 
 
 
-  void SchurComplement::set_right_hand_side(StiffnessSolver &solver)
+  void
+  SchurComplement::set_right_hand_side(StiffnessSolver &solver)
   {
     LA::Vector u = elasticity_.zero_vector();
     solver.solve(u, elasticity_.constrained_load());
@@ -129,10 +133,11 @@ namespace stiction
 
 
 
-  void SchurComplement::vmult(const DualBlock rows,
-                              const DualBlock columns,
-                              Eigen::VectorXd &dst,
-                              const Eigen::VectorXd &src) const
+  void
+  SchurComplement::vmult(const DualBlock rows,
+                         const DualBlock columns,
+                         Eigen::VectorXd &dst,
+                         const Eigen::VectorXd &src) const
   {
     n_ninths_ += thirds(rows) * thirds(columns);
     apply(rows, columns, dst, src);
@@ -140,14 +145,16 @@ namespace stiction
 
 
 
-  Eigen::Index SchurComplement::begin(const DualBlock block) const
+  Eigen::Index
+  SchurComplement::begin(const DualBlock block) const
   {
     return block == DualBlock::tangential ? n_nodes_ : 0;
   }
 
 
 
-  Eigen::Index SchurComplement::length(const DualBlock block) const
+  Eigen::Index
+  SchurComplement::length(const DualBlock block) const
   {
     return static_cast<Eigen::Index>(thirds(block)) * n_nodes_;
   }
@@ -164,14 +171,16 @@ namespace stiction
 
 
 
-  Eigen::Index SchurBlock::size() const
+  Eigen::Index
+  SchurBlock::size() const
   {
     return static_cast<Eigen::Index>(thirds(block_)) * schur_.n_nodes();
   }
 
 
 
-  void SchurBlock::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
+  void
+  SchurBlock::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     schur_.vmult(block_, block_, dst, src);
   }

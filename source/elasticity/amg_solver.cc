@@ -77,7 +77,8 @@ namespace stiction
 
 
 
-  unsigned int AmgSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int
+  AmgSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     dealii::SolverControl control(1000, relative_residual_ * src.l2_norm());
     dealii::SolverCG<LA::Vector> cg(control);

@@ -31,7 +31,8 @@ namespace stiction
 
 
 
-  void Body::make_grid(const GeometryParameters &geometry)
+  void
+  Body::make_grid(const GeometryParameters &geometry)
   {
     Point<3> corner;
     for (unsigned int d = 0; d < 3; ++d)
@@ -47,7 +48,8 @@ namespace stiction
 
 
 
-  void Body::distribute_dofs()
+  void
+  Body::distribute_dofs()
   {
     dof_handler_.distribute_dofs(fe_);
     DoFTools::extract_locally_relevant_dofs(dof_handler_,
@@ -56,7 +58,8 @@ namespace stiction
 
 
 
-  void Body::collect_nodes()
+  void
+  Body::collect_nodes()
   {
     const IndexSet &owned = locally_owned_dofs();
     std::map<types::global_dof_index, Node> nodes; // by their first unknown
@@ -80,8 +83,9 @@ namespace stiction
 
 
 
-  void Body::require_boundary(const types::boundary_id id,
-                              const std::string &location) const
+  void
+  Body::require_boundary(const types::boundary_id id,
+                         const std::string &location) const
   {
     const auto ids = triangulation_.get_boundary_ids();
     if (std::find(ids.begin(), ids.end(), id) != ids.end())

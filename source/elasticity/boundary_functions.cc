@@ -16,7 +16,8 @@ namespace stiction
     using dealii::Utilities::trim;
 
     // The last line deal.II's message on a formula has to say is muParser's.
-    std::string reason(const dealii::ExceptionBase &exception)
+    std::string
+    reason(const dealii::ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
@@ -29,7 +30,8 @@ namespace stiction
     }
 
     // At single bars only: '||' is the logical or.
-    std::vector<std::string> split_at_bars(const std::string &text)
+    std::vector<std::string>
+    split_at_bars(const std::string &text)
     {
       std::vector<std::string> parts(1);
       for (std::size_t i = 0; i < text.size(); ++i)
@@ -88,8 +90,9 @@ namespace stiction
 
 
 
-  double ParsedFunction::value(const dealii::Point<3> &p,
-                               const unsigned int component) const
+  double
+  ParsedFunction::value(const dealii::Point<3> &p,
+                        const unsigned int component) const
   {
     const double value = parser_->value(p, component);
     if (!std::isfinite(value))
@@ -104,8 +107,8 @@ namespace stiction
 
 
 
-  BoundaryFunctions parse_boundary_functions(const std::string &text,
-                                             const std::string &location)
+  BoundaryFunctions
+  parse_boundary_functions(const std::string &text, const std::string &location)
   {
     BoundaryFunctions functions;
     if (trim(text).empty())

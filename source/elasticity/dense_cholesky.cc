@@ -13,7 +13,8 @@ namespace stiction
 
     namespace
     {
-      void require_success(const blas_int info)
+      void
+      require_success(const blas_int info)
       {
         if (info != 0)
           throw std::runtime_error("a dense matrix that should be positive "
@@ -24,7 +25,8 @@ namespace stiction
 
 
 
-    void factorize(double *A, const int n)
+    void
+    factorize(double *A, const int n)
     {
       const blas_int order = n;
       blas_int info        = 0;
@@ -34,7 +36,8 @@ namespace stiction
 
 
 
-    void invert(double *L, const int n)
+    void
+    invert(double *L, const int n)
     {
       const blas_int order = n;
       blas_int info        = 0;
@@ -44,7 +47,8 @@ namespace stiction
 
 
 
-    void solve(const double *L, const int n, double *b)
+    void
+    solve(const double *L, const int n, double *b)
     {
       const blas_int order = n, one = 1;
       blas_int info = 0;

@@ -47,35 +47,40 @@ namespace stiction
 
 
 
-  const LA::SparseMatrix &LinearElasticity::constrained_stiffness() const
+  const LA::SparseMatrix &
+  LinearElasticity::constrained_stiffness() const
   {
     return *constrained_stiffness_;
   }
 
 
 
-  const LA::Vector &LinearElasticity::constrained_load() const
+  const LA::Vector &
+  LinearElasticity::constrained_load() const
   {
     return *constrained_load_;
   }
 
 
 
-  const LA::Vector &LinearElasticity::load() const
+  const LA::Vector &
+  LinearElasticity::load() const
   {
     return *load_;
   }
 
 
 
-  LA::Vector LinearElasticity::zero_vector() const
+  LA::Vector
+  LinearElasticity::zero_vector() const
   {
     return LA::Vector(body_.locally_owned_dofs(), body_.communicator());
   }
 
 
 
-  LA::Vector LinearElasticity::internal_force(const LA::Vector &u) const
+  LA::Vector
+  LinearElasticity::internal_force(const LA::Vector &u) const
   {
     LA::Vector force = zero_vector();
     stiffness_->vmult(force, u);
@@ -84,7 +89,8 @@ namespace stiction
 
 
 
-  void LinearElasticity::read_boundary_conditions(const Parameters &parameters)
+  void
+  LinearElasticity::read_boundary_conditions(const Parameters &parameters)
   {
     const std::string displacement_location =
       parameters.source.locate("Boundary conditions/Prescribed displacement");
@@ -126,7 +132,8 @@ namespace stiction
 
 
 
-  void LinearElasticity::assemble()
+  void
+  LinearElasticity::assemble()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
     const IndexSet &owned            = body_.locally_owned_dofs();
@@ -227,7 +234,8 @@ namespace stiction
 
 
 
-  void LinearElasticity::require_support() const
+  void
+  LinearElasticity::require_support() const
   {
     const std::string free_motions =
       free_rigid_body_motions(body_, constraints_);

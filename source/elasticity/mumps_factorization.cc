@@ -30,7 +30,8 @@ namespace stiction
 
     // MUMPS never wants a null pointer, even where there is nothing to see.
     template<typename T, typename Container>
-    T *data_or(Container &container, T &nothing)
+    T *
+    data_or(Container &container, T &nothing)
     {
       return container.size() == 0 ? &nothing : container.data();
     }
@@ -44,20 +45,26 @@ namespace stiction
           unsigned int dofs_per_node,
           const std::vector<dealii::types::global_dof_index> &schur_dofs);
     ~Mumps();
-    Mumps(const Mumps &)            = delete;
-    Mumps &operator=(const Mumps &) = delete;
+    Mumps(const Mumps &) = delete;
+    Mumps &
+    operator=(const Mumps &) = delete;
 
-    void copy_lower_triangle(const LA::SparseMatrix &matrix);
-    void run_analysis(unsigned int dofs_per_node);
-    void run_factorisation();
-    void run_solve(int condensation,
-                   Eigen::VectorXd &b,
-                   Eigen::VectorXd *condensed);
-    void call(Job job);
-    void check(const char *phase) const;
+    void
+    copy_lower_triangle(const LA::SparseMatrix &matrix);
+    void
+    run_analysis(unsigned int dofs_per_node);
+    void
+    run_factorisation();
+    void
+    run_solve(int condensation, Eigen::VectorXd &b, Eigen::VectorXd *condensed);
+    void
+    call(Job job);
+    void
+    check(const char *phase) const;
 
     // the numbering of MUMPS' manual
-    MUMPS_INT &icntl(const int i)
+    MUMPS_INT &
+    icntl(const int i)
     {
       return id.icntl[i - 1];
     }
@@ -123,8 +130,8 @@ namespace stiction
 
 
 
-  void MumpsFactorization::Mumps::copy_lower_triangle(
-    const LA::SparseMatrix &matrix)
+  void
+  MumpsFactorization::Mumps::copy_lower_triangle(const LA::SparseMatrix &matrix)
   {
     const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
     for (int i = 0; i < K.NumMyRows(); ++i)
@@ -146,7 +153,8 @@ namespace stiction
 
 
 
-  void MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
+  void
+  MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
   {
     // Left to itself MUMPS orders by minimum degree as soon as a Schur
     // complement is asked for, at three times the operations.
@@ -178,7 +186,8 @@ namespace stiction
 
 
 
-  void MumpsFactorization::Mumps::run_factorisation()
+  void
+  MumpsFactorization::Mumps::run_factorisation()
   {
     if (n_schur > 0)
       {
@@ -215,9 +224,10 @@ namespace stiction
 
 
 
-  void MumpsFactorization::Mumps::run_solve(const int condensation,
-                                            Eigen::VectorXd &b,
-                                            Eigen::VectorXd *condensed)
+  void
+  MumpsFactorization::Mumps::run_solve(const int condensation,
+                                       Eigen::VectorXd &b,
+                                       Eigen::VectorXd *condensed)
   {
     id.nrhs = 1;
     id.lrhs = id.n;
@@ -235,7 +245,8 @@ namespace stiction
 
 
 
-  void MumpsFactorization::Mumps::call(const Job job)
+  void
+  MumpsFactorization::Mumps::call(const Job job)
   {
     id.job = job;
     dmumps_c(&id);
@@ -243,7 +254,8 @@ namespace stiction
 
 
 
-  void MumpsFactorization::Mumps::check(const char *phase) const
+  void
+  MumpsFactorization::Mumps::check(const char *phase) const
   {
     if (infog(1) == -13)
       throw std::bad_alloc();
@@ -271,37 +283,40 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd &MumpsFactorization::schur_complement()
+  Eigen::MatrixXd &
+  MumpsFactorization::schur_complement()
   {
     return mumps_->schur;
   }
 
 
 
-  bool MumpsFactorization::is_host() const
+  bool
+  MumpsFactorization::is_host() const
   {
     return mumps_->is_host;
   }
 
 
 
-  void MumpsFactorization::solve(Eigen::VectorXd &b)
+  void
+  MumpsFactorization::solve(Eigen::VectorXd &b)
   {
     mumps_->run_solve(0, b, nullptr);
   }
 
 
 
-  void MumpsFactorization::condense(Eigen::VectorXd &b,
-                                    Eigen::VectorXd &condensed)
+  void
+  MumpsFactorization::condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
   {
     mumps_->run_solve(1, b, &condensed);
   }
 
 
 
-  void MumpsFactorization::expand(Eigen::VectorXd &b,
-                                  Eigen::VectorXd &condensed)
+  void
+  MumpsFactorization::expand(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
   {
     mumps_->run_solve(2, b, &condensed);
   }

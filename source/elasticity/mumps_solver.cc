@@ -19,7 +19,8 @@ namespace stiction
     constexpr unsigned int dofs_per_node = 3;
 
     // A large matrix goes out in pieces: an MPI count is an int.
-    void broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
+    void
+    broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
     {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j)
         MPI_Bcast(matrix.col(j).data(),
@@ -45,7 +46,8 @@ namespace stiction
           offsets_[r] = offsets_[r - 1] + counts_[r - 1];
       }
 
-      Eigen::VectorXd gather(const LA::Vector &v) const
+      Eigen::VectorXd
+      gather(const LA::Vector &v) const
       {
         Eigen::VectorXd whole(is_host_ ? v.size() : 0);
         MPI_Gatherv(v.begin(),
@@ -60,7 +62,8 @@ namespace stiction
         return whole;
       }
 
-      void scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
+      void
+      scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
       {
         MPI_Scatterv(whole.data(),
                      counts_.data(),
@@ -94,7 +97,8 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd MumpsSolver::compliance(const Trace &trace)
+  Eigen::MatrixXd
+  MumpsSolver::compliance(const Trace &trace)
   {
     factorization_.reset(); // before the new one: it may be large
     factorization_ = std::make_unique<MumpsFactorization>(
@@ -118,7 +122,8 @@ namespace stiction
 
 
 
-  unsigned int MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int
+  MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     if (!factorization_)
       factorization_ = std::make_unique<MumpsFactorization>(

@@ -14,17 +14,19 @@ namespace stiction
     using Edge  = std::array<int, 2>;
     using Edges = std::vector<Edge>;
 
-    void make_unique(Edges &edges)
+    void
+    make_unique(Edges &edges)
     {
       std::sort(edges.begin(), edges.end());
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     }
 
     // The edges of the graph of the nodes, all of them on rank 0.
-    Edges gather_node_graph(const std::vector<int> &rows,
-                            const std::vector<int> &columns,
-                            const int dofs_per_node,
-                            MPI_Comm communicator)
+    Edges
+    gather_node_graph(const std::vector<int> &rows,
+                      const std::vector<int> &columns,
+                      const int dofs_per_node,
+                      MPI_Comm communicator)
     {
       Edges mine;
       for (std::size_t k = 0; k < rows.size(); ++k)
@@ -49,7 +51,8 @@ namespace stiction
     }
 
     // METIS' order of a graph: which vertex is eliminated as the k-th.
-    std::vector<int> dissect(const Edges &edges, const std::size_t n_vertices)
+    std::vector<int>
+    dissect(const Edges &edges, const std::size_t n_vertices)
     {
       auto n = static_cast<idx_t>(n_vertices);
       std::vector<idx_t> begin_of(n_vertices + 1, 0), neighbours;
@@ -82,12 +85,13 @@ namespace stiction
 
 
 
-  std::vector<int> nested_dissection(const std::vector<int> &rows,
-                                     const std::vector<int> &columns,
-                                     const int n,
-                                     const unsigned int dofs_per_node,
-                                     const std::vector<int> &last,
-                                     MPI_Comm communicator)
+  std::vector<int>
+  nested_dissection(const std::vector<int> &rows,
+                    const std::vector<int> &columns,
+                    const int n,
+                    const unsigned int dofs_per_node,
+                    const std::vector<int> &last,
+                    MPI_Comm communicator)
   {
     const int size    = static_cast<int>(dofs_per_node);
     const Edges edges = gather_node_graph(rows, columns, size, communicator);

@@ -11,7 +11,8 @@ namespace stiction
 {
   using namespace dealii;
 
-  std::vector<std::vector<double>> rigid_body_modes(const Body &body)
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Body &body)
   {
     const auto &corners   = body.bounding_box().get_boundary_points();
     const Point<3> centre = body.bounding_box().center();
@@ -39,9 +40,9 @@ namespace stiction
 
 
 
-  std::string free_rigid_body_motions(
-    const Body &body,
-    const AffineConstraints<double> &constraints)
+  std::string
+  free_rigid_body_motions(const Body &body,
+                          const AffineConstraints<double> &constraints)
   {
     const auto modes      = rigid_body_modes(body);
     const IndexSet &owned = body.locally_owned_dofs();

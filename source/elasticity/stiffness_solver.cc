@@ -16,10 +16,10 @@ namespace stiction
 
 
 
-  std::unique_ptr<StiffnessSolver> StiffnessSolver::create(
-    const StiffnessSolverParameters &parameters,
-    const LinearElasticity &elasticity,
-    const double relative_residual)
+  std::unique_ptr<StiffnessSolver>
+  StiffnessSolver::create(const StiffnessSolverParameters &parameters,
+                          const LinearElasticity &elasticity,
+                          const double relative_residual)
   {
     if (parameters.type == "amg")
       return std::make_unique<AmgSolver>(elasticity, relative_residual);
@@ -28,7 +28,8 @@ namespace stiction
 
 
 
-  void StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
+  void
+  StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
   {
     n_iterations_ += do_solve(dst, src);
     ++n_solves_;
@@ -36,7 +37,8 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd StiffnessSolver::compliance(const Trace &trace)
+  Eigen::MatrixXd
+  StiffnessSolver::compliance(const Trace &trace)
   {
     Eigen::MatrixXd C(trace.size(), trace.size());
     LA::Vector unit_force   = elasticity_.zero_vector();

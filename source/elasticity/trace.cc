@@ -14,7 +14,8 @@ namespace stiction
 
 
 
-  Eigen::VectorXd Trace::restriction(const LA::Vector &u) const
+  Eigen::VectorXd
+  Trace::restriction(const LA::Vector &u) const
   {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(size());
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -29,8 +30,8 @@ namespace stiction
 
 
 
-  void Trace::add_extension(const Eigen::VectorXd &values,
-                            LA::Vector &dst) const
+  void
+  Trace::add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const
   {
     for (Eigen::Index i = 0; i < size(); ++i)
       if (dst.in_local_range(dofs_[i]))

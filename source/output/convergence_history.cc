@@ -17,7 +17,8 @@ namespace stiction
 
 
 
-  void ConvergenceHistory::add(const ContactStep &step)
+  void
+  ConvergenceHistory::add(const ContactStep &step)
   {
     if (print_ && !has_header_)
       log_.line(format("  %-12s %7s %9s %13s %13s %12s",
@@ -48,7 +49,8 @@ namespace stiction
 
 
 
-  void ConvergenceHistory::write(const std::string &file) const
+  void
+  ConvergenceHistory::write(const std::string &file) const
   {
     // TableHandler separates by blanks; its rows are rewritten with commas
     dealii::TableHandler table = table_;

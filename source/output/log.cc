@@ -15,7 +15,8 @@ namespace stiction
 
 
 
-  void Log::line(const std::string &text)
+  void
+  Log::line(const std::string &text)
   {
     if (!speaks_)
       return;
@@ -28,7 +29,8 @@ namespace stiction
 
 
 
-  void Log::open_file(const std::string &name)
+  void
+  Log::open_file(const std::string &name)
   {
     if (!speaks_)
       return;
@@ -38,7 +40,8 @@ namespace stiction
 
 
 
-  std::string format(const char *pattern, ...)
+  std::string
+  format(const char *pattern, ...)
   {
     std::va_list arguments, again;
     va_start(arguments, pattern);

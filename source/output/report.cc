@@ -13,7 +13,8 @@ namespace stiction
 
     // The largest of three numbers' magnitudes picks the unit, so that what is
     // printed is of size one in any unit system.
-    std::string vector_line(const char *name, const json &v)
+    std::string
+    vector_line(const char *name, const json &v)
     {
       return format("  %-24s %.6g, %.6g, %.6g",
                     name,
@@ -22,7 +23,8 @@ namespace stiction
                     v[2].get<double>());
     }
 
-    std::string number(const json &value)
+    std::string
+    number(const json &value)
     {
       return value.is_null() ? std::string("not measured")
                              : format("%.4g", value.get<double>());
@@ -31,11 +33,12 @@ namespace stiction
 
 
 
-  void print_report(Log &log,
-                    const json &summary,
-                    const double tolerance,
-                    const std::string &reason,
-                    const bool with_costs)
+  void
+  print_report(Log &log,
+               const json &summary,
+               const double tolerance,
+               const std::string &reason,
+               const bool with_costs)
   {
     const json &contact = summary["contact"];
     log.line();

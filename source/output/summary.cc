@@ -20,7 +20,8 @@ namespace stiction
   {
     using nlohmann::json;
 
-    json to_json(const dealii::Tensor<1, 3> &v)
+    json
+    to_json(const dealii::Tensor<1, 3> &v)
     {
       return {v[0], v[1], v[2]};
     }
@@ -28,7 +29,8 @@ namespace stiction
 
 
 
-  json certificate_to_json(const Certificate &certificate)
+  json
+  certificate_to_json(const Certificate &certificate)
   {
     const Certificate::Figures &figures = certificate.figures();
     return {{"equilibrium_residual", figures.equilibrium_residual},
@@ -44,9 +46,10 @@ namespace stiction
 
 
 
-  json contact_to_json(const ContactSurface &surface,
-                       const Certificate &certificate,
-                       const double tolerance)
+  json
+  contact_to_json(const ContactSurface &surface,
+                  const Certificate &certificate,
+                  const double tolerance)
   {
     const Eigen::Index m          = surface.n_nodes();
     const Eigen::VectorXd &lambda = certificate.lambda();
@@ -82,8 +85,8 @@ namespace stiction
 
 
 
-  json energy_to_json(const ContactSurface &surface,
-                      const Certificate &certificate)
+  json
+  energy_to_json(const ContactSurface &surface, const Certificate &certificate)
   {
     // Σ λ_t · slip, and r_t = −slip
     const Eigen::Index n = 2 * surface.n_nodes();
@@ -96,8 +99,8 @@ namespace stiction
 
 
 
-  json displacement_to_json(const LinearElasticity &elasticity,
-                            const LA::Vector &u)
+  json
+  displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u)
   {
     // the first component is the size, so that the largest array is the one
     // sought; ties go to the largest place, on any number of ranks
@@ -121,7 +124,8 @@ namespace stiction
 
 
 
-  void write_json(const std::string &file, const json &document)
+  void
+  write_json(const std::string &file, const json &document)
   {
     const std::string unfinished = file + ".new";
     std::ofstream(unfinished) << document.dump(2) << '\n';

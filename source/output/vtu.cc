@@ -32,8 +32,8 @@ namespace stiction
       {
       }
 
-      SymmetricTensor<2, 3> stress(
-        const std::vector<Tensor<1, 3>> &gradients) const
+      SymmetricTensor<2, 3>
+      stress(const std::vector<Tensor<1, 3>> &gradients) const
       {
         SymmetricTensor<2, 3> strain;
         for (unsigned int a = 0; a < 3; ++a)
@@ -44,7 +44,8 @@ namespace stiction
                2. * shear_modulus_ * strain;
       }
 
-      void evaluate_vector_field(
+      void
+      evaluate_vector_field(
         const DataPostprocessorInputs::Vector<3> &inputs,
         std::vector<Vector<double>> &quantities) const override
       {
@@ -73,7 +74,8 @@ namespace stiction
       {
       }
 
-      void evaluate_vector_field(
+      void
+      evaluate_vector_field(
         const DataPostprocessorInputs::Vector<3> &inputs,
         std::vector<Vector<double>> &quantities) const override
       {
@@ -123,12 +125,14 @@ namespace stiction
       }
 
     protected:
-      const std::vector<DataOutBase::Patch<2, 3>> &get_patches() const override
+      const std::vector<DataOutBase::Patch<2, 3>> &
+      get_patches() const override
       {
         return patches_;
       }
 
-      std::vector<std::string> get_dataset_names() const override
+      std::vector<std::string>
+      get_dataset_names() const override
       {
         return {"pressure",
                 "traction",
@@ -175,11 +179,12 @@ namespace stiction
         n_fields = bound + 1
       };
 
-      static void fill(DataOutBase::Patch<2, 3> &patch,
-                       const unsigned int v,
-                       const Eigen::Index i,
-                       const ContactSurface &surface,
-                       const Certificate &certificate)
+      static void
+      fill(DataOutBase::Patch<2, 3> &patch,
+           const unsigned int v,
+           const Eigen::Index i,
+           const ContactSurface &surface,
+           const Certificate &certificate)
       {
         if (i < 0) // clamped: not a contact node
           {
@@ -220,10 +225,11 @@ namespace stiction
     // NAME.pvtu on rank 0 over one NAME.RRRR.vtu a rank, and NAME.pvd over
     // the (one) load step.
     template<int dim>
-    void write_pieces(const DataOutInterface<dim, 3> &out,
-                      const std::string &directory,
-                      const std::string &name,
-                      MPI_Comm communicator)
+    void
+    write_pieces(const DataOutInterface<dim, 3> &out,
+                 const std::string &directory,
+                 const std::string &name,
+                 MPI_Comm communicator)
     {
       const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
       const auto piece        = [&](const unsigned int r) {
@@ -248,9 +254,10 @@ namespace stiction
 
 
 
-  void write_solution(const std::string &directory,
-                      const LinearElasticity &elasticity,
-                      const LA::Vector &u)
+  void
+  write_solution(const std::string &directory,
+                 const LinearElasticity &elasticity,
+                 const LA::Vector &u)
   {
     const Body &body = elasticity.body();
     LA::Vector with_ghosts(body.locally_owned_dofs(),
@@ -276,10 +283,11 @@ namespace stiction
 
 
 
-  void write_contact(const std::string &directory,
-                     const LinearElasticity &elasticity,
-                     const ContactSurface &surface,
-                     const Certificate &certificate)
+  void
+  write_contact(const std::string &directory,
+                const LinearElasticity &elasticity,
+                const ContactSurface &surface,
+                const Certificate &certificate)
   {
     write_pieces(ContactOutput(elasticity, surface, certificate),
                  directory,

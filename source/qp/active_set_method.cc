@@ -2,6 +2,8 @@
 #include <stiction/qp/feasible_set.h>
 #include <stiction/qp/symmetric_operator.h>
 
+#include <limits>
+
 namespace stiction::qp
 {
   ActiveSetMethod::ActiveSetMethod(const SymmetricOperator &A,
@@ -16,12 +18,12 @@ namespace stiction::qp
 
 
 
-  ActiveSetStatistics ActiveSetMethod::solve(
-    Eigen::VectorXd &x,
-    Eigen::VectorXd &gradient,
-    const Scaling &scaling,
-    const double tolerance,
-    const unsigned int max_multiplications)
+  ActiveSetStatistics
+  ActiveSetMethod::solve(Eigen::VectorXd &x,
+                         Eigen::VectorXd &gradient,
+                         const Scaling &scaling,
+                         const double tolerance,
+                         const unsigned int max_multiplications)
   {
     eigen_assert(x.size() == A_.size() && gradient.size() == A_.size());
     const unsigned long multiplications_before = A_.n_multiplications();
@@ -79,8 +81,8 @@ namespace stiction::qp
 
 
 
-  void ActiveSetMethod::expand(const double alpha_cg,
-                               const double alpha_feasible)
+  void
+  ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)
   {
     if (guarded_projected_step(alpha_cg, p_))
       return;
@@ -91,7 +93,8 @@ namespace stiction::qp
 
 
 
-  void ActiveSetMethod::go_to_boundary(const double alpha_feasible)
+  void
+  ActiveSetMethod::go_to_boundary(const double alpha_feasible)
   {
     x_ -= alpha_feasible * p_;
     gradient_ -= alpha_feasible * Ap_;
@@ -100,9 +103,9 @@ namespace stiction::qp
 
 
 
-  Eigen::VectorXd ActiveSetMethod::step_to_projection(
-    const double step,
-    const Eigen::VectorXd &direction) const
+  Eigen::VectorXd
+  ActiveSetMethod::step_to_projection(const double step,
+                                      const Eigen::VectorXd &direction) const
   {
     Eigen::VectorXd target = x_ - step * direction;
     set_.project(target);
@@ -111,8 +114,9 @@ namespace stiction::qp
 
 
 
-  void ActiveSetMethod::projected_step(const double step,
-                                       const Eigen::VectorXd &direction)
+  void
+  ActiveSetMethod::projected_step(const double step,
+                                  const Eigen::VectorXd &direction)
   {
     const Eigen::VectorXd d = step_to_projection(step, direction);
     Eigen::VectorXd Ad;
@@ -123,13 +127,18 @@ namespace stiction::qp
 
 
 
-  bool ActiveSetMethod::guarded_projected_step(const double step,
-                                               const Eigen::VectorXd &direction)
+  bool
+  ActiveSetMethod::guarded_projected_step(const double step,
+                                          const Eigen::VectorXd &direction)
   {
     const Eigen::VectorXd d = step_to_projection(step, direction);
     Eigen::VectorXd Ad;
     A_.vmult(Ad, d);
-    if (!(d.dot(gradient_) + 0.5 * d.dot(Ad) < 0.))
+    // Near the solution the change drowns in the rounding of dᵀr; a step that
+    // raises the energy by no more than that is as good as one that lowers it.
+    const double rounding = 4. * std::numeric_limits<double>::epsilon() *
+                            x_.cwiseAbs().dot(gradient_.cwiseAbs());
+    if (!(d.dot(gradient_) + 0.5 * d.dot(Ad) <= rounding))
       return false;
     x_ += d;
     gradient_ += Ad;
@@ -138,14 +147,16 @@ namespace stiction::qp
 
 
 
-  void ActiveSetMethod::split()
+  void
+  ActiveSetMethod::split()
   {
     set_.split(x_, gradient_, fixed_step_, free_, chopped_);
   }
 
 
 
-  bool ActiveSetMethod::is_disproportionate(const double gamma) const
+  bool
+  ActiveSetMethod::is_disproportionate(const double gamma) const
   {
     const Eigen::VectorXd reduced_free =
       -step_to_projection(fixed_step_, free_) / fixed_step_;

@@ -8,9 +8,10 @@
 
 namespace stiction::qp
 {
-  Eigen::VectorXd unbalanced_boundary_residual(const Discs &discs,
-                                               const Eigen::VectorXd &x,
-                                               const Eigen::VectorXd &gradient)
+  Eigen::VectorXd
+  unbalanced_boundary_residual(const Discs &discs,
+                               const Eigen::VectorXd &x,
+                               const Eigen::VectorXd &gradient)
   {
     const Eigen::Index m = discs.n_nodes();
     Eigen::VectorXd v    = Eigen::VectorXd::Zero(2 * m);
@@ -27,9 +28,10 @@ namespace stiction::qp
 
 
 
-  double largest_release_step(const Discs &discs,
-                              const Eigen::VectorXd &x,
-                              const Eigen::VectorXd &gradient)
+  double
+  largest_release_step(const Discs &discs,
+                       const Eigen::VectorXd &x,
+                       const Eigen::VectorXd &gradient)
   {
     const Eigen::Index m    = discs.n_nodes();
     const Eigen::VectorXd v = unbalanced_boundary_residual(discs, x, gradient);
@@ -55,8 +57,9 @@ namespace stiction::qp
 
 
 
-  bool DiscActiveSet::must_release(const Scaling &scaling,
-                                   const double tolerance) const
+  bool
+  DiscActiveSet::must_release(const Scaling &scaling,
+                              const double tolerance) const
   {
     if (variant_ >= Variant::with_proportioning)
       return is_disproportionate(1.);
@@ -66,8 +69,45 @@ namespace stiction::qp
 
 
 
-  void DiscActiveSet::release()
+  double
+  DiscActiveSet::spectral_step()
   {
+    // a short step this much shorter than the long one is worth taking
+    constexpr double      much_shorter = 0.5;
+    constexpr std::size_t memory       = 3;
+
+    double step = fixed_step_;
+    if (last_x_.size() == x_.size())
+      {
+        const Eigen::VectorXd dx        = x_ - last_x_;
+        const Eigen::VectorXd dr        = gradient_ - last_gradient_;
+        const double          curvature = dx.dot(dr);
+        if (curvature > 0.)
+          {
+            const double long_step  = dx.squaredNorm() / curvature;
+            const double short_step = curvature / dr.squaredNorm();
+            short_steps_.push_back(short_step);
+            if (short_steps_.size() > memory)
+              short_steps_.pop_front();
+            step = short_step < much_shorter * long_step ?
+                     *std::min_element(short_steps_.begin(),
+                                       short_steps_.end()) :
+                     long_step;
+          }
+      }
+    last_x_        = x_;
+    last_gradient_ = gradient_;
+    return std::max(step, fixed_step_);
+  }
+
+
+
+  void
+  DiscActiveSet::release()
+  {
+    if (variant_ == Variant::spectral &&
+        guarded_projected_step(spectral_step(), gradient_))
+      return;
     if (variant_ >= Variant::with_projected_release)
       {
         projected_step(fixed_step_, gradient_);
@@ -90,9 +130,10 @@ namespace stiction::qp
 
 
 
-  void DiscActiveSet::expand(const double alpha_cg, const double alpha_feasible)
+  void
+  DiscActiveSet::expand(const double alpha_cg, const double alpha_feasible)
   {
-    if (variant_ == Variant::robust)
+    if (variant_ >= Variant::robust)
       {
         ActiveSetMethod::expand(alpha_cg, alpha_feasible);
         return;

@@ -27,9 +27,10 @@ namespace stiction::qp
 
 
 
-  double FeasibleSet::natural_residual(const Eigen::VectorXd &x,
-                                       const Eigen::VectorXd &gradient,
-                                       const Scaling &scaling) const
+  double
+  FeasibleSet::natural_residual(const Eigen::VectorXd &x,
+                                const Eigen::VectorXd &gradient,
+                                const Scaling &scaling) const
   {
     eigen_assert(scaling.force.size() == n_nodes_);
 
@@ -69,7 +70,8 @@ namespace stiction::qp
 
 
 
-  void HalfLines::project(Eigen::VectorXd &x) const
+  void
+  HalfLines::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     for (double &entry : x)
@@ -79,11 +81,12 @@ namespace stiction::qp
 
 
 
-  void HalfLines::split(const Eigen::VectorXd &x,
-                        const Eigen::VectorXd &gradient,
-                        const double step,
-                        Eigen::VectorXd &free,
-                        Eigen::VectorXd &chopped) const
+  void
+  HalfLines::split(const Eigen::VectorXd &x,
+                   const Eigen::VectorXd &gradient,
+                   const double step,
+                   Eigen::VectorXd &free,
+                   Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     (void)step; // on a half-line the chopped gradient does not depend on it
@@ -98,8 +101,9 @@ namespace stiction::qp
 
 
 
-  double HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
-                                          const Eigen::VectorXd &d) const
+  double
+  HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
+                                   const Eigen::VectorXd &d) const
   {
     double alpha = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -123,7 +127,8 @@ namespace stiction::qp
 
 
 
-  void Discs::project(Eigen::VectorXd &x) const
+  void
+  Discs::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     const Eigen::Index m = n_nodes();
@@ -140,18 +145,20 @@ namespace stiction::qp
 
 
 
-  bool Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
+  bool
+  Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
   {
     return std::hypot(x(i), x(i + n_nodes())) >= on_circle * radii_(i);
   }
 
 
 
-  void Discs::split(const Eigen::VectorXd &x,
-                    const Eigen::VectorXd &gradient,
-                    const double step,
-                    Eigen::VectorXd &free,
-                    Eigen::VectorXd &chopped) const
+  void
+  Discs::split(const Eigen::VectorXd &x,
+               const Eigen::VectorXd &gradient,
+               const double step,
+               Eigen::VectorXd &free,
+               Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     const Eigen::Index m = n_nodes();
@@ -171,8 +178,9 @@ namespace stiction::qp
 
 
 
-  double Discs::largest_feasible_step(const Eigen::VectorXd &x,
-                                      const Eigen::VectorXd &d) const
+  double
+  Discs::largest_feasible_step(const Eigen::VectorXd &x,
+                               const Eigen::VectorXd &d) const
   {
     const Eigen::Index m = n_nodes();
     double alpha         = std::numeric_limits<double>::infinity();
@@ -205,7 +213,8 @@ namespace stiction::qp
 
 
 
-  void HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
+  void
+  HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     const Eigen::Index m = n_nodes();
@@ -217,11 +226,12 @@ namespace stiction::qp
 
 
 
-  void HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
-                                  const Eigen::VectorXd &gradient,
-                                  const double step,
-                                  Eigen::VectorXd &free,
-                                  Eigen::VectorXd &chopped) const
+  void
+  HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
+                             const Eigen::VectorXd &gradient,
+                             const double step,
+                             Eigen::VectorXd &free,
+                             Eigen::VectorXd &chopped) const
   {
     const Eigen::Index m = n_nodes();
     Eigen::VectorXd free_n, chopped_n, free_t, chopped_t;
@@ -235,9 +245,9 @@ namespace stiction::qp
 
 
 
-  double HalfLinesTimesDiscs::largest_feasible_step(
-    const Eigen::VectorXd &x,
-    const Eigen::VectorXd &d) const
+  double
+  HalfLinesTimesDiscs::largest_feasible_step(const Eigen::VectorXd &x,
+                                             const Eigen::VectorXd &d) const
   {
     const Eigen::Index m = n_nodes();
     return std::min(half_lines_.largest_feasible_step(x.head(m), d.head(m)),

@@ -17,14 +17,16 @@ namespace stiction::qp
 
 
 
-  bool Proportioning::must_release(const Scaling &, const double) const
+  bool
+  Proportioning::must_release(const Scaling &, const double) const
   {
     return is_disproportionate(gamma_);
   }
 
 
 
-  void Proportioning::release()
+  void
+  Proportioning::release()
   {
     const Eigen::VectorXd d = -chopped_;
     Eigen::VectorXd Ad;

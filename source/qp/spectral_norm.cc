@@ -14,7 +14,8 @@ namespace stiction::qp
     // A fixed vector with components along every mode: mostly constant (the
     // stiffest modes of a contact dual operator are the smooth ones), with an
     // irregular part that no symmetry of the mesh makes orthogonal to a mode.
-    Eigen::VectorXd start_vector(const Eigen::Index n)
+    Eigen::VectorXd
+    start_vector(const Eigen::Index n)
     {
       Eigen::VectorXd v(n);
       for (Eigen::Index i = 0; i < n; ++i)
@@ -25,9 +26,10 @@ namespace stiction::qp
 
 
 
-  double spectral_norm(const SymmetricOperator &A,
-                       const double accuracy,
-                       const unsigned int max_multiplications)
+  double
+  spectral_norm(const SymmetricOperator &A,
+                const double accuracy,
+                const unsigned int max_multiplications)
   {
     const Eigen::Index n = A.size();
     if (n == 0)

@@ -2,8 +2,9 @@
 
 namespace stiction::qp
 {
-  void SymmetricOperator::vmult(Eigen::VectorXd &dst,
-                                const Eigen::VectorXd &src) const
+  void
+  SymmetricOperator::vmult(Eigen::VectorXd &dst,
+                           const Eigen::VectorXd &src) const
   {
     eigen_assert(src.size() == size());
     ++n_multiplications_;
@@ -20,15 +21,16 @@ namespace stiction::qp
 
 
 
-  Eigen::Index DenseOperator::size() const
+  Eigen::Index
+  DenseOperator::size() const
   {
     return matrix_.rows();
   }
 
 
 
-  void DenseOperator::apply(Eigen::VectorXd &dst,
-                            const Eigen::VectorXd &src) const
+  void
+  DenseOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     dst.noalias() = matrix_ * src;
   }

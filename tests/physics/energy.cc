@@ -8,7 +8,8 @@
 
 using namespace stiction;
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   double without_friction = 0.;

@@ -19,16 +19,18 @@ namespace
 {
   constexpr double E = 2e11, nu = 0.3, epsilon = 1e-4, height = 1.;
 
-  std::string three(const double x, const double y, const double z)
+  std::string
+  three(const double x, const double y, const double z)
   {
     return exact(x) + ";" + exact(y) + ";" + exact(z);
   }
 
   // The largest error of displacement and contact force, relative.
-  void patch(const std::string &law,
-             const std::string &ending,
-             const double shift,
-             const double degrees)
+  void
+  patch(const std::string &law,
+        const std::string &ending,
+        const double shift,
+        const double degrees)
   {
     const double lame  = E * nu / ((1. + nu) * (1. - 2. * nu));
     const double G     = E / (2. * (1. + nu));
@@ -110,7 +112,8 @@ namespace
 
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string law : {"given", "coulomb"})

@@ -10,9 +10,8 @@ using namespace stiction;
 
 namespace
 {
-  std::vector<std::string> settings(const std::string &law,
-                                    const double stress,
-                                    const double length)
+  std::vector<std::string>
+  settings(const std::string &law, const double stress, const double length)
   {
     const auto pascal = [&](const double value) {
       return exact(value * stress);
@@ -30,16 +29,18 @@ namespace
               pascal(1e7) + ";" + pascal(2e7) + ";" + pascal(2e7)};
   }
 
-  bool close(const double a, const double b, const double relative)
+  bool
+  close(const double a, const double b, const double relative)
   {
     return std::abs(a - b) <= relative * std::abs(b);
   }
 
-  void compare(const char *name,
-               const Run &run,
-               const Run &reference,
-               const double force,
-               const bool identical)
+  void
+  compare(const char *name,
+          const Run &run,
+          const Run &reference,
+          const double force,
+          const bool identical)
   {
     const auto &a = run.summary()["solver"], &b = reference.summary()["solver"];
     const auto &lambda   = run.problem->solution().lambda;
@@ -85,7 +86,8 @@ namespace
 
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const double two_20 = std::ldexp(1., 20);

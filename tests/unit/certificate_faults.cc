@@ -37,10 +37,11 @@ namespace
     }
 
   protected:
-    void apply(const DualBlock rows,
-               const DualBlock columns,
-               Eigen::VectorXd &dst,
-               const Eigen::VectorXd &src) const override
+    void
+    apply(const DualBlock rows,
+          const DualBlock columns,
+          Eigen::VectorXd &dst,
+          const Eigen::VectorXd &src) const override
     {
       right_->vmult(rows, columns, dst, src);
       if (rows == DualBlock::tangential && columns == DualBlock::tangential)
@@ -54,7 +55,8 @@ namespace
 
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Run run(shipped("brick.prm"),

@@ -24,7 +24,8 @@ namespace
   // The floating point numbers of one DataArray: base64 of a header (number
   // of blocks, block size, size of the last one, compressed sizes) and of the
   // compressed blocks.
-  std::vector<float> decode(const std::string &text)
+  std::vector<float>
+  decode(const std::string &text)
   {
     const auto head = dealii::Utilities::decode_base64(text.substr(0, 24));
     std::uint32_t header[4];
@@ -39,7 +40,8 @@ namespace
     return values;
   }
 
-  std::map<std::string, std::vector<float>> read(const std::string &file)
+  std::map<std::string, std::vector<float>>
+  read(const std::string &file)
   {
     std::ifstream in(file);
     std::stringstream content;
@@ -66,7 +68,8 @@ namespace
 
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string law : {"coulomb", "given"})

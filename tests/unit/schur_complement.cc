@@ -23,7 +23,8 @@ using namespace stiction;
 namespace
 {
   // The whole stiffness matrix on every rank.
-  Eigen::MatrixXd dense(const LinearElasticity &elasticity)
+  Eigen::MatrixXd
+  dense(const LinearElasticity &elasticity)
   {
     const auto &K     = elasticity.constrained_stiffness();
     Eigen::MatrixXd D = Eigen::MatrixXd::Zero(K.m(), K.n());
@@ -39,7 +40,8 @@ namespace
     return D;
   }
 
-  Eigen::VectorXd dense(const LA::Vector &v)
+  Eigen::VectorXd
+  dense(const LA::Vector &v)
   {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(v.size());
     for (const auto i : v.locally_owned_elements())
@@ -56,7 +58,8 @@ namespace
 
 
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

@@ -86,84 +86,103 @@ namespace stiction
     /// what u lacks to be in equilibrium with λ̂. Collective.
     ///
     /// @param u the one given to the constructor.
-    void compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
+    void
+    compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
 
-    const Figures &figures() const
+    const Figures &
+    figures() const
     {
       return figures_;
     }
 
     /// The figures that decide, with their names.
-    std::vector<std::pair<std::string, double>> deciding_figures() const;
+    std::vector<std::pair<std::string, double>>
+    deciding_figures() const;
 
     /// Whether all of them are at most the tolerance (a NaN never is).
-    bool converged(double tolerance) const;
+    bool
+    converged(double tolerance) const;
 
     /// "kkt_residual is 3e-4": the largest of them.
-    std::string worst() const;
+    std::string
+    worst() const;
 
     /// The scales A_i p0 and u0 in which the figures are measured.
-    const qp::Scaling &scaling() const
+    const qp::Scaling &
+    scaling() const
     {
       return scaling_;
     }
 
     /// r = (d − n·u; −slip) at the contact nodes, taken from u. Unit: m.
-    const Eigen::VectorXd &gradient() const
+    const Eigen::VectorXd &
+    gradient() const
     {
       return gradient_;
     }
 
     /// The contact forces and slip bounds the figures belong to. Unit: N.
-    const Eigen::VectorXd &lambda() const
+    const Eigen::VectorXd &
+    lambda() const
     {
       return lambda_;
     }
-    const Eigen::VectorXd &slip_bound() const
+    const Eigen::VectorXd &
+    slip_bound() const
     {
       return slip_bound_;
     }
 
     /// open if π_ν − w_ν ≤ 0; otherwise slip if γ = 0 or ‖π_t − w_t‖ > γ;
     /// otherwise stick.
-    NodeStatus status(Eigen::Index node) const;
+    NodeStatus
+    status(Eigen::Index node) const;
 
     /// Whether the status changes within the tolerance.
-    bool is_undecided(Eigen::Index node, double tolerance) const;
+    bool
+    is_undecided(Eigen::Index node, double tolerance) const;
 
     /// uᵀKu/2 in J.
-    double strain_energy() const
+    double
+    strain_energy() const
     {
       return strain_energy_;
     }
 
     /// Load times displacement, prescribed displacements included, in J.
-    double load_work() const
+    double
+    load_work() const
     {
       return load_work_;
     }
 
     /// The resultant −ΣBᵀλ on the body in N, and its moment about the origin
     /// in Nm.
-    dealii::Tensor<1, 3> force_on_body() const
+    dealii::Tensor<1, 3>
+    force_on_body() const
     {
       return force_on_body_;
     }
-    dealii::Tensor<1, 3> moment_on_body() const
+    dealii::Tensor<1, 3>
+    moment_on_body() const
     {
       return moment_on_body_;
     }
 
   private:
-    void compute_body_figures(const LA::Vector &u);
+    void
+    compute_body_figures(const LA::Vector &u);
 
-    void compute_contact_figures();
+    void
+    compute_contact_figures();
 
     /// w = r/u0 and π = λ/(A p0) at a node: (π_ν − w_ν; π_t − w_t).
-    Eigen::Vector3d trial(Eigen::Index node) const;
+    Eigen::Vector3d
+    trial(Eigen::Index node) const;
 
     /// γ_i.
-    double relative_slip_bound(Eigen::Index node) const;
+    double
+    relative_slip_bound(Eigen::Index node) const;
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

@@ -52,81 +52,98 @@ namespace stiction
     ContactSurface(const LinearElasticity &elasticity,
                    const Parameters &parameters);
 
-    Eigen::Index n_nodes() const
+    Eigen::Index
+    n_nodes() const
     {
       return static_cast<Eigen::Index>(nodes_.size());
     }
 
-    const std::vector<ContactNode> &nodes() const
+    const std::vector<ContactNode> &
+    nodes() const
     {
       return nodes_;
     }
 
-    FrictionLaw law() const
+    FrictionLaw
+    law() const
     {
       return law_;
     }
 
     /// Initial gaps d_i in m, length m.
-    const Eigen::VectorXd &gaps() const
+    const Eigen::VectorXd &
+    gaps() const
     {
       return gaps_;
     }
 
     /// Nodal areas A_i in m², length m.
-    const Eigen::VectorXd &areas() const
+    const Eigen::VectorXd &
+    areas() const
     {
       return areas_;
     }
 
     /// |Γc|: the area of the whole contact boundary, its clamped rim included.
-    double boundary_area() const
+    double
+    boundary_area() const
     {
       return boundary_area_;
     }
 
     /// The boundary id of the contact boundary.
-    dealii::types::boundary_id boundary_id() const
+    dealii::types::boundary_id
+    boundary_id() const
     {
       return boundary_id_;
     }
 
     /// The contact node with this unknown as its first, -1 if there is none.
-    Eigen::Index node_of(dealii::types::global_dof_index first_dof) const;
+    Eigen::Index
+    node_of(dealii::types::global_dof_index first_dof) const;
 
     /// The displacement unknowns of the contact nodes, by blocks (x; y; z).
-    const Trace &trace() const
+    const Trace &
+    trace() const
     {
       return trace_;
     }
 
     /// B u: (n·u; t1·u; t2·u), length 3m. Collective.
-    Eigen::VectorXd apply_B(const LA::Vector &u) const;
+    Eigen::VectorXd
+    apply_B(const LA::Vector &u) const;
 
     /// dst += factor Bᵀ λ. Collective.
-    void add_transpose_B(double factor,
-                         const Eigen::VectorXd &lambda,
-                         LA::Vector &dst) const;
+    void
+    add_transpose_B(double factor,
+                    const Eigen::VectorXd &lambda,
+                    LA::Vector &dst) const;
 
     /// From components (x; y; z) to (n; t1; t2) at every node: the orthogonal
     /// matrix R with B = R × restriction. Acts on every column of v.
-    Eigen::MatrixXd to_local(const Eigen::MatrixXd &v) const;
+    Eigen::MatrixXd
+    to_local(const Eigen::MatrixXd &v) const;
 
     /// The inverse of to_local(), Rᵀ v.
-    Eigen::VectorXd to_cartesian(const Eigen::VectorXd &v) const;
+    Eigen::VectorXd
+    to_cartesian(const Eigen::VectorXd &v) const;
 
     /// The slip bound g_i for contact forces λ: 0, A_i τ_c(x_i) or
     /// F(x_i) max(λ_ν,i, 0) by the law. Length m, unit: N.
-    Eigen::VectorXd slip_bound(const Eigen::VectorXd &lambda) const;
+    Eigen::VectorXd
+    slip_bound(const Eigen::VectorXd &lambda) const;
 
     /// Whether all normals agree, so that sums over tangential components
     /// have a meaning.
-    bool is_plane() const;
+    bool
+    is_plane() const;
 
   private:
-    void collect_nodes(const LinearElasticity &elasticity);
+    void
+    collect_nodes(const LinearElasticity &elasticity);
 
-    void evaluate_data(const Parameters &parameters);
+    void
+    evaluate_data(const Parameters &parameters);
 
     dealii::types::boundary_id boundary_id_;
     FrictionLaw law_;
@@ -142,7 +159,8 @@ namespace stiction
 
   /// The unit tangents that go with a unit normal: t1 the normalised
   /// tangential part of e_x (of e_y if |n_x| > 0.9), t2 = t1 × n.
-  void set_tangents(ContactNode &node);
+  void
+  set_tangents(ContactNode &node);
 } // namespace stiction
 
 #endif

@@ -72,11 +72,13 @@ namespace stiction
 
     /// Solves from zero contact forces. The observer sees every approximation
     /// with Coulomb friction, every sweep otherwise. Collective.
-    ContactSolution solve(const Observer &observer);
+    ContactSolution
+    solve(const Observer &observer);
 
   private:
     /// The displacement and the certificate that belong to the contact forces.
-    void certify(ContactSolution &solution) const;
+    void
+    certify(ContactSolution &solution) const;
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

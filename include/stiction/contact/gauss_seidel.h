@@ -21,36 +21,42 @@ namespace stiction
     /// must outlive the solver.
     explicit GaussSeidel(const SchurComplement &schur);
 
-    GivenFrictionResult solve(DualIterate &iterate,
-                              const Eigen::VectorXd &slip_bound,
-                              const qp::Scaling &scaling,
-                              const StoppingRule &rule,
-                              const Observer &observer) override;
+    GivenFrictionResult
+    solve(DualIterate &iterate,
+          const Eigen::VectorXd &slip_bound,
+          const qp::Scaling &scaling,
+          const StoppingRule &rule,
+          const Observer &observer) override;
 
     /// Sums over all inner solves so far.
-    const qp::ActiveSetStatistics &normal_statistics() const
+    const qp::ActiveSetStatistics &
+    normal_statistics() const
     {
       return normal_statistics_;
     }
-    const qp::ActiveSetStatistics &tangential_statistics() const
+    const qp::ActiveSetStatistics &
+    tangential_statistics() const
     {
       return tangential_statistics_;
     }
 
   private:
-    void make_feasible(DualIterate &iterate,
-                       const Eigen::VectorXd &slip_bound) const;
+    void
+    make_feasible(DualIterate &iterate,
+                  const Eigen::VectorXd &slip_bound) const;
 
     /// λ_ν^(i) of ALGORITHM GS.
-    void normal_half_sweep(DualIterate &iterate,
-                           const qp::Scaling &scaling,
-                           double tolerance);
+    void
+    normal_half_sweep(DualIterate &iterate,
+                      const qp::Scaling &scaling,
+                      double tolerance);
 
     /// λ_t^(i) of ALGORITHM GS.
-    void tangential_half_sweep(DualIterate &iterate,
-                               const Eigen::VectorXd &slip_bound,
-                               const qp::Scaling &scaling,
-                               double tolerance);
+    void
+    tangential_half_sweep(DualIterate &iterate,
+                          const Eigen::VectorXd &slip_bound,
+                          const qp::Scaling &scaling,
+                          double tolerance);
 
     const SchurComplement &schur_;
     SchurBlock normal_block_, tangential_block_;

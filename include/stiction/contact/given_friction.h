@@ -61,11 +61,12 @@ namespace stiction
     ///
     /// @param iterate in: any λ with its gradient; it is made feasible first.
     /// @param slip_bound g ≥ 0, length m, unit: N.
-    virtual GivenFrictionResult solve(DualIterate &iterate,
-                                      const Eigen::VectorXd &slip_bound,
-                                      const qp::Scaling &scaling,
-                                      const StoppingRule &rule,
-                                      const Observer &observer) = 0;
+    virtual GivenFrictionResult
+    solve(DualIterate &iterate,
+          const Eigen::VectorXd &slip_bound,
+          const qp::Scaling &scaling,
+          const StoppingRule &rule,
+          const Observer &observer) = 0;
   };
 } // namespace stiction
 

@@ -38,33 +38,37 @@ namespace stiction
 
     /// The form chosen in the parameter file: "assembled" (a dense matrix) or
     /// "by solves" (one solve with K a product). Collective.
-    static std::unique_ptr<SchurComplement> create(
-      const std::string &form,
-      const LinearElasticity &elasticity,
-      const ContactSurface &surface,
-      StiffnessSolver &solver);
+    static std::unique_ptr<SchurComplement>
+    create(const std::string &form,
+           const LinearElasticity &elasticity,
+           const ContactSurface &surface,
+           StiffnessSolver &solver);
 
     /// m.
-    Eigen::Index n_nodes() const
+    Eigen::Index
+    n_nodes() const
     {
       return n_nodes_;
     }
 
     /// The dual right-hand side, length 3m.
-    const Eigen::VectorXd &right_hand_side() const
+    const Eigen::VectorXd &
+    right_hand_side() const
     {
       return h_;
     }
 
     /// dst = Q_{rows,columns} src. Collective; counted.
-    void vmult(DualBlock rows,
-               DualBlock columns,
-               Eigen::VectorXd &dst,
-               const Eigen::VectorXd &src) const;
+    void
+    vmult(DualBlock rows,
+          DualBlock columns,
+          Eigen::VectorXd &dst,
+          const Eigen::VectorXd &src) const;
 
     /// Products so far in units of one with all of Q: a product with Q_νν
     /// counts 1/9, with Q_tt 4/9, with Q_νt or Q_tν 2/9.
-    double n_multiplications() const
+    double
+    n_multiplications() const
     {
       return n_ninths_ / 9.;
     }
@@ -74,16 +78,20 @@ namespace stiction
                     const ContactSurface &surface);
 
     /// Computes h by one solve. Collective.
-    void set_right_hand_side(StiffnessSolver &solver);
+    void
+    set_right_hand_side(StiffnessSolver &solver);
 
-    virtual void apply(DualBlock rows,
-                       DualBlock columns,
-                       Eigen::VectorXd &dst,
-                       const Eigen::VectorXd &src) const = 0;
+    virtual void
+    apply(DualBlock rows,
+          DualBlock columns,
+          Eigen::VectorXd &dst,
+          const Eigen::VectorXd &src) const = 0;
 
     /// The first entry and the length of a block.
-    Eigen::Index begin(DualBlock block) const;
-    Eigen::Index length(DualBlock block) const;
+    Eigen::Index
+    begin(DualBlock block) const;
+    Eigen::Index
+    length(DualBlock block) const;
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
@@ -103,10 +111,12 @@ namespace stiction
     /// The Schur complement must outlive the block.
     SchurBlock(const SchurComplement &schur, DualBlock block);
 
-    Eigen::Index size() const override;
+    Eigen::Index
+    size() const override;
 
   protected:
-    void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
+    void
+    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
 
   private:
     const SchurComplement &schur_;

@@ -15,7 +15,8 @@ namespace stiction
     ~AmgSolver() override;
 
   protected:
-    unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;
+    unsigned int
+    do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
     struct Hierarchy;

@@ -23,33 +23,39 @@ namespace stiction
     /// Makes the mesh and numbers the unknowns.
     Body(const GeometryParameters &geometry, MPI_Comm communicator);
 
-    MPI_Comm communicator() const
+    MPI_Comm
+    communicator() const
     {
       return triangulation_.get_communicator();
     }
 
-    const dealii::parallel::distributed::Triangulation<3> &triangulation() const
+    const dealii::parallel::distributed::Triangulation<3> &
+    triangulation() const
     {
       return triangulation_;
     }
 
-    const dealii::DoFHandler<3> &dof_handler() const
+    const dealii::DoFHandler<3> &
+    dof_handler() const
     {
       return dof_handler_;
     }
 
-    const dealii::Mapping<3> &mapping() const
+    const dealii::Mapping<3> &
+    mapping() const
     {
       return mapping_;
     }
 
-    const dealii::IndexSet &locally_owned_dofs() const
+    const dealii::IndexSet &
+    locally_owned_dofs() const
     {
       return dof_handler_.locally_owned_dofs();
     }
 
     /// Owned unknowns and those of neighbouring cells.
-    const dealii::IndexSet &locally_relevant_dofs() const
+    const dealii::IndexSet &
+    locally_relevant_dofs() const
     {
       return locally_relevant_dofs_;
     }
@@ -62,34 +68,41 @@ namespace stiction
     };
 
     /// The nodes whose unknowns this rank owns, in the order of the unknowns.
-    const std::vector<Node> &locally_owned_nodes() const
+    const std::vector<Node> &
+    locally_owned_nodes() const
     {
       return nodes_;
     }
 
     /// Nodes of the whole mesh: a third of the unknowns.
-    dealii::types::global_dof_index n_nodes() const
+    dealii::types::global_dof_index
+    n_nodes() const
     {
       return dof_handler_.n_dofs() / 3;
     }
 
     /// The smallest box around the body, in m.
-    const dealii::BoundingBox<3> &bounding_box() const
+    const dealii::BoundingBox<3> &
+    bounding_box() const
     {
       return bounding_box_;
     }
 
     /// Throws InputError, beginning with @p location, if no face of the mesh
     /// has this boundary id.
-    void require_boundary(dealii::types::boundary_id id,
-                          const std::string &location) const;
+    void
+    require_boundary(dealii::types::boundary_id id,
+                     const std::string &location) const;
 
   private:
-    void make_grid(const GeometryParameters &geometry);
+    void
+    make_grid(const GeometryParameters &geometry);
 
-    void distribute_dofs();
+    void
+    distribute_dofs();
 
-    void collect_nodes();
+    void
+    collect_nodes();
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;

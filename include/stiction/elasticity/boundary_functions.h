@@ -33,8 +33,8 @@ namespace stiction
     ~ParsedFunction() override;
 
     /// Throws InputError if the value is not a finite number.
-    double value(const dealii::Point<3> &p,
-                 unsigned int component = 0) const override;
+    double
+    value(const dealii::Point<3> &p, unsigned int component = 0) const override;
 
   private:
     std::string expression_;
@@ -55,8 +55,9 @@ namespace stiction
   ///
   /// Throws InputError for an id that is not a number or stands twice, and as
   /// ParsedFunction.
-  BoundaryFunctions parse_boundary_functions(const std::string &text,
-                                             const std::string &location);
+  BoundaryFunctions
+  parse_boundary_functions(const std::string &text,
+                           const std::string &location);
 } // namespace stiction
 
 #endif

@@ -29,53 +29,65 @@ namespace stiction
     LinearElasticity(const Body &body, const Parameters &parameters);
     ~LinearElasticity();
 
-    const Body &body() const
+    const Body &
+    body() const
     {
       return body_;
     }
 
     /// Lamé's λ and G = μ in Pa.
-    double lame_lambda() const
+    double
+    lame_lambda() const
     {
       return lame_lambda_;
     }
-    double shear_modulus() const
+    double
+    shear_modulus() const
     {
       return shear_modulus_;
     }
 
     /// The prescribed displacements (and whatever else fixes an unknown).
-    const dealii::AffineConstraints<double> &constraints() const
+    const dealii::AffineConstraints<double> &
+    constraints() const
     {
       return constraints_;
     }
 
     /// K with prescribed displacements eliminated symmetrically: positive
     /// definite if the body is held. Unit: N/m.
-    const LA::SparseMatrix &constrained_stiffness() const;
+    const LA::SparseMatrix &
+    constrained_stiffness() const;
 
     /// The right-hand side that goes with it. Unit: N (m × diagonal entry in
     /// constrained rows).
-    const LA::Vector &constrained_load() const;
+    const LA::Vector &
+    constrained_load() const;
 
     /// The nodal forces of the tractions, at constrained unknowns too. Unit:
     /// N.
-    const LA::Vector &load() const;
+    const LA::Vector &
+    load() const;
 
     /// A distributed vector of zeros for displacements or nodal forces.
-    LA::Vector zero_vector() const;
+    LA::Vector
+    zero_vector() const;
 
     /// K u with K as assembled. Unit: N.
-    LA::Vector internal_force(const LA::Vector &u) const;
+    LA::Vector
+    internal_force(const LA::Vector &u) const;
 
     /// Throws InputError, naming the free rigid-body motions, if the
     /// prescribed displacements do not hold the body.
-    void require_support() const;
+    void
+    require_support() const;
 
   private:
-    void read_boundary_conditions(const Parameters &parameters);
+    void
+    read_boundary_conditions(const Parameters &parameters);
 
-    void assemble();
+    void
+    assemble();
 
     const Body &body_;
     const double lame_lambda_, shear_modulus_;

@@ -19,10 +19,12 @@ namespace stiction
     explicit MumpsSolver(const LinearElasticity &elasticity);
     ~MumpsSolver() override;
 
-    Eigen::MatrixXd compliance(const Trace &trace) override;
+    Eigen::MatrixXd
+    compliance(const Trace &trace) override;
 
   protected:
-    unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;
+    unsigned int
+    do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
     std::unique_ptr<MumpsFactorization> factorization_;

@@ -16,13 +16,14 @@ namespace stiction
   /// unknowns in the order of locally_owned_dofs(): three translations, then
   /// rotations about x, y, z through the centre of the bounding box, scaled
   /// by half its diagonal so that all six are of size one.
-  std::vector<std::vector<double>> rigid_body_modes(const Body &body);
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Body &body);
 
   /// The rigid-body motions that the constraints leave free, in words; empty
   /// if the body is held. Collective.
-  std::string free_rigid_body_motions(
-    const Body &body,
-    const dealii::AffineConstraints<double> &constraints);
+  std::string
+  free_rigid_body_motions(const Body &body,
+                          const dealii::AffineConstraints<double> &constraints);
 } // namespace stiction
 
 #endif

@@ -20,12 +20,14 @@ namespace stiction
     Trace() = default;
     explicit Trace(std::vector<dealii::types::global_dof_index> dofs);
 
-    Eigen::Index size() const
+    Eigen::Index
+    size() const
     {
       return static_cast<Eigen::Index>(dofs_.size());
     }
 
-    const std::vector<dealii::types::global_dof_index> &dofs() const
+    const std::vector<dealii::types::global_dof_index> &
+    dofs() const
     {
       return dofs_;
     }
@@ -33,11 +35,13 @@ namespace stiction
     /// The entries of u at the unknowns of the list, on every rank. Each has
     /// one owner, so the result is the same to the last bit on all ranks.
     /// Collective.
-    Eigen::VectorXd restriction(const LA::Vector &u) const;
+    Eigen::VectorXd
+    restriction(const LA::Vector &u) const;
 
     /// Adds values to the entries of dst at the unknowns of the list.
     /// Collective.
-    void add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const;
+    void
+    add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const;
 
   private:
     std::vector<dealii::types::global_dof_index> dofs_;

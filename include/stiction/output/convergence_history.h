@@ -19,10 +19,12 @@ namespace stiction
     /// @param print whether lines are printed.
     ConvergenceHistory(Log &log, const std::string &step_name, bool print);
 
-    void add(const ContactStep &step);
+    void
+    add(const ContactStep &step);
 
     /// Writes the table with ',' between columns. Call on one rank.
-    void write(const std::string &file) const;
+    void
+    write(const std::string &file) const;
 
   private:
     Log &log_;

@@ -18,11 +18,13 @@ namespace stiction
     explicit Log(MPI_Comm communicator);
 
     /// Prints one line.
-    void line(const std::string &text = "");
+    void
+    line(const std::string &text = "");
 
     /// Starts the file. Nothing is said into it before, so that a run refused
     /// for its input leaves the log of an earlier one alone.
-    void open_file(const std::string &name);
+    void
+    open_file(const std::string &name);
 
   private:
     const bool speaks_;
@@ -33,8 +35,8 @@ namespace stiction
 
 
   /// printf into a string.
-  std::string format(const char *pattern, ...)
-    __attribute__((format(printf, 1, 2)));
+  std::string
+  format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
 } // namespace stiction
 
 #endif

@@ -15,11 +15,12 @@ namespace stiction
   /// @param summary the content of summary.json.
   /// @param tolerance what the certificate had to reach.
   /// @param reason if it did not: what stopped the iteration.
-  void print_report(Log &log,
-                    const nlohmann::json &summary,
-                    double tolerance,
-                    const std::string &reason,
-                    bool with_costs);
+  void
+  print_report(Log &log,
+               const nlohmann::json &summary,
+               double tolerance,
+               const std::string &reason,
+               bool with_costs);
 } // namespace stiction
 
 #endif

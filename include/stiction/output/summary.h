@@ -16,21 +16,24 @@ namespace stiction
   /// The sections "contact", "certificate" and "energy" of summary.json, from
   /// a certificate. Forces in N, moments in Nm, pressures in Pa, areas in m²,
   /// energies in J.
-  nlohmann::json certificate_to_json(const Certificate &certificate);
-  nlohmann::json contact_to_json(const ContactSurface &surface,
-                                 const Certificate &certificate,
-                                 double tolerance);
-  nlohmann::json energy_to_json(const ContactSurface &surface,
-                                const Certificate &certificate);
+  nlohmann::json
+  certificate_to_json(const Certificate &certificate);
+  nlohmann::json
+  contact_to_json(const ContactSurface &surface,
+                  const Certificate &certificate,
+                  double tolerance);
+  nlohmann::json
+  energy_to_json(const ContactSurface &surface, const Certificate &certificate);
 
   /// The section "displacement": the largest displacement of a node in m, and
   /// where. Collective.
-  nlohmann::json displacement_to_json(const LinearElasticity &elasticity,
-                                      const LA::Vector &u);
+  nlohmann::json
+  displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u);
 
   /// Writes a JSON document, indented, first beside the file and then renamed,
   /// so that a reader never sees half of it. Call on one rank.
-  void write_json(const std::string &file, const nlohmann::json &document);
+  void
+  write_json(const std::string &file, const nlohmann::json &document);
 } // namespace stiction
 
 #endif

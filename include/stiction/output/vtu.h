@@ -13,19 +13,21 @@ namespace stiction
 
   /// Writes solution.pvtu (with its pieces and solution.pvd): displacement,
   /// stress tensor, von Mises stress. Collective.
-  void write_solution(const std::string &directory,
-                      const LinearElasticity &elasticity,
-                      const LA::Vector &u);
+  void
+  write_solution(const std::string &directory,
+                 const LinearElasticity &elasticity,
+                 const LA::Vector &u);
 
   /// Writes contact.pvtu (with its pieces and contact.pvd): the contact
   /// boundary with pressure, traction on the body, slip, gap, status, area
   /// and slip bound at every contact node. At nodes that are not contact nodes
   /// because their displacement is prescribed, status is −1 and the other
   /// fields are zero. Collective.
-  void write_contact(const std::string &directory,
-                     const LinearElasticity &elasticity,
-                     const ContactSurface &surface,
-                     const Certificate &certificate);
+  void
+  write_contact(const std::string &directory,
+                const LinearElasticity &elasticity,
+                const ContactSurface &surface,
+                const Certificate &certificate);
 } // namespace stiction
 
 #endif

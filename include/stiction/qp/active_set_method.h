@@ -50,43 +50,52 @@ namespace stiction::qp
     /// @param x in: a feasible point; out: the solution, feasible. Length
     ///   A.size().
     /// @param gradient in: Ax − b at the given x; out: at the returned one.
-    ActiveSetStatistics solve(Eigen::VectorXd &x,
-                              Eigen::VectorXd &gradient,
-                              const Scaling &scaling,
-                              double tolerance,
-                              unsigned int max_multiplications);
+    ActiveSetStatistics
+    solve(Eigen::VectorXd &x,
+          Eigen::VectorXd &gradient,
+          const Scaling &scaling,
+          double tolerance,
+          unsigned int max_multiplications);
 
   protected:
     /// Whether the boundary nodes are to be released before the free nodes
     /// are improved further. @p tolerance is the one asked of solve().
-    virtual bool must_release(const Scaling &scaling,
-                              double tolerance) const = 0;
+    virtual bool
+    must_release(const Scaling &scaling, double tolerance) const = 0;
 
     /// Changes x_ and gradient_ by a step that lets nodes leave the boundary.
-    virtual void release() = 0;
+    virtual void
+    release() = 0;
 
     /// Changes x_ and gradient_ when the conjugate gradient step −α_cg p
     /// leaves the set at −α_feasible p. Standard: the projected step
     /// P(x − α_cg p) if it lowers the energy, otherwise the step to the
     /// boundary followed by a projected gradient step of fixed length, which
     /// always does.
-    virtual void expand(double alpha_cg, double alpha_feasible);
+    virtual void
+    expand(double alpha_cg, double alpha_feasible);
 
     /// Goes to the boundary: x − α_feasible p; needs no product.
-    void go_to_boundary(double alpha_feasible);
+    void
+    go_to_boundary(double alpha_feasible);
 
     /// Moves by the projected step P(x − step·direction) − x; one product.
-    void projected_step(double step, const Eigen::VectorXd &direction);
+    void
+    projected_step(double step, const Eigen::VectorXd &direction);
 
-    /// As projected_step(), but only if the energy falls; one product.
-    bool guarded_projected_step(double step, const Eigen::VectorXd &direction);
+    /// As projected_step(), but only if the energy falls, up to rounding; one
+    /// product.
+    bool
+    guarded_projected_step(double step, const Eigen::VectorXd &direction);
 
     /// Recomputes free_ and chopped_ at x_.
-    void split();
+    void
+    split();
 
     /// Proportioning: the boundary asks for more than the free nodes,
     /// ‖chopped‖² > Γ² (reduced free)ᵀ(free).
-    bool is_disproportionate(double gamma) const;
+    bool
+    is_disproportionate(double gamma) const;
 
     const SymmetricOperator &A_;
     const FeasibleSet &set_;
@@ -97,8 +106,8 @@ namespace stiction::qp
     Eigen::VectorXd p_, Ap_;         ///< conjugate direction and its image
 
   private:
-    Eigen::VectorXd step_to_projection(double step,
-                                       const Eigen::VectorXd &direction) const;
+    Eigen::VectorXd
+    step_to_projection(double step, const Eigen::VectorXd &direction) const;
   };
 } // namespace stiction::qp
 

@@ -3,6 +3,8 @@
 
 #include <stiction/qp/active_set_method.h>
 
+#include <deque>
+
 namespace stiction::qp
 {
   class Discs;
@@ -14,9 +16,10 @@ namespace stiction::qp
   ///
   /// It points into the disc, is a descent direction unless it is zero, and
   /// is zero exactly when the KKT boundary condition g r = −‖r‖ x holds.
-  Eigen::VectorXd unbalanced_boundary_residual(const Discs &discs,
-                                               const Eigen::VectorXd &x,
-                                               const Eigen::VectorXd &gradient);
+  Eigen::VectorXd
+  unbalanced_boundary_residual(const Discs &discs,
+                               const Eigen::VectorXd &x,
+                               const Eigen::VectorXd &gradient);
 
 
 
@@ -26,9 +29,10 @@ namespace stiction::qp
   /// From ‖x_i + α v_i‖ = g_i one gets exactly α = g_i/‖r_i‖. The quadratic
   /// formula for the same number cancels when v_i is small, and the iteration
   /// would stall there for thousands of steps.
-  double largest_release_step(const Discs &discs,
-                              const Eigen::VectorXd &x,
-                              const Eigen::VectorXd &gradient);
+  double
+  largest_release_step(const Discs &discs,
+                       const Eigen::VectorXd &x,
+                       const Eigen::VectorXd &gradient);
 
 
 
@@ -58,25 +62,40 @@ namespace stiction::qp
       /// ... release by the projected gradient step P(x − 1.9 r/‖A‖)
       with_projected_release,
       /// ... hits are first tried as P(x − α_cg p), kept if the energy falls
-      robust
+      robust,
+      /// ... and so are releases as P(x − α r) with a spectral step α
+      spectral
     };
 
     /// As ActiveSetMethod.
     DiscActiveSet(const SymmetricOperator &A,
                   const Discs &discs,
                   double norm,
-                  Variant variant = Variant::robust);
+                  Variant variant = Variant::spectral);
 
   protected:
-    bool must_release(const Scaling &scaling, double tolerance) const override;
+    bool
+    must_release(const Scaling &scaling, double tolerance) const override;
 
-    void release() override;
+    void
+    release() override;
 
-    void expand(double alpha_cg, double alpha_feasible) override;
+    void
+    expand(double alpha_cg, double alpha_feasible) override;
 
   private:
+    /// The step length of Barzilai and Borwein that the last two release steps
+    /// suggest, chosen as in ABBmin (Frassoldati, Zanni and Zanghirati 2008):
+    /// the long one, or the shortest of the last short ones where the two
+    /// differ much. Never below the fixed step.
+    double
+    spectral_step();
+
     const Discs &discs_;
     const Variant variant_;
+
+    Eigen::VectorXd last_x_, last_gradient_; ///< at the last release
+    std::deque<double> short_steps_;
   };
 } // namespace stiction::qp
 

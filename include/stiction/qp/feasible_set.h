@@ -29,46 +29,53 @@ namespace stiction::qp
     FeasibleSet(Eigen::Index n_nodes, unsigned int n_components);
     virtual ~FeasibleSet() = default;
 
-    Eigen::Index n_nodes() const
+    Eigen::Index
+    n_nodes() const
     {
       return n_nodes_;
     }
 
-    unsigned int n_components() const
+    unsigned int
+    n_components() const
     {
       return n_components_;
     }
 
-    Eigen::Index size() const
+    Eigen::Index
+    size() const
     {
       return n_nodes_ * n_components_;
     }
 
     /// Replaces x by the nearest point of the set (Euclidean, node by node).
-    virtual void project(Eigen::VectorXd &x) const = 0;
+    virtual void
+    project(Eigen::VectorXd &x) const = 0;
 
     /// The largest α ≥ 0 with x + α d in the set, for feasible x; infinity
     /// where the set does not end along d.
-    virtual double largest_feasible_step(const Eigen::VectorXd &x,
-                                         const Eigen::VectorXd &d) const = 0;
+    virtual double
+    largest_feasible_step(const Eigen::VectorXd &x,
+                          const Eigen::VectorXd &d) const = 0;
 
     /// Splits the gradient at the feasible x into its free part (the gradient
     /// at nodes inside their set, zero on the boundary) and its chopped part:
     /// on the boundary (x − P(x − step·gradient))/step, zero inside.
     ///
     /// x solves the quadratic program if and only if both are zero.
-    virtual void split(const Eigen::VectorXd &x,
-                       const Eigen::VectorXd &gradient,
-                       double step,
-                       Eigen::VectorXd &free,
-                       Eigen::VectorXd &chopped) const = 0;
+    virtual void
+    split(const Eigen::VectorXd &x,
+          const Eigen::VectorXd &gradient,
+          double step,
+          Eigen::VectorXd &free,
+          Eigen::VectorXd &chopped) const = 0;
 
     /// The distance from optimality of the feasible x, without a unit:
     /// max over the nodes of ‖π − P(π − w)‖ with π = x_i/force_i and
     /// w = gradient_i/displacement. Zero if and only if x is optimal.
-    double natural_residual(const Eigen::VectorXd &x,
-                            const Eigen::VectorXd &gradient,
-                            const Scaling &scaling) const;
+    double
+    natural_residual(const Eigen::VectorXd &x,
+                     const Eigen::VectorXd &gradient,
+                     const Scaling &scaling) const;
 
   private:
     Eigen::Index n_nodes_;
@@ -83,16 +90,19 @@ namespace stiction::qp
   public:
     explicit HalfLines(Eigen::Index n_nodes);
 
-    void project(Eigen::VectorXd &x) const override;
+    void
+    project(Eigen::VectorXd &x) const override;
 
-    void split(const Eigen::VectorXd &x,
-               const Eigen::VectorXd &gradient,
-               double step,
-               Eigen::VectorXd &free,
-               Eigen::VectorXd &chopped) const override;
+    void
+    split(const Eigen::VectorXd &x,
+          const Eigen::VectorXd &gradient,
+          double step,
+          Eigen::VectorXd &free,
+          Eigen::VectorXd &chopped) const override;
 
-    double largest_feasible_step(const Eigen::VectorXd &x,
-                                 const Eigen::VectorXd &d) const override;
+    double
+    largest_feasible_step(const Eigen::VectorXd &x,
+                          const Eigen::VectorXd &d) const override;
   };
 
 
@@ -105,25 +115,30 @@ namespace stiction::qp
     /// Throws std::invalid_argument if a radius is negative or not a number.
     explicit Discs(Eigen::VectorXd radii);
 
-    const Eigen::VectorXd &radii() const
+    const Eigen::VectorXd &
+    radii() const
     {
       return radii_;
     }
 
-    void project(Eigen::VectorXd &x) const override;
+    void
+    project(Eigen::VectorXd &x) const override;
 
-    void split(const Eigen::VectorXd &x,
-               const Eigen::VectorXd &gradient,
-               double step,
-               Eigen::VectorXd &free,
-               Eigen::VectorXd &chopped) const override;
+    void
+    split(const Eigen::VectorXd &x,
+          const Eigen::VectorXd &gradient,
+          double step,
+          Eigen::VectorXd &free,
+          Eigen::VectorXd &chopped) const override;
 
-    double largest_feasible_step(const Eigen::VectorXd &x,
-                                 const Eigen::VectorXd &d) const override;
+    double
+    largest_feasible_step(const Eigen::VectorXd &x,
+                          const Eigen::VectorXd &d) const override;
 
     /// Whether x_i lies on its circle, up to rounding: i is in the paper's
     /// active set A(x). A node of radius zero always is.
-    bool is_active(const Eigen::VectorXd &x, Eigen::Index i) const;
+    bool
+    is_active(const Eigen::VectorXd &x, Eigen::Index i) const;
 
   private:
     Eigen::VectorXd radii_;
@@ -139,16 +154,19 @@ namespace stiction::qp
     /// Throws as Discs.
     explicit HalfLinesTimesDiscs(Eigen::VectorXd radii);
 
-    void project(Eigen::VectorXd &x) const override;
+    void
+    project(Eigen::VectorXd &x) const override;
 
-    void split(const Eigen::VectorXd &x,
-               const Eigen::VectorXd &gradient,
-               double step,
-               Eigen::VectorXd &free,
-               Eigen::VectorXd &chopped) const override;
+    void
+    split(const Eigen::VectorXd &x,
+          const Eigen::VectorXd &gradient,
+          double step,
+          Eigen::VectorXd &free,
+          Eigen::VectorXd &chopped) const override;
 
-    double largest_feasible_step(const Eigen::VectorXd &x,
-                                 const Eigen::VectorXd &d) const override;
+    double
+    largest_feasible_step(const Eigen::VectorXd &x,
+                          const Eigen::VectorXd &d) const override;
 
   private:
     HalfLines half_lines_;

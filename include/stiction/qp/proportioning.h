@@ -23,9 +23,11 @@ namespace stiction::qp
                   double gamma = 1.);
 
   protected:
-    bool must_release(const Scaling &scaling, double tolerance) const override;
+    bool
+    must_release(const Scaling &scaling, double tolerance) const override;
 
-    void release() override;
+    void
+    release() override;
 
   private:
     const double gamma_;

@@ -1,0 +1,192 @@
+#ifndef stiction_tests_unit_qp_tests_h
+#define stiction_tests_unit_qp_tests_h
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+
+/// What the tests of the qp layer share: random problems, a slow reference
+/// solver that uses nothing of the layer under test, and words for the output.
+namespace qp_tests
+{
+  using Eigen::Index;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+
+
+
+  /// Random numbers that are the same everywhere; the distributions of the
+  /// standard library are not.
+  class Random
+  {
+  public:
+    explicit Random(const unsigned int seed)
+      : engine_(seed)
+    {
+    }
+
+    double uniform(const double a, const double b)
+    {
+      return a + (b - a) * (static_cast<double>(engine_()) + 0.5) / 4294967296.;
+    }
+
+    /// Every order of magnitude between a and b > 0 is equally likely.
+    double log_uniform(const double a, const double b)
+    {
+      return std::exp(uniform(std::log(a), std::log(b)));
+    }
+
+    int integer(const int n)
+    {
+      return static_cast<int>(engine_() % static_cast<unsigned int>(n));
+    }
+
+    VectorXd vector(const Index n, const double a = -1., const double b = 1.)
+    {
+      VectorXd v(n);
+      for (double &entry : v)
+        entry = uniform(a, b);
+      return v;
+    }
+
+    /// A symmetric matrix with the given eigenvalues and random eigenvectors.
+    MatrixXd symmetric(const VectorXd &eigenvalues)
+    {
+      MatrixXd A = eigenvalues.asDiagonal();
+      for (Index i = 0; i < A.rows(); ++i)
+        {
+          const VectorXd w  = vector(A.rows()).normalized();
+          const VectorXd Aw = A * w; // A ← H A H with H = I − 2wwᵀ
+          A += (4. * w.dot(Aw)) * w * w.transpose() -
+               2. * (w * Aw.transpose() + Aw * w.transpose());
+        }
+      return 0.5 * (A + A.transpose());
+    }
+
+    /// Symmetric positive definite, spectrum within [1/condition, 1].
+    MatrixXd spd(const Index n, const double condition)
+    {
+      VectorXd eigenvalues(n);
+      for (double &eigenvalue : eigenvalues)
+        eigenvalue = log_uniform(1. / condition, 1.);
+      return symmetric(eigenvalues);
+    }
+
+  private:
+    std::mt19937 engine_;
+  };
+
+
+
+  /// The largest of many figures, and NaN for good once one of them was.
+  class Largest
+  {
+  public:
+    void add(const double figure)
+    {
+      if (!std::isnan(value_) && !(figure <= value_))
+        value_ = figure;
+    }
+
+    double value() const
+    {
+      return value_;
+    }
+
+  private:
+    double value_ = 0.;
+  };
+
+
+
+  inline void print(const std::string &claim, const bool holds)
+  {
+    std::cout << claim << ": " << (holds ? "yes" : "no") << std::endl;
+  }
+
+
+
+  /// The figure itself is shown only when the claim is false.
+  inline void print_below(const std::string &what,
+                          const double figure,
+                          const double bound)
+  {
+    std::cout << what << " below " << bound << ": ";
+    if (figure < bound)
+      std::cout << "yes" << std::endl;
+    else
+      std::cout << "no, " << figure << std::endl;
+  }
+
+  inline void print_below(const std::string &what,
+                          const Largest &figure,
+                          const double bound)
+  {
+    print_below(what, figure.value(), bound);
+  }
+
+  inline void print_count(const std::string &what, const unsigned int count)
+  {
+    std::cout << what << ": " << count << std::endl;
+  }
+
+
+
+  /// ½ xᵀAx − xᵀb
+  inline double energy(const MatrixXd &A, const VectorXd &b, const VectorXd &x)
+  {
+    const VectorXd Ax = A * x;
+    return x.dot(0.5 * Ax - b);
+  }
+
+
+
+  /// The nearest point of the half-lines (first n_half_lines entries) times
+  /// the discs (two blocks of entries after them), as one would write it.
+  inline void project(VectorXd &x,
+                      const Index n_half_lines,
+                      const VectorXd &radii)
+  {
+    for (Index i = 0; i < n_half_lines; ++i)
+      x(i) = std::max(x(i), 0.);
+    const Index m = radii.size();
+    for (Index i = n_half_lines; i < n_half_lines + m; ++i)
+      {
+        const double norm = std::sqrt(x(i) * x(i) + x(i + m) * x(i + m));
+        if (norm > radii(i - n_half_lines))
+          {
+            x(i) *= radii(i - n_half_lines) / norm;
+            x(i + m) *= radii(i - n_half_lines) / norm;
+          }
+      }
+  }
+
+
+
+  /// min ½ xᵀAx − xᵀb over the set of project(), by projected gradient steps
+  /// (1e5, or until they move nothing) that recompute everything.
+  inline VectorXd reference_solution(const MatrixXd &A,
+                                     const VectorXd &b,
+                                     const Index n_half_lines,
+                                     const VectorXd &radii)
+  {
+    // the largest row sum bounds the largest eigenvalue
+    const double step = 1.9 / A.cwiseAbs().rowwise().sum().maxCoeff();
+    VectorXd x        = VectorXd::Zero(b.size()), next;
+    for (unsigned int k = 0; k < 100000; ++k)
+      {
+        next = x - step * (A * x - b);
+        project(next, n_half_lines, radii);
+        if (next == x)
+          break;
+        x.swap(next);
+      }
+    return x;
+  }
+} // namespace qp_tests
+
+#endif
