@@ -31,7 +31,7 @@ except ImportError:
 SIZE = (1600, 800)
 SHARPER = 2  # drawn this many times larger, then shrunk: smooth lines
 FACE = ((1232, 405), (645, 484))  # its middle, and room for width and height
-BAR = (160, 104, 638, 124)  # left, bottom, right, top, as of every box
+BAR = (160, 90, 638, 110)  # left, bottom, right, top, as of every box
 LEGEND = 910
 TICK = 10
 FONT = 20
@@ -52,7 +52,7 @@ def fail(sentence):
 
 
 def set_up(this, **settings):
-    """Call this.SetName(value) for every name=value, return this."""
+    """Call this.SetName(value) for every Name=value, return this."""
     for name, value in settings.items():
         getattr(this, "Set" + name)(value)
     return this
@@ -136,8 +136,7 @@ def add_arrows(view, tails, vectors):
     points = set_up(vtk.vtkPoints(), Data=float_array(tails))
     data = set_up(vtk.vtkPolyData(), Points=points)
     data.GetPointData().SetVectors(float_array(vectors))
-    arrow = output_of(vtk.vtkArrowSource(), TipRadius=0.14, TipResolution=12,
-                      ShaftRadius=0.035)
+    arrow = output_of(vtk.vtkArrowSource(), TipRadius=0.14, ShaftRadius=0.035)
     add_data(view, output_of(vtk.vtkGlyph3D(), data, SourceData=arrow,
                              ScaleMode=vtk.VTK_SCALE_BY_VECTOR), TEXT)
 
@@ -155,8 +154,8 @@ def add_text(view, text, *point, align="middle", size=FONT):
 
 def add_title(page, middle, title, subtitle):
     """Write a title and a smaller line below it."""
-    add_text(page, title, middle, 764, size=FONT + 6)
-    add_text(page, subtitle, middle, 728)
+    add_text(page, title, middle * SIZE[0], 764, size=FONT + 6)
+    add_text(page, subtitle, middle * SIZE[0], 728)
 
 
 def add_scale(page, name, low, high, start, end, beside, upwards=False):
@@ -227,9 +226,8 @@ def draw_body(page, view, axes, body, face):
            InterpolateScalarsBeforeMapping=True,
            ColorMode=vtk.VTK_COLOR_MODE_MAP_SCALARS)
     faint = min(0.3, 14 / math.sqrt(deformed.GetNumberOfCells()))
-    mesh = add_data(view, output_of(vtk.vtkExtractEdges(), deformed), WHITE,
-                    0.5, faint)
-    mesh.SetRelativeCoincidentTopologyLineOffsetParameters(0, -40)
+    mesh = output_of(vtk.vtkExtractEdges(), deformed)
+    add_data(view, mesh, WHITE, 0.5, faint)
     add_data(view, output_of(vtk.vtkFeatureEdges(), surface), EDGES)
     add_foundation(view, body, face, factor)
 
@@ -247,8 +245,8 @@ def draw_body(page, view, axes, body, face):
                      colors.GetColor(highest * (x - left) / (right - left))
                      for x in range(left, right)})
     add_scale(page, "von Mises stress [MPa]", 0, highest, left, right, bottom)
-    add_title(page, SIZE[0] / 4, "The deformed body", "displacement "
-              f"exaggerated {factor:g} times, grey lines: before loading")
+    add_title(page, 0.25, "The deformed body", "displacement exaggerated "
+              f"{factor:g} times, grey lines: before loading")
 
 
 def arrows_of(friction, largest_traction):
@@ -270,19 +268,18 @@ def draw_contact(page, face):
     axes = [c for c in range(3) if c != face.across]  # to the right and up
     nodes = [tuple(p[c] for c in axes) for p in face.points]
     status = dict(zip(nodes, face.status))
-    arrows, usual, per_Pa = arrows_of(
-        dict(zip(nodes, ([t[c] for c in axes] for t in face.traction))),
-        max(math.hypot(*t) for t in face.traction))
+    friction = dict(zip(nodes, ([t[c] for c in axes] for t in face.traction)))
+    largest = max(math.hypot(*t) for t in face.traction)
+    arrows, usual, per_Pa = arrows_of(friction, largest)
 
     # the scales stand off where arrows reach out of the face beyond the ticks
     low, high = zip(*((min(c), max(c)) for c in zip(*nodes)))
-    tick = 0.015 * max(b - a for a, b in zip(low, high))
-    off = max([0] + [max(low[c] - p[c] - v[c], p[c] + v[c] - high[c]) - tick
+    off = max([0] + [max(low[c] - p[c] - v[c], p[c] + v[c] - high[c])
                      for p, v in arrows.items() for c in (0, 1)])
+    off *= off > 0.015 * max(b - a for a, b in zip(low, high))
     scale = min(room / (b - a + 2 * off)
                 for room, a, b in zip(FACE[1], low, high))
-    origin = [middle - scale * (a + b) / 2
-              for middle, a, b in zip(FACE[0], low, high)]
+    origin = [m - scale * (a + b) / 2 for m, a, b in zip(FACE[0], low, high)]
 
     def pixel(*point):
         return [o + scale * p for o, p in zip(origin, point)]
@@ -321,9 +318,8 @@ def draw_contact(page, face):
                    + [(length, 0, 0)])
         add_text(page, f"{key:g} MPa of friction on the body",
                  x + length + 10, y, align="left")
-    add_title(page, SIZE[0] * 3 / 4, "The contact face", "status of the nodes,"
-              " with their number, seen from " + "+-+"[face.across]
-              + "xyz"[face.across])
+    add_title(page, 0.75, "The contact face", "status of the nodes, with "
+              f"their number, seen from {('+x', '-y', '+z')[face.across]}")
 
 
 def main(arguments):
@@ -340,6 +336,8 @@ def main(arguments):
         fail("there is no screen, put 'xvfb-run -a' before the command.")
     vtk.vtkObject.GlobalWarningDisplayOff()
     vtk.vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+    # a line on a surface has gaps when it is not drawn in front of it
+    vtk.vtkMapper.SetResolveCoincidentTopologyLineOffsetParameters(0, -40)
     body = read(directory, "solution.pvtu", "displacement", "von_Mises_stress")
     face = read(directory, "contact.pvtu", "traction", "gap", "status")
     if not STATUS.keys() >= set(face.status):
@@ -362,7 +360,7 @@ def main(arguments):
     draw_contact(page, face)
     x, y = SIZE[0] / 2, SIZE[1] / 2  # the page's coordinates become pixels
     set_up(page.GetActiveCamera(), ParallelProjection=True,
-              ParallelScale=y, FocalPoint=(x, y, 0), Position=(x, y, 1000))
+           ParallelScale=y, FocalPoint=(x, y, 0), Position=(x, y, 100))
     window.Render()
     image = output_of(vtk.vtkWindowToImageFilter(), Input=window)
     image = output_of(vtk.vtkImageResize(), image, OutputDimensions=(*SIZE, 1),

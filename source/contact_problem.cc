@@ -7,7 +7,9 @@
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
+#include <stiction/memory.h>
 #include <stiction/output/convergence_history.h>
+#include <stiction/output/files.h>
 #include <stiction/output/log.h>
 #include <stiction/output/summary.h>
 #include <stiction/output/vtu.h>
@@ -23,8 +25,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace stiction
 {
@@ -114,6 +116,8 @@ namespace stiction
     make_grid();
     assemble_system();
     make_contact_surface();
+    require_writable(parameters_.output.directory,
+                     parameters_.source.describe("Output/Directory"));
     log_->line("The input is valid; nothing was solved.");
   }
 
@@ -132,6 +136,7 @@ namespace stiction
         dealii::Utilities::MPI::n_mpi_processes(communicator_),
         dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1 ? ""
                                                                     : "s"));
+    require_memory_for_mesh();
     body_ = std::make_unique<Body>(parameters_.geometry, communicator_);
     log_->line(
       format("Body: %llu cells, %llu nodes, %llu unknowns",
@@ -158,6 +163,7 @@ namespace stiction
     const Phase phase(seconds_, "mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
     elasticity_->require_support();
+    require_memory_for_dual_operator();
     log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
                       static_cast<long long>(surface_->n_nodes()),
                       static_cast<long long>(3 * surface_->n_nodes()),
@@ -170,25 +176,70 @@ namespace stiction
 
 
   void
+  ContactProblem::require_memory_for_mesh() const
+  {
+    // two stiffness matrices of up to 81 × 3 entries a node, mesh, unknowns
+    constexpr double bytes_per_cell = 8e3;
+
+    const auto &geometry = parameters_.geometry;
+    double cells         = std::pow(8., geometry.global_refinement);
+    for (const unsigned int n : geometry.subdivisions)
+      cells *= n;
+    const double available = available_memory(communicator_);
+    if (cells * bytes_per_cell > available)
+      throw InputError(
+        parameters_.source.describe(
+          geometry.table_1_level > 0       ? "Geometry/Table 1 level"
+          : geometry.global_refinement > 0 ? "Geometry/Global refinement"
+                                           : "Geometry/Subdivisions") +
+        format(", makes %.3g cells that need about %.3g GB of memory, at most "
+               "%.3g GB are here.",
+               cells,
+               cells * bytes_per_cell / 1e9,
+               available / 1e9));
+  }
+
+
+
+  void
+  ContactProblem::require_memory_for_dual_operator() const
+  {
+    if (parameters_.dual_operator.form != "assembled")
+      return;
+    // Q on every rank, and on the first one the Schur complement and a copy
+    const double n = 3. * static_cast<double>(surface_->n_nodes());
+    const double bytes =
+      8. * n * n *
+      (dealii::Utilities::MPI::n_mpi_processes(communicator_) + 2.);
+    const double available = available_memory(communicator_);
+    if (bytes > available)
+      throw InputError(parameters_.source.describe("Dual operator/Form") +
+                       format(", needs %.3g GB of memory for %.0f dual "
+                              "unknowns, at most %.3g GB are here, must be "
+                              "'by solves' for a mesh as fine as this.",
+                              bytes / 1e9,
+                              n,
+                              available / 1e9));
+  }
+
+
+
+  void
   ContactProblem::open_output()
   {
     const std::string &directory = parameters_.output.directory;
     together(communicator_, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
         return;
+      const std::string entry = parameters_.source.describe("Output/Directory");
+      require_writable(directory, entry);
       std::error_code error;
       std::filesystem::create_directories(directory, error);
-      const std::string probe = directory + "/.writable";
-      const bool writable =
-        std::filesystem::is_directory(directory) && std::ofstream(probe).good();
-      std::filesystem::remove(probe, error);
-      if (!writable)
-        throw InputError(parameters_.source.locate("Output/Directory") + " = " +
-                         directory +
-                         ", cannot be written to, must be a directory that "
-                         "exists or can be made.");
+      require_writable(directory + "/.", entry);
+      log_->open_file(directory + "/log.txt");
+      // an earlier success must not stand beside a later failure
+      std::filesystem::remove(directory + "/summary.json", error);
     });
-    log_->open_file(directory + "/log.txt");
   }
 
 
@@ -286,12 +337,14 @@ namespace stiction
     const std::string &directory = parameters_.output.directory;
     write_solution(directory, *elasticity_, *solution_->u);
     write_contact(directory, *elasticity_, *surface_, *solution_->certificate);
-    if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-      {
-        history_->write(directory + "/convergence.csv");
-        std::ofstream(directory + "/used_parameters.prm")
-          << parameters_.used_file();
-      }
+    together(communicator_, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+        return;
+      write_file(directory + "/convergence.csv",
+                 [&](std::ostream &out) { history_->write(out); });
+      write_file(directory + "/used_parameters.prm",
+                 [&](std::ostream &out) { out << parameters_.used_file(); });
+    });
   }
 
 
@@ -355,8 +408,11 @@ namespace stiction
     summary["peak_memory_MB"] = dealii::Utilities::MPI::sum(
       static_cast<double>(memory.VmHWM) / 1024., communicator_);
 
-    if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-      write_json(parameters_.output.directory + "/summary.json", summary);
+    together(communicator_, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+        write_file(parameters_.output.directory + "/summary.json",
+                   [&](std::ostream &out) { out << summary.dump(2) << '\n'; });
+    });
   }
 
 

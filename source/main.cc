@@ -6,8 +6,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
+#include <chrono>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -23,30 +28,52 @@ namespace
   {
     std::string file, output;
     std::vector<std::string> settings;
-    bool validate = false, print_parameters = false;
+    bool has_output = false, validate = false, print_parameters = false;
+  };
+
+  // What was made stays alive until main() ends: to destroy parallel objects
+  // is collective, and an exception may have been thrown on one rank alone.
+  struct Program
+  {
+    stiction::Parameters parameters;
+    std::unique_ptr<stiction::ContactProblem> problem;
   };
 
   int
-  run(const CommandLine &arguments)
+  run(Program &program, const CommandLine &arguments)
   {
     using namespace stiction;
     if (arguments.file.empty())
       throw InputError("FILE.prm is missing, 'stiction --help' shows how to "
                        "call the program and 'stiction --print-parameters' "
                        "prints a complete parameter file.");
-    auto settings = arguments.settings;
-    if (!arguments.output.empty())
-      settings.push_back("Output/Directory=" + arguments.output);
-
-    Parameters parameters;
-    parameters.read(arguments.file, settings);
-    ContactProblem problem(parameters, MPI_COMM_WORLD);
+    program.parameters.read(arguments.file,
+                            arguments.settings,
+                            arguments.has_output
+                              ? std::make_optional(arguments.output)
+                              : std::nullopt);
+    program.problem =
+      std::make_unique<ContactProblem>(program.parameters, MPI_COMM_WORLD);
     if (arguments.validate)
       {
-        problem.validate();
+        program.problem->validate();
         return certified;
       }
-    return problem.run() ? certified : not_converged;
+    return program.problem->run() ? certified : not_converged;
+  }
+
+  // One line that a terminal can show, whatever the user's file had in it.
+  std::string
+  printable(std::string sentence)
+  {
+    constexpr std::size_t at_most = 600;
+    for (char &c : sentence)
+      if (std::iscntrl(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0)
+        c = '?';
+    if (sentence.size() > at_most)
+      sentence = sentence.substr(0, at_most / 2) + " ... " +
+                 sentence.substr(sentence.size() - at_most / 2);
+    return sentence;
   }
 } // namespace
 
@@ -83,9 +110,20 @@ main(int argc, char *argv[])
 
   const auto refuse = [&](const std::string &sentence) {
     if (speaks)
-      std::cerr << "stiction: " << sentence << std::endl;
+      std::cerr << "stiction: " << printable(sentence) << std::endl;
     return input_error;
   };
+  // Where one rank alone may have failed, the others must not wait for it. If
+  // all have failed, the first one speaks and ends them.
+  const auto abort = [&](const std::string &sentence) {
+    if (!speaks)
+      std::this_thread::sleep_for(std::chrono::seconds(2));
+    std::cerr << "stiction: " << printable(sentence) << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, input_error);
+    return input_error;
+  };
+
+  Program program;
 
   try
     {
@@ -96,7 +134,8 @@ main(int argc, char *argv[])
             std::cout << stiction::Parameters::default_file();
           return certified;
         }
-      return run(arguments);
+      arguments.has_output = app.count("--output") > 0;
+      return run(program, arguments);
     }
   catch (const CLI::Success &wish) // --help, --version
     {
@@ -115,16 +154,12 @@ main(int argc, char *argv[])
     }
   catch (const std::bad_alloc &)
     {
-      std::cerr << "stiction: not enough memory for this problem, use a "
-                   "coarser mesh, 'Dual operator/Form = by solves' or "
-                   "'Stiffness solver/Type = amg'."
-                << std::endl;
+      return abort("not enough memory for this problem, use a coarser mesh, "
+                   "'Dual operator/Form = by solves' or 'Stiffness solver/Type "
+                   "= amg'.");
     }
   catch (const std::exception &error)
     {
-      std::cerr << "stiction: internal error: " << error.what() << std::endl;
+      return abort(std::string("internal error: ") + error.what());
     }
-  // one rank alone may be here: the others must not wait for it
-  MPI_Abort(MPI_COMM_WORLD, input_error);
-  return input_error;
 }

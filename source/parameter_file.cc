@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cctype>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace stiction
@@ -15,7 +15,7 @@ namespace stiction
   namespace
   {
     using dealii::ParameterHandler;
-    using nlohmann::json;
+    using json = nlohmann::ordered_json; // keeps the order of declaration
 
     std::string
     trim(const std::string &text)
@@ -54,18 +54,25 @@ namespace stiction
         const std::size_t dots = text.find("...");
         if (dots == std::string::npos)
           return text;
-        std::string low = text.substr(0, dots), high = text.substr(dots + 3);
+        const std::string low  = text.substr(0, dots),
+                          high = text.substr(dots + 3);
+        if (low.rfind("-MAX", 0) == 0)
+          return std::string();
         if (high.rfind("MAX", 0) == 0 || high == "2147483647")
           return " of at least " + low;
         return " from " + low + " to " + high;
       };
 
       if (pattern.rfind("[Selection", 0) == 0)
-        return "one of " + inside("[Selection");
+        {
+          std::string names;
+          for (const std::string &name :
+               dealii::Utilities::split_string_list(inside("[Selection"), '|'))
+            names += (names.empty() ? "'" : ", '") + name + "'";
+          return "one of " + names;
+        }
       if (pattern.rfind("[Bool", 0) == 0)
         return "true or false";
-      if (pattern == "[Double -MAX_DOUBLE...MAX_DOUBLE (inclusive)]")
-        return "a number";
       if (pattern.rfind("[Double", 0) == 0)
         return "a number" + range(inside("[Double"));
       if (pattern.rfind("[Integer range", 0) == 0)
@@ -74,8 +81,8 @@ namespace stiction
         return "an integer";
       if (pattern.rfind("[List", 0) == 0)
         {
-          const std::size_t of = pattern.find("<") + 1;
-          const std::size_t to = pattern.rfind(">");
+          const std::size_t of = pattern.find('<') + 1;
+          const std::size_t to = pattern.rfind('>');
           const std::size_t n  = pattern.find("length ") + 7;
           return pattern.substr(n, pattern.find("...", n) - n) +
                  " entries separated by ',', each " +
@@ -102,6 +109,11 @@ namespace stiction
       throw InputError(where + ": unknown entry '" + name + "' in section '" +
                        section + "', allowed are " + names_of(all[section]) +
                        ".");
+
+    if (value.find_first_of("#\n\r") != std::string::npos)
+      throw InputError(where + ": " + section + "/" + name + " = " + value +
+                       ", must have no '#' and no line break, which a "
+                       "parameter file could not repeat.");
 
     prm.enter_subsection(section);
     try
@@ -131,11 +143,20 @@ namespace stiction
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
 
+    const json defaults = declared(prm);
+    for (const auto &group : defaults.items())
+      for (const auto &entry : group.value().items())
+        places_[group.key() + "/" + entry.key()] = {
+          "default value", entry.value()["value"].get<std::string>()};
+
+    std::set<std::string> stood;
     std::string section;
     for (unsigned int number = 1; std::getline(in, line); ++number)
       {
         const std::string where = file + ", line " + std::to_string(number);
-        line                    = trim(line.substr(0, line.find('#')));
+        if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
+          line.erase(0, 3); // the mark some editors put before UTF-8
+        line = trim(line.substr(0, line.find('#')));
         while (!line.empty() && line.back() == '\\')
           {
             std::string next;
@@ -177,11 +198,11 @@ namespace stiction
                                "' stands outside of a subsection, all entries "
                                "stand in one.");
             const std::size_t equals = rest.find('=');
-            assign(where,
-                   section,
-                   trim(rest.substr(0, equals)),
-                   trim(rest.substr(equals + 1)),
-                   prm);
+            const std::string name   = trim(rest.substr(0, equals));
+            if (!stood.insert(section + "/" + name).second)
+              throw InputError(where + ": '" + name + "' in section '" +
+                               section + "' stands twice, must stand once.");
+            assign(where, section, name, trim(rest.substr(equals + 1)), prm);
           }
         else
           throw InputError(where + ": '" + line +
@@ -213,9 +234,7 @@ namespace stiction
   std::string
   ParameterFile::locate(const std::string &entry) const
   {
-    const auto place = places_.find(entry);
-    return (place == places_.end() ? "default value" : place->second.where) +
-           ": " + entry;
+    return places_.at(entry).where + ": " + entry;
   }
 
 
@@ -223,8 +242,6 @@ namespace stiction
   std::string
   ParameterFile::describe(const std::string &entry) const
   {
-    const auto place = places_.find(entry);
-    return locate(entry) +
-           (place == places_.end() ? "" : " = " + place->second.value);
+    return locate(entry) + " = " + places_.at(entry).value;
   }
 } // namespace stiction

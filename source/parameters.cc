@@ -2,12 +2,19 @@
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace stiction
 {
   namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    // Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
+    constexpr double max_cells = 4e8;
+  } // namespace
 
   GeometryParameters::GeometryParameters()
     : ParameterAcceptor("Geometry")
@@ -245,17 +252,20 @@ namespace stiction
 
   void
   Parameters::read(const std::string &file,
-                   const std::vector<std::string> &settings)
+                   const std::vector<std::string> &settings,
+                   const std::optional<std::string> &output)
   {
-    source.read(file, settings, dealii::ParameterAcceptor::prm);
-    check();
+    dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
+    source.read(file, settings, prm);
+    if (output)
+      source.assign("--output", "Output", "Directory", *output, prm);
     apply_table_1_level();
+    check();
 
     std::ostringstream out;
-    dealii::ParameterAcceptor::prm.print_parameters(
-      out,
-      dealii::ParameterHandler::ShortPRM |
-        dealii::ParameterHandler::KeepDeclarationOrder);
+    prm.print_parameters(out,
+                         dealii::ParameterHandler::ShortPRM |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
     used_file_ = out.str();
   }
 
@@ -307,27 +317,37 @@ namespace stiction
         throw InputError(source.describe(entry) + ", " + allowed + ".");
     };
 
-    for (const double length : geometry.lengths)
-      require(std::isfinite(length) && length > 0.,
-              "Geometry/Lengths",
-              "each must be a finite number > 0 m");
+    // Numbers near the ends of the range of a double would overflow in their
+    // products; no unit system needs them.
+    const auto is_sane = [](const double value) {
+      return value >= 1e-30 && value <= 1e30;
+    };
+    const auto extremes =
+      std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
+    require(is_sane(*extremes.first) && is_sane(*extremes.second),
+            "Geometry/Lengths",
+            "each must be a number from 1e-30 to 1e30 (m)");
+    require(*extremes.second <= 1e4 * *extremes.first,
+            "Geometry/Lengths",
+            "the longest may be at most 10000 times the shortest");
+    require(is_sane(material.youngs_modulus),
+            "Material/Young's modulus",
+            "must be a number from 1e-30 to 1e30 (Pa)");
+    require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
+            "Material/Poisson ratio",
+            "must be above -1 and below 0.5");
 
     double cells = std::pow(8., geometry.global_refinement);
     for (const unsigned int n : geometry.subdivisions)
       cells *= n;
-    require(cells <= 4e8,
-            "Geometry/Subdivisions",
-            "together with Geometry/Global refinement this makes " +
-              std::to_string(static_cast<long long>(cells)) +
-              " cells, at most 400000000 are allowed");
-
-    require(std::isfinite(material.youngs_modulus) &&
-              material.youngs_modulus > 0.,
-            "Material/Young's modulus",
-            "must be a finite number > 0 Pa");
-    require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
-            "Material/Poisson ratio",
-            "must be above -1 and below 0.5");
+    std::ostringstream too_many;
+    too_many << "makes " << cells << " cells, allowed are at most "
+             << max_cells;
+    require(cells <= max_cells,
+            geometry.table_1_level > 0       ? "Geometry/Table 1 level"
+            : geometry.global_refinement > 0 ? "Geometry/Global refinement"
+                                             : "Geometry/Subdivisions",
+            too_many.str());
 
     // n/m of the table come out only with the face clamped that goes with it
     const auto displacement = parse_boundary_functions(

@@ -78,6 +78,10 @@ namespace stiction
     void
     make_contact_surface();
     void
+    require_memory_for_mesh() const;
+    void
+    require_memory_for_dual_operator() const;
+    void
     open_output();
     void
     set_up_stiffness_solver();

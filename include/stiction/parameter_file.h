@@ -34,6 +34,18 @@ namespace stiction
          const std::vector<std::string> &settings,
          dealii::ParameterHandler &prm);
 
+    /// Gives one entry a value.
+    ///
+    /// @param where the beginning of a sentence about where the value stands.
+    ///
+    /// Throws as read().
+    void
+    assign(const std::string &where,
+           const std::string &section,
+           const std::string &name,
+           const std::string &value,
+           dealii::ParameterHandler &prm);
+
     /// "brick.prm, line 12: Material/Poisson ratio = 0.7": the beginning of a
     /// sentence about the value of @p entry ("Section/Entry").
     std::string
@@ -50,13 +62,6 @@ namespace stiction
       std::string where;
       std::string value;
     };
-
-    void
-    assign(const std::string &where,
-           const std::string &section,
-           const std::string &name,
-           const std::string &value,
-           dealii::ParameterHandler &prm);
 
     std::map<std::string, Place> places_;
   };

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -123,10 +124,13 @@ namespace stiction
   public:
     /// Reads a file and command line settings and checks every value.
     ///
+    /// @param output the argument of --output, which goes before all else.
+    ///
     /// Throws InputError: see ParameterFile::read() and check().
     void
     read(const std::string &file,
-         const std::vector<std::string> &settings = {});
+         const std::vector<std::string> &settings = {},
+         const std::optional<std::string> &output = std::nullopt);
 
     /// The complete commented default file, in declaration order.
     static std::string

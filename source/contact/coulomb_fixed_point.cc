@@ -24,6 +24,12 @@ namespace stiction
 
     // Approximations without a new smallest residual before giving up.
     constexpr unsigned int max_idle_steps = 30;
+
+    double
+    ratio(const double after, const double before)
+    {
+      return before > 0. ? after / before : 0.;
+    }
   } // namespace
 
 
@@ -88,7 +94,7 @@ namespace stiction
                       0.,
                       r,
                       c,
-                      r / last_residual,
+                      ratio(r, last_residual),
                       0.});
             last_residual = r;
           });
@@ -102,7 +108,7 @@ namespace stiction
         iterate.gradient         = solution.certificate->gradient();
         const double before      = residual;
         residual                 = solution.certificate->figures().kkt_residual;
-        const double contraction = residual / before;
+        const double contraction = ratio(residual, before);
         if (bound_changes)
           {
             ++solution.coulomb_iterations;

@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <iostream>
 #include <sstream>
 #include <utility>
 
@@ -15,18 +16,73 @@ namespace stiction
   {
     using dealii::Utilities::trim;
 
-    // The last line deal.II's message on a formula has to say is muParser's.
+    // What muParser itself says, in deal.II's message of many lines.
     std::string
     reason(const dealii::ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
-      std::string text;
-      for (const std::string &line :
-           dealii::Utilities::split_string_list(out.str(), '\n'))
-        if (!trim(line).empty())
-          text += (text.empty() ? "" : " ") + trim(line);
-      return text;
+      std::string text       = out.str();
+      const std::string mark = "said:";
+      if (text.find(mark) != std::string::npos)
+        text = text.substr(text.find(mark) + mark.size());
+      for (char &c : text)
+        if (c == '\n')
+          c = ' ';
+      text = trim(text);
+      while (!text.empty() && (text.back() == '.' || text.back() == '>'))
+        text.pop_back();
+      return trim(text.substr(text.find_first_not_of("< ") == std::string::npos
+                                ? 0
+                                : text.find_first_not_of("< ")));
+    }
+
+    // deal.II writes muParser's complaints to the screen as well, on every
+    // rank.
+    class SilentErrors
+    {
+    public:
+      SilentErrors()
+        : screen_(std::cerr.rdbuf(nothing_.rdbuf()))
+      {
+      }
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(screen_);
+      }
+      SilentErrors(const SilentErrors &) = delete;
+      SilentErrors &
+      operator=(const SilentErrors &) = delete;
+
+    private:
+      std::ostringstream nothing_;
+      std::streambuf *screen_;
+    };
+
+    // What muParser accepts and no user means: 'a, b' is b, and 'x = 1' puts
+    // 1 into x. Empty if there is nothing of the kind.
+    std::string
+    trap(const std::string &formula)
+    {
+      int depth = 0;
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        {
+          const char c    = formula[i];
+          const char next = i + 1 < formula.size() ? formula[i + 1] : ' ';
+          depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+          if (c == ',' && depth == 0)
+            return "',' stands between arguments of a function only, the "
+                   "decimal sign is '.'";
+          if (c == '=' && next == '=')
+            ++i;
+          else if (c == '=' &&
+                   (i == 0 || std::string("<>!").find(formula[i - 1]) ==
+                                std::string::npos))
+            return "'=' assigns, a comparison is '=='";
+        }
+      if (formula.find("rand") != std::string::npos)
+        return "a formula must not depend on chance";
+      return "";
     }
 
     // At single bars only: '||' is the logical or.
@@ -69,8 +125,14 @@ namespace stiction
                                               " formulas separated by ';'") +
                        ".");
 
+    for (const std::string &part : parts)
+      if (!trap(part).empty())
+        throw InputError(location_ + " = " + expression_ + ", " + trap(part) +
+                         ".");
+
     try
       {
+        const SilentErrors silence;
         parser_->initialize(
           "x,y,z", expression_, {{"pi", dealii::numbers::PI}}, false);
         // muParser reads a formula when it is first evaluated
@@ -95,11 +157,12 @@ namespace stiction
                         const unsigned int component) const
   {
     const double value = parser_->value(p, component);
-    if (!std::isfinite(value))
+    if (!(std::abs(value) <= 1e30))
       {
         std::ostringstream message;
         message << location_ << " = " << expression_ << ", gives " << value
-                << " at (" << p << "), must be a finite number everywhere.";
+                << " at (" << p
+                << "), must be a number of at most 1e30 everywhere.";
         throw InputError(message.str());
       }
     return value;

@@ -2,7 +2,7 @@
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/log.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace stiction
 {
@@ -50,7 +50,7 @@ namespace stiction
 
 
   void
-  ConvergenceHistory::write(const std::string &file) const
+  ConvergenceHistory::write(std::ostream &out) const
   {
     // TableHandler separates by blanks; its rows are rewritten with commas
     dealii::TableHandler table = table_;
@@ -67,7 +67,6 @@ namespace stiction
         text,
         dealii::TableHandler::simple_table_with_separate_column_description);
 
-    std::ofstream out(file);
     out << "step,sweeps,dual_multiplications,kkt_residual,relative_change,"
            "contraction,normal_force\n";
     for (std::string line; std::getline(text, line);)

@@ -1,3 +1,4 @@
+#include <stiction/errors.h>
 #include <stiction/output/log.h>
 
 #include <deal.II/base/mpi.h>
@@ -36,6 +37,9 @@ namespace stiction
       return;
     file_.open(name);
     file_ << so_far_.str() << std::flush;
+    if (!file_)
+      throw InputError(name + ": cannot be written, must be in a directory "
+                              "with space and with the permission to write.");
   }
 
 

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <fstream>
 
 namespace stiction
 {
@@ -122,13 +120,4 @@ namespace stiction
     return {{"max", largest[0]}, {"at", {largest[1], largest[2], largest[3]}}};
   }
 
-
-
-  void
-  write_json(const std::string &file, const json &document)
-  {
-    const std::string unfinished = file + ".new";
-    std::ofstream(unfinished) << document.dump(2) << '\n';
-    std::rename(unfinished.c_str(), file.c_str());
-  }
 } // namespace stiction

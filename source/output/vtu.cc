@@ -2,6 +2,8 @@
 #include <stiction/contact/contact_surface.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/errors.h>
+#include <stiction/output/files.h>
 #include <stiction/output/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -12,7 +14,6 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace stiction
 {
@@ -235,20 +236,24 @@ namespace stiction
       const auto piece        = [&](const unsigned int r) {
         return name + "." + Utilities::int_to_string(r, 4) + ".vtu";
       };
-      std::ofstream file(directory + "/" + piece(rank));
-      out.write_vtu(file);
+      together(communicator, [&]() {
+        write_file(directory + "/" + piece(rank),
+                   [&](std::ostream &file) { out.write_vtu(file); });
+        if (rank != 0)
+          return;
 
-      if (rank != 0)
-        return;
-      std::vector<std::string> pieces;
-      for (unsigned int r = 0;
-           r < Utilities::MPI::n_mpi_processes(communicator);
-           ++r)
-        pieces.push_back(piece(r));
-      std::ofstream record(directory + "/" + name + ".pvtu");
-      out.write_pvtu_record(record, pieces);
-      std::ofstream steps(directory + "/" + name + ".pvd");
-      DataOutBase::write_pvd_record(steps, {{0., name + ".pvtu"}});
+        std::vector<std::string> pieces;
+        for (unsigned int r = 0;
+             r < Utilities::MPI::n_mpi_processes(communicator);
+             ++r)
+          pieces.push_back(piece(r));
+        write_file(directory + "/" + name + ".pvtu", [&](std::ostream &file) {
+          out.write_pvtu_record(file, pieces);
+        });
+        write_file(directory + "/" + name + ".pvd", [&](std::ostream &file) {
+          DataOutBase::write_pvd_record(file, {{0., name + ".pvtu"}});
+        });
+      });
     }
   } // namespace
 

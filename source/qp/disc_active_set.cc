@@ -73,15 +73,15 @@ namespace stiction::qp
   DiscActiveSet::spectral_step()
   {
     // a short step this much shorter than the long one is worth taking
-    constexpr double      much_shorter = 0.5;
-    constexpr std::size_t memory       = 3;
+    constexpr double much_shorter = 0.5;
+    constexpr std::size_t memory  = 3;
 
     double step = fixed_step_;
     if (last_x_.size() == x_.size())
       {
-        const Eigen::VectorXd dx        = x_ - last_x_;
-        const Eigen::VectorXd dr        = gradient_ - last_gradient_;
-        const double          curvature = dx.dot(dr);
+        const Eigen::VectorXd dx = x_ - last_x_;
+        const Eigen::VectorXd dr = gradient_ - last_gradient_;
+        const double curvature   = dx.dot(dr);
         if (curvature > 0.)
           {
             const double long_step  = dx.squaredNorm() / curvature;
@@ -89,10 +89,10 @@ namespace stiction::qp
             short_steps_.push_back(short_step);
             if (short_steps_.size() > memory)
               short_steps_.pop_front();
-            step = short_step < much_shorter * long_step ?
-                     *std::min_element(short_steps_.begin(),
-                                       short_steps_.end()) :
-                     long_step;
+            step =
+              short_step < much_shorter * long_step
+                ? *std::min_element(short_steps_.begin(), short_steps_.end())
+                : long_step;
           }
       }
     last_x_        = x_;

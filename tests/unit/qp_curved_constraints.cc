@@ -13,7 +13,8 @@ using namespace qp_tests;
 
 namespace
 {
-  void check(const std::string &name, const bool with_half_lines)
+  void
+  check(const std::string &name, const bool with_half_lines)
   {
     Random random(7);
     unsigned int inside = 0, on_circle = 0, open = 0, carrying = 0;
@@ -85,7 +86,8 @@ namespace
   // Two nodes that do not know of each other, A = I: the first balanced on
   // its circle (up to rounding), the second on its circle with its load
   // turned by a right angle.
-  void check_balanced_node()
+  void
+  check_balanced_node()
   {
     Random random(8);
     unsigned int held_up = 0;
@@ -112,7 +114,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   check("Discs", false);
   check("Half-lines times discs", true);

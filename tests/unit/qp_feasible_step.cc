@@ -21,10 +21,11 @@ namespace
 
 
   // ‖x + α d‖/g − 1 at the only node, in long double.
-  Wide outside(const VectorXd &x,
-               const VectorXd &d,
-               const Wide alpha,
-               const double g)
+  Wide
+  outside(const VectorXd &x,
+          const VectorXd &d,
+          const Wide alpha,
+          const double g)
   {
     const Wide y1 = x(0) + alpha * d(0), y2 = x(1) + alpha * d(1);
     return std::sqrt(y1 * y1 + y2 * y2) / g - 1.L;
@@ -33,7 +34,8 @@ namespace
 
 
   // The step in long double, from the same rounded x and d.
-  Wide step_in_long_double(const VectorXd &x, const VectorXd &d, const Wide g)
+  Wide
+  step_in_long_double(const VectorXd &x, const VectorXd &d, const Wide g)
   {
     const Wide x1 = x(0), x2 = x(1), d1 = d(0), d2 = d(1);
     const Wide a    = d1 * d1 + d2 * d2;
@@ -47,13 +49,14 @@ namespace
 
   // A node at the distance (1 − depth) g from the centre; d makes the angle
   // `turn` with the tangent, outwards if positive.
-  void check_disc(const std::string &name,
-                  const bool well_conditioned,
-                  const double least_depth,
-                  const double largest_depth,
-                  const double least_turn,
-                  const double largest_turn,
-                  const double sign)
+  void
+  check_disc(const std::string &name,
+             const bool well_conditioned,
+             const double least_depth,
+             const double largest_depth,
+             const double least_turn,
+             const double largest_turn,
+             const double sign)
   {
     Random random(3);
     Largest before, at_the_end, error;
@@ -106,7 +109,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   check_disc("Inside, outwards", true, 0.1, 1., 0.1, 1.5, 1.);
   check_disc("Inside, inwards", true, 0.1, 1., 0.1, 1.5, -1.);

@@ -22,12 +22,14 @@ namespace
     DiscActiveSet::Variant::with_expansion,
     DiscActiveSet::Variant::with_proportioning,
     DiscActiveSet::Variant::with_projected_release,
-    DiscActiveSet::Variant::robust};
+    DiscActiveSet::Variant::robust,
+    DiscActiveSet::Variant::spectral};
   const char *const names[] = {"as_printed",
                                "with_expansion",
                                "with_proportioning",
                                "with_projected_release",
-                               "robust"};
+                               "robust",
+                               "spectral"};
 
 
 
@@ -49,7 +51,8 @@ namespace
 
 
   // How far x is from the conditions of the lemma: 0 if it meets them.
-  double lemma_violation(const Problem &problem, const VectorXd &x)
+  double
+  lemma_violation(const Problem &problem, const VectorXd &x)
   {
     const Index m    = problem.radii.size();
     const VectorXd r = problem.A * x - problem.b;
@@ -72,7 +75,8 @@ namespace
 
   // One node: the best of a grid over the disc, then of finer and finer grids
   // around the best, to a cell of 1e-9.
-  VectorXd best_of_grid(const Problem &problem)
+  VectorXd
+  best_of_grid(const Problem &problem)
   {
     const double pi = 3.141592653589793, g = problem.radii(0);
     double radius = g / 2., angle = 0.; // centre of the grid
@@ -116,9 +120,8 @@ namespace
 
 
 
-  Figures compare(const Problem &problem,
-                  const VectorXd &reference,
-                  const int variant)
+  Figures
+  compare(const Problem &problem, const VectorXd &reference, const int variant)
   {
     Figures figures;
     const DenseOperator A(problem.A);
@@ -149,7 +152,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   Random random(5);
 
@@ -198,7 +202,7 @@ int main()
                   kind == 1 ? 1e-6 : 1e-12);
       print_count("  other points that meet the conditions of the lemma",
                   still_optimal);
-      for (int variant = 0; variant < 5; ++variant)
+      for (int variant = 0; variant < 6; ++variant)
         {
           Figures all;
           for (unsigned int k = 0; k < problems.size(); ++k)

@@ -59,7 +59,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   Random random(9);
 

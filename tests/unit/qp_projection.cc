@@ -15,10 +15,8 @@ using namespace stiction::qp;
 using namespace qp_tests;
 
 // A random point of one node's set, often on its boundary or at the origin.
-VectorXd feasible_node(Random &random,
-                       const bool half_line,
-                       const bool disc,
-                       double g)
+VectorXd
+feasible_node(Random &random, const bool half_line, const bool disc, double g)
 {
   const auto pick = [&random](const double outer) {
     const int kind = random.integer(4);
@@ -39,11 +37,12 @@ VectorXd feasible_node(Random &random,
 
 
 
-void check(const std::string &name,
-           const FeasibleSet &set,
-           const bool half_line,
-           const bool disc,
-           const VectorXd &radii)
+void
+check(const std::string &name,
+      const FeasibleSet &set,
+      const bool half_line,
+      const bool disc,
+      const VectorXd &radii)
 {
   Random random(1);
   const Index m = set.n_nodes();
@@ -117,7 +116,8 @@ void check(const std::string &name,
 
 
 
-bool is_refused(const double radius)
+bool
+is_refused(const double radius)
 {
   VectorXd radii(2);
   radii << 1., radius;
@@ -143,7 +143,8 @@ bool is_refused(const double radius)
 
 
 
-int main()
+int
+main()
 {
   VectorXd radii(5);
   radii << 1., 0., 0.25, 1e-3, 2.;

@@ -37,7 +37,8 @@ namespace
       r *= random.log_uniform(1e-6, 1e6);
     }
 
-    Discs disc() const
+    Discs
+    disc() const
     {
       return Discs(VectorXd::Constant(1, g));
     }
@@ -48,7 +49,8 @@ namespace
 
 
 
-  Wide dot(const VectorXd &a, const VectorXd &b)
+  Wide
+  dot(const VectorXd &a, const VectorXd &b)
   {
     return static_cast<Wide>(a(0)) * b(0) + static_cast<Wide>(a(1)) * b(1);
   }
@@ -56,7 +58,8 @@ namespace
 
 
   // ‖x + t v‖/g − 1 in long double.
-  Wide outside(const Node &node, const VectorXd &v, const Wide t)
+  Wide
+  outside(const Node &node, const VectorXd &v, const Wide t)
   {
     const Wide y1 = node.x(0) + t * v(0), y2 = node.x(1) + t * v(1);
     return std::sqrt(y1 * y1 + y2 * y2) / node.g - 1.L;
@@ -65,7 +68,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   Random random(4);
 

@@ -16,7 +16,8 @@ namespace
   // Estimates over true values, and what they cost.
   struct Ratios
   {
-    void add(const MatrixXd &matrix, const double largest_eigenvalue)
+    void
+    add(const MatrixXd &matrix, const double largest_eigenvalue)
     {
       const DenseOperator A(matrix);
       const double norm  = spectral_norm(A);
@@ -34,7 +35,8 @@ namespace
       ++n;
     }
 
-    void print_all(const std::string &name) const
+    void
+    print_all(const std::string &name) const
     {
       std::cout << name << ", " << n << " matrices" << std::endl;
       print_below("  largest part that is missing", below, 0.01);
@@ -51,7 +53,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   const double pi = 3.141592653589793;
   Random random(10);

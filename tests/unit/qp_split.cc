@@ -22,7 +22,8 @@ namespace
     bool normal_active[m], tangential_active[m];
   };
 
-  Point random_point(Random &random, const VectorXd &radii)
+  Point
+  random_point(Random &random, const VectorXd &radii)
   {
     Point point;
     for (Index i = 0; i < m; ++i)
@@ -45,7 +46,8 @@ namespace
 
 
 
-int main()
+int
+main()
 {
   Random random(2);
   VectorXd radii(m);

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/table_handler.h>
 
+#include <ostream>
 #include <string>
 
 namespace stiction
@@ -22,9 +23,9 @@ namespace stiction
     void
     add(const ContactStep &step);
 
-    /// Writes the table with ',' between columns. Call on one rank.
+    /// Writes the table with ',' between columns.
     void
-    write(const std::string &file) const;
+    write(std::ostream &out) const;
 
   private:
     Log &log_;

@@ -23,6 +23,8 @@ namespace stiction
 
     /// Starts the file. Nothing is said into it before, so that a run refused
     /// for its input leaves the log of an earlier one alone.
+    ///
+    /// Throws InputError on rank 0 if the file cannot be written.
     void
     open_file(const std::string &name);
 

@@ -29,11 +29,6 @@ namespace stiction
   /// where. Collective.
   nlohmann::json
   displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u);
-
-  /// Writes a JSON document, indented, first beside the file and then renamed,
-  /// so that a reader never sees half of it. Call on one rank.
-  void
-  write_json(const std::string &file, const nlohmann::json &document);
 } // namespace stiction
 
 #endif
