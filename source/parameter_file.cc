@@ -6,8 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <set>
 #include <sstream>
 
 namespace stiction
@@ -110,11 +111,6 @@ namespace stiction
                        section + "', allowed are " + names_of(all[section]) +
                        ".");
 
-    if (value.find_first_of("#\n\r") != std::string::npos)
-      throw InputError(where + ": " + section + "/" + name + " = " + value +
-                       ", must have no '#' and no line break, which a "
-                       "parameter file could not repeat.");
-
     prm.enter_subsection(section);
     try
       {
@@ -127,6 +123,10 @@ namespace stiction
           allowed(all[section][name]["pattern_description"]) + ".");
       }
     prm.leave_subsection();
+    if (value.find_first_of("#\n\r") != std::string::npos)
+      throw InputError(where + ": " + section + "/" + name + " = " + value +
+                       ", must have no '#' and no line break, which a "
+                       "parameter file could not repeat.");
     places_[section + "/" + name] = {where, value};
   }
 
@@ -149,11 +149,16 @@ namespace stiction
         places_[group.key() + "/" + entry.key()] = {
           "default value", entry.value()["value"].get<std::string>()};
 
-    std::set<std::string> stood;
+    std::map<std::string, unsigned int> first_line;
     std::string section;
     for (unsigned int number = 1; std::getline(in, line); ++number)
       {
         const std::string where = file + ", line " + std::to_string(number);
+        if (std::any_of(line.begin(), line.end(), [](const unsigned char c) {
+              return std::iscntrl(c) != 0 && c != '\t' && c != '\r';
+            }))
+          throw InputError(where + ": is no statement but has bytes that are "
+                                   "no text, must be a text file.");
         if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
           line.erase(0, 3); // the mark some editors put before UTF-8
         line = trim(line.substr(0, line.find('#')));
@@ -199,9 +204,12 @@ namespace stiction
                                "stand in one.");
             const std::size_t equals = rest.find('=');
             const std::string name   = trim(rest.substr(0, equals));
-            if (!stood.insert(section + "/" + name).second)
-              throw InputError(where + ": '" + name + "' in section '" +
-                               section + "' stands twice, must stand once.");
+            const auto first = first_line.emplace(section + "/" + name, number);
+            if (!first.second)
+              throw InputError(where + ": " + section + "/" + name +
+                               " stands in line " +
+                               std::to_string(first.first->second) +
+                               " already, must stand once.");
             assign(where, section, name, trim(rest.substr(equals + 1)), prm);
           }
         else

@@ -326,27 +326,29 @@ namespace stiction
       std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
     require(is_sane(*extremes.first) && is_sane(*extremes.second),
             "Geometry/Lengths",
-            "each must be a number from 1e-30 to 1e30 (m)");
+            "each must be a number > 0 m, from 1e-30 to 1e30");
     require(*extremes.second <= 1e4 * *extremes.first,
             "Geometry/Lengths",
             "the longest may be at most 10000 times the shortest");
     require(is_sane(material.youngs_modulus),
             "Material/Young's modulus",
-            "must be a number from 1e-30 to 1e30 (Pa)");
+            "must be a number > 0 Pa, from 1e-30 to 1e30");
     require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
 
-    double cells = std::pow(8., geometry.global_refinement);
+    double coarse_cells = 1.;
     for (const unsigned int n : geometry.subdivisions)
-      cells *= n;
+      coarse_cells *= n;
+    const double cells =
+      coarse_cells * std::pow(8., geometry.global_refinement);
     std::ostringstream too_many;
     too_many << "makes " << cells << " cells, allowed are at most "
              << max_cells;
     require(cells <= max_cells,
-            geometry.table_1_level > 0       ? "Geometry/Table 1 level"
-            : geometry.global_refinement > 0 ? "Geometry/Global refinement"
-                                             : "Geometry/Subdivisions",
+            geometry.table_1_level > 0 ? "Geometry/Table 1 level"
+            : coarse_cells > max_cells ? "Geometry/Subdivisions"
+                                       : "Geometry/Global refinement",
             too_many.str());
 
     // n/m of the table come out only with the face clamped that goes with it

@@ -142,7 +142,8 @@ namespace stiction
     catch (const dealii::ExceptionBase &exception)
       {
         throw InputError(location_ + " = " + expression_ +
-                         ", is not a formula in x, y, z: " + reason(exception));
+                         ", is not a formula in x, y, z: " + reason(exception) +
+                         ".");
       }
   }
 
@@ -162,7 +163,7 @@ namespace stiction
         std::ostringstream message;
         message << location_ << " = " << expression_ << ", gives " << value
                 << " at (" << p
-                << "), must be a number of at most 1e30 everywhere.";
+                << "), must be a finite number of at most 1e30 everywhere.";
         throw InputError(message.str());
       }
     return value;

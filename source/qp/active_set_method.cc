@@ -33,7 +33,11 @@ namespace stiction::qp
     gradient_ = gradient;
     split();
     p_ = free_;
+    start();
 
+    // A step that changed nothing is followed by a release; if that changes
+    // nothing either, rounding is all that is left.
+    bool idle = false;
     while (true)
       {
         statistics.multiplications = static_cast<unsigned int>(
@@ -44,23 +48,33 @@ namespace stiction::qp
             statistics.multiplications >= max_multiplications)
           break;
 
-        if (must_release(scaling, tolerance))
+        const Eigen::VectorXd before = x_;
+        if (idle || must_release(scaling, tolerance))
           {
             release();
             split();
             p_ = free_;
             ++statistics.release_steps;
+            if (x_ == before && idle)
+              break;
+            idle = x_ == before;
             continue;
           }
 
         A_.vmult(Ap_, p_);
-        const double curvature      = p_.dot(Ap_);
+        const double curvature = p_.dot(Ap_);
+        if (!(curvature > 0.)) // nothing is free
+          {
+            idle = true;
+            continue;
+          }
         const double alpha_cg       = gradient_.dot(p_) / curvature;
         const double alpha_feasible = set_.largest_feasible_step(x_, -p_);
         if (alpha_cg <= alpha_feasible)
           {
             x_ -= alpha_cg * p_;
             gradient_ -= alpha_cg * Ap_;
+            set_.project(x_); // removes rounding only
             split();
             p_ = free_ - free_.dot(Ap_) / curvature * p_;
             ++statistics.conjugate_gradient_steps;
@@ -72,6 +86,7 @@ namespace stiction::qp
             p_ = free_;
             ++statistics.expansion_steps;
           }
+        idle = x_ == before;
       }
 
     x        = x_;
@@ -132,6 +147,8 @@ namespace stiction::qp
                                           const Eigen::VectorXd &direction)
   {
     const Eigen::VectorXd d = step_to_projection(step, direction);
+    if (d.isZero(0.))
+      return false;
     Eigen::VectorXd Ad;
     A_.vmult(Ad, d);
     // Near the solution the change drowns in the rounding of dᵀr; a step that

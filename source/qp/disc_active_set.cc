@@ -57,6 +57,16 @@ namespace stiction::qp
 
 
 
+  void
+  DiscActiveSet::start()
+  {
+    last_x_.resize(0);
+    last_gradient_.resize(0);
+    short_steps_.clear();
+  }
+
+
+
   bool
   DiscActiveSet::must_release(const Scaling &scaling,
                               const double tolerance) const

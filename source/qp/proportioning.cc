@@ -28,10 +28,20 @@ namespace stiction::qp
   void
   Proportioning::release()
   {
+    if (set_.n_components() > 1)
+      {
+        // A curved boundary: a straight step would lift sliding nodes off it,
+        // and the tightest of them would hold up all others.
+        projected_step(fixed_step_, gradient_);
+        return;
+      }
     const Eigen::VectorXd d = -chopped_;
     Eigen::VectorXd Ad;
     A_.vmult(Ad, d);
-    const double alpha = std::min(-gradient_.dot(d) / d.dot(Ad),
+    const double curvature = d.dot(Ad);
+    if (!(curvature > 0.))
+      return;
+    const double alpha = std::min(-gradient_.dot(d) / curvature,
                                   set_.largest_feasible_step(x_, d));
     x_ += alpha * d;
     gradient_ += alpha * Ad;

@@ -35,6 +35,7 @@ namespace stiction::qp
     if (n == 0)
       return 0.;
 
+    constexpr unsigned int min_steps = 12;
     std::vector<Eigen::VectorXd> basis{start_vector(n)};
     std::vector<double> diagonal, off_diagonal;
     double bound = 0.;
@@ -56,7 +57,10 @@ namespace stiction::qp
         const double residual = beta * std::abs(ritz.eigenvectors()(k, k));
 
         bound = theta + residual;
-        if (residual <= accuracy * theta || basis.size() == std::size_t(n))
+        // a residual that is small early may be that of a smaller eigenvalue
+        const bool exhausted =
+          basis.size() == std::size_t(n) || beta <= 1e-10 * theta;
+        if (exhausted || (k + 1 >= min_steps && residual <= accuracy * theta))
           break;
         off_diagonal.push_back(beta);
         basis.push_back(w / beta);

@@ -143,6 +143,9 @@ main()
   d << -0.5, 1., -4.;
   print("  the first node to reach zero decides",
         half_lines.largest_feasible_step(x, d) == 0.75);
+  d << 0., 1., -4.;
+  print("  a node that does not move does not decide",
+        half_lines.largest_feasible_step(x, d) == 0.75);
   d << -0.5, -1e-300, 1.;
   print("  a node at zero cannot go down",
         half_lines.largest_feasible_step(x, d) == 0.);

@@ -58,6 +58,12 @@ namespace stiction::qp
           unsigned int max_multiplications);
 
   protected:
+    /// Called once by each solve(), before its first step.
+    virtual void
+    start()
+    {
+    }
+
     /// Whether the boundary nodes are to be released before the free nodes
     /// are improved further. @p tolerance is the one asked of solve().
     virtual bool

@@ -45,9 +45,10 @@ namespace stiction::qp
   ///
   /// As printed, step (b) waits until φ = o, which may zig-zag without end
   /// and has no proof of convergence. The variants repair this one measure at
-  /// a time; every one from with_expansion on lowers the energy by at least
-  /// what a projected gradient step of fixed length does, whenever the
-  /// free or the boundary residual asks for it.
+  /// a time. As long as nodes are released along v_i the tightest disc holds
+  /// up all others; from with_projected_release on, a release lowers the
+  /// energy at every node by what a projected gradient step of fixed length
+  /// does, and the method converges.
   class DiscActiveSet : public ActiveSetMethod
   {
   public:
@@ -74,6 +75,9 @@ namespace stiction::qp
                   Variant variant = Variant::spectral);
 
   protected:
+    void
+    start() override;
+
     bool
     must_release(const Scaling &scaling, double tolerance) const override;
 

@@ -9,9 +9,10 @@ namespace stiction::qp
   /// feasible set: the paper's reference [1] for its first quadratic program
   /// (on half-lines), with the rules of MPRGP (Dostál and Schöberl 2005).
   ///
-  /// A release is a proportioning step: the exact minimiser along the chopped
-  /// gradient, cut at the boundary. On a set without curvature this converges
-  /// R-linearly at a rate given by the spectrum of A alone.
+  /// A release is a proportioning step: on half-lines the exact minimiser
+  /// along the chopped gradient, elsewhere the projected gradient step of
+  /// fixed length. On half-lines this converges R-linearly at a rate given by
+  /// the spectrum of A alone.
   class Proportioning : public ActiveSetMethod
   {
   public:
