@@ -116,8 +116,11 @@ namespace stiction
     make_grid();
     assemble_system();
     make_contact_surface();
-    require_writable(parameters_.output.directory,
-                     parameters_.source.describe("Output/Directory"));
+    together(communicator_, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+        require_writable(parameters_.output.directory,
+                         parameters_.source.describe("Output/Directory"));
+    });
     log_->line("The input is valid; nothing was solved.");
   }
 

@@ -93,9 +93,10 @@ main(int argc, char *argv[])
                "stiction");
   app.add_option("FILE", arguments.file, "Parameter file");
   app
-    .add_option("--set",
-                arguments.settings,
-                "'Section/Entry=value', goes before the file; any number")
+    .add_option(
+      "--set",
+      arguments.settings,
+      "'Section/Entry=value', overrides the file; any number of times")
     ->expected(1)
     ->take_all();
   app.add_option("--output", arguments.output, "Directory for all results");

@@ -217,7 +217,7 @@ namespace stiction
     add_parameter("Directory",
                   directory,
                   "Where all results are written; made if it does not exist. "
-                  "--output on the command line goes before it.");
+                  "--output on the command line overrides it.");
     add_parameter("Print progress",
                   print_progress,
                   "Whether a line is printed for each step of the solver.");

@@ -34,7 +34,8 @@ namespace stiction
     ~ContactProblem();
 
     /// Solves the problem, certifies the answer and writes all files.
-    /// Collective. Throws InputError before anything is written.
+    /// Collective. Throws InputError, for bad input before anything is
+    /// written, and if a file cannot be written.
     ///
     /// @return whether the certificate reached the tolerance.
     bool

@@ -25,6 +25,19 @@ namespace stiction
     // Approximations without a new smallest residual before giving up.
     constexpr unsigned int max_idle_steps = 30;
 
+    // Other figures decide too: a complementarity of more than the KKT residual
+    // (where the pressure is above p0) asks for a smaller one.
+    double
+    share_of_kkt(const Certificate &certificate)
+    {
+      const Certificate::Figures &figures = certificate.figures();
+      const double largest                = std::max({figures.kkt_residual,
+                                                      figures.penetration,
+                                                      figures.complementarity,
+                                                      figures.cone_violation});
+      return largest > 0. ? std::max(figures.kkt_residual / largest, 0.01) : 1.;
+    }
+
     double
     ratio(const double after, const double before)
     {
@@ -78,7 +91,7 @@ namespace stiction
         double last_residual = residual;
         StoppingRule rule;
         rule.residual =
-          std::max(safety * tolerance,
+          std::max(safety * tolerance * share_of_kkt(*solution.certificate),
                    bound_changes ? approximation_reduction * residual : 0.);
         rule.change         = bound_changes ? infinity : tolerance;
         rule.max_iterations = parameters_.maximum_iterations - solution.sweeps;
@@ -121,9 +134,9 @@ namespace stiction
                     0.});
           }
 
-        solution.converged = solution.certificate->converged(tolerance) &&
-                             (!bound_changes || change <= tolerance);
-        if (solution.converged)
+        // the paper's rule on top: the slip bound has come to rest
+        solution.converged = solution.certificate->converged(tolerance);
+        if (solution.converged && (!bound_changes || change <= tolerance))
           return solution;
 
         idle_steps = residual < 0.9 * smallest ? 0 : idle_steps + 1;
@@ -132,7 +145,7 @@ namespace stiction
           solution.reason =
             "the cap of " + std::to_string(parameters_.maximum_iterations) +
             " sweeps was met, raise 'Contact solver/Maximum iterations'";
-        else if (result.iterations == 0 || result.stagnated ||
+        else if ((result.iterations == 0 && change == 0.) || result.stagnated ||
                  (idle_steps >= max_idle_steps && residual < 1e-6))
           solution.reason =
             "rounding or the accuracy of the linear solver prevents a smaller "
@@ -143,7 +156,11 @@ namespace stiction
             "contract (last factor " +
             std::to_string(contraction) + "), lower 'Friction/Coefficient'";
         if (!solution.reason.empty())
-          return solution;
+          {
+            if (solution.converged) // nothing is left to explain
+              solution.reason.clear();
+            return solution;
+          }
       }
   }
 

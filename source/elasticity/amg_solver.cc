@@ -11,6 +11,9 @@
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 
+#include <stdexcept>
+#include <string>
+
 namespace stiction
 {
   // deal.II 9.4's interface to ML knows constant modes only; the coarse spaces
@@ -83,7 +86,18 @@ namespace stiction
     dealii::SolverControl control(1000, relative_residual_ * src.l2_norm());
     dealii::SolverCG<LA::Vector> cg(control);
     dst = 0.;
-    cg.solve(elasticity_.constrained_stiffness(), dst, src, hierarchy_->amg);
+    try
+      {
+        cg.solve(
+          elasticity_.constrained_stiffness(), dst, src, hierarchy_->amg);
+      }
+    catch (const dealii::SolverControl::NoConvergence &failure)
+      {
+        throw std::runtime_error(
+          "conjugate gradients with algebraic multigrid did not converge in " +
+          std::to_string(failure.last_step) +
+          " iterations, use 'Stiffness solver/Type = mumps'.");
+      }
     return control.last_step();
   }
 } // namespace stiction

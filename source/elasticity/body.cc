@@ -15,8 +15,8 @@ namespace stiction
   using namespace dealii;
 
   Body::Body(const GeometryParameters &geometry, MPI_Comm communicator)
-    // the multigrid hierarchy and all ranks' answers agree only if a cell's
-    // vertices do not depend on the partition
+    // all cells of a level exist on their owners, which later multigrid needs,
+    // and vertices come out the same on any partition
     : triangulation_(
         communicator,
         Triangulation<3>::limit_level_difference_at_vertices,

@@ -11,8 +11,6 @@ namespace stiction
   {
     using nlohmann::json;
 
-    // The largest of three numbers' magnitudes picks the unit, so that what is
-    // printed is of size one in any unit system.
     std::string
     vector_line(const char *name, const json &v)
     {

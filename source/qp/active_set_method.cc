@@ -2,6 +2,7 @@
 #include <stiction/qp/feasible_set.h>
 #include <stiction/qp/symmetric_operator.h>
 
+#include <cmath>
 #include <limits>
 
 namespace stiction::qp
@@ -44,7 +45,7 @@ namespace stiction::qp
           A_.n_multiplications() - multiplications_before);
         statistics.residual  = set_.natural_residual(x_, gradient_, scaling);
         statistics.converged = statistics.residual <= tolerance;
-        if (statistics.converged ||
+        if (statistics.converged || std::isnan(statistics.residual) ||
             statistics.multiplications >= max_multiplications)
           break;
 

@@ -131,7 +131,8 @@ namespace stiction::qp
     const double curvature = v.dot(Av);
     if (!(curvature > 0.)) // nothing on the boundary is out of balance
       return;
-    const double alpha = std::min(-gradient_.dot(v) / curvature,
+    // −vᵀr is ½‖v‖² on the circle; computed as written it would cancel
+    const double alpha = std::min(0.5 * v.squaredNorm() / curvature,
                                   largest_release_step(discs_, x_, gradient_));
     x_ += alpha * v;
     gradient_ += alpha * Av;

@@ -51,9 +51,12 @@ namespace stiction::qp
 
         const Eigen::Map<const Eigen::VectorXd> d(diagonal.data(), k + 1);
         const Eigen::Map<const Eigen::VectorXd> e(off_diagonal.data(), k);
+        // Eigen's solver compares with absolute numbers: without this unit a
+        // change of units would change the result.
+        const double unit = diagonal[0] > 0. ? diagonal[0] : 1.;
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-        ritz.computeFromTridiagonal(d, e);
-        const double theta    = ritz.eigenvalues()(k);
+        ritz.computeFromTridiagonal(d / unit, e / unit);
+        const double theta    = unit * ritz.eigenvalues()(k);
         const double residual = beta * std::abs(ritz.eigenvectors()(k, k));
 
         bound = theta + residual;

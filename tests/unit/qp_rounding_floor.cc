@@ -1,8 +1,7 @@
-// Rounding sets a floor to the residual, and every method that converges
-// reaches it: a tolerance of 1e-13 is met, and a run that asks for more than
+// Rounding sets a floor to the residual, and every method reaches it: a
+// tolerance of 1e-13 is met by all of them, and a run that asks for more than
 // rounding allows (tolerance zero) ends at a feasible point and without a NaN,
-// at the floor. The variants of ALGORITHM QPQ that release along v_i have no
-// proof and do stall; they end without harm.
+// at the floor but for the two variants that release only when φ = o.
 // Rounding does not make a normal force negative.
 
 #include <stiction/qp/disc_active_set.h>
@@ -93,11 +92,9 @@ main()
             }
         }
       std::cout << names[method] << std::endl;
-      // released along v_i, nodes may be held up for ever by the tightest disc
-      if (method >= 3)
-        print_count("  problems not solved to 1e-13", not_converged);
+      print_count("  problems not solved to 1e-13", not_converged);
       print_count("  results with a NaN for tolerance zero", not_finite);
-      if (method >= 3)
+      if (method >= 2) // the first two wait for "φ = o", which may be never
         print_below("  their largest residual", floor, 1e-12);
       print_below("  their largest distance from the set", outside, 1e-14);
     }

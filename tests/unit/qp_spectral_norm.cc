@@ -43,8 +43,7 @@ namespace
       print_below("  largest part that is too much", above, 0.1);
       print("  at most 30 products each", products.value() <= 30.);
       print_count("  second runs that differ", differ);
-      // Lanczos' method amplifies rounding, which another unit changes
-      print_below("  largest change with the unit", units, 1e-6);
+      print_below("  largest change with the unit", units, 1e-13);
     }
 
     Largest below, above, products, units;
