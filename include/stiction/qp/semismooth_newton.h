@@ -1,0 +1,84 @@
+#ifndef stiction_qp_semismooth_newton_h
+#define stiction_qp_semismooth_newton_h
+
+#include <stiction/qp/nystrom_preconditioner.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace stiction::qp
+{
+  class SlipBound;
+  class SymmetricOperator;
+  struct Scaling;
+
+
+
+  /// What a run of the Newton method did.
+  struct NewtonStatistics
+  {
+    unsigned int steps             = 0;
+    unsigned int krylov_iterations = 0;
+    unsigned int reductions        = 0;  ///< of the number c
+    double residual                = 0.; ///< natural residual reached
+    bool converged                 = false;
+    bool stagnated                 = false; ///< no progress: fall back
+  };
+
+
+
+  /// Contact with friction by an inexact semismooth Newton method on the dual
+  /// problem, in the form of Alart and Curnier: with given friction the
+  /// quadratic program over half-lines times discs, with Coulomb friction the
+  /// problem itself, without an outer loop.
+  ///
+  /// A step looks at a = x − ρr to tell which nodes are closed and which of
+  /// them slip. Open nodes are set to zero, a slipping one is moved onto its
+  /// circle, and what is left free (normal forces of closed nodes, both
+  /// tangential forces of sticking ones, and the force along the circle of
+  /// slipping ones) follows from a linear system, in which a slipping node
+  /// carries the curvature of its circle. The system is symmetric with given
+  /// friction (conjugate gradients) and has the extra column of dg = F dλ_ν
+  /// with Coulomb friction (GMRES). It is solved loosely; every iteration
+  /// costs one product with the operator, and every product improves the
+  /// preconditioner of the steps that follow.
+  ///
+  /// The solution does not depend on ρ_i = c/(mean diagonal entry of Q_ii),
+  /// the path does: too large a c makes the iteration cycle. It is divided by
+  /// three whenever the residual has not fallen over three steps. No proof of
+  /// global convergence is known: a run that stands still says so, and the
+  /// caller needs a method with a proof to fall back on.
+  class SemismoothNewton
+  {
+  public:
+    /// Called after each step with its number and the natural residual.
+    using Observer = std::function<void(unsigned int step, double residual)>;
+
+    /// @param Q the operator, of size 3m; must outlive the object.
+    /// @param nodal_compliance about tr(Q_ii)/3 at every node, length m, > 0.
+    SemismoothNewton(const SymmetricOperator &Q,
+                     Eigen::VectorXd nodal_compliance);
+
+    /// Moves x until its natural residual is at most tolerance. The returned x
+    /// is feasible for its own slip bound.
+    ///
+    /// @param x in: any point; out: the solution. Entries (ν; t1; t2).
+    /// @param gradient in: Qx − h at the given x; out: at the returned one.
+    NewtonStatistics
+    solve(Eigen::VectorXd &x,
+          Eigen::VectorXd &gradient,
+          const SlipBound &slip_bound,
+          const Scaling &scaling,
+          double tolerance,
+          unsigned int max_steps,
+          const Observer &observer);
+
+  private:
+    const SymmetricOperator &Q_;
+    const Eigen::VectorXd nodal_compliance_;
+    NystromPreconditioner preconditioner_; ///< kept between runs
+  };
+} // namespace stiction::qp
+
+#endif

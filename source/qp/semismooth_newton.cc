@@ -1,0 +1,152 @@
+#include <stiction/qp/contact_linearization.h>
+#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/krylov_methods.h>
+#include <stiction/qp/semismooth_newton.h>
+#include <stiction/qp/slip_bound.h>
+#include <stiction/qp/symmetric_operator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+namespace stiction::qp
+{
+  namespace
+  {
+    // ρ = c/compliance. With a larger one the number of steps grows under
+    // refinement, until the iteration cycles.
+    constexpr double first_c = 0.1;
+
+    // c is reduced if the residual falls by less than this in three steps.
+    constexpr double required_fall     = 0.7;
+    constexpr std::size_t fall_horizon = 3;
+
+    // The part of its right-hand side to which a linear system is solved.
+    // Solved further, it would only follow a contact set that is about to
+    // change.
+    constexpr double first_reduction = 0.1;
+
+    constexpr unsigned int max_krylov_iterations = 200;
+
+    // Steps without a new smallest residual before giving up.
+    constexpr unsigned int max_idle_steps = 15;
+  } // namespace
+
+
+
+  SemismoothNewton::SemismoothNewton(const SymmetricOperator &Q,
+                                     Eigen::VectorXd nodal_compliance)
+    : Q_(Q)
+    , nodal_compliance_(std::move(nodal_compliance))
+  {
+    eigen_assert(Q.size() == 3 * nodal_compliance_.size());
+  }
+
+
+
+  NewtonStatistics
+  SemismoothNewton::solve(Eigen::VectorXd &x,
+                          Eigen::VectorXd &gradient,
+                          const SlipBound &slip_bound,
+                          const Scaling &scaling,
+                          const double tolerance,
+                          const unsigned int max_steps,
+                          const Observer &observer)
+  {
+    const auto natural_residual = [&]() {
+      return HalfLinesTimesDiscs(slip_bound.at(x))
+        .natural_residual(x, gradient, scaling);
+    };
+    const auto make_feasible = [&]() {
+      Eigen::VectorXd projected = x;
+      HalfLinesTimesDiscs(slip_bound.at(x)).project(projected);
+      const Eigen::VectorXd d = projected - x;
+      if (d.isZero(0.))
+        return;
+      Eigen::VectorXd Qd;
+      Q_.vmult(Qd, d);
+      x = projected;
+      gradient += Qd;
+    };
+
+    NewtonStatistics statistics;
+    double c = first_c, reduction = first_reduction;
+    std::deque<double> history;
+    statistics.residual     = natural_residual();
+    double smallest         = statistics.residual;
+    unsigned int idle_steps = 0;
+    while (true)
+      {
+        if (statistics.residual <= tolerance)
+          {
+            // up to here x was feasible up to the tolerance only
+            make_feasible();
+            statistics.residual  = natural_residual();
+            statistics.converged = statistics.residual <= tolerance;
+            if (statistics.converged)
+              break;
+            reduction /= 3.;
+          }
+        if (statistics.steps >= max_steps || statistics.stagnated)
+          break;
+
+        const Eigen::VectorXd rho = c * nodal_compliance_.cwiseInverse();
+        const ContactLinearization step(x, gradient, rho, slip_bound);
+        const Eigen::VectorXd &d0 = step.prescribed();
+        Eigen::VectorXd Qd;
+        if (!d0.isZero(0.))
+          {
+            Q_.vmult(Qd, d0);
+            preconditioner_.add(d0, Qd);
+          }
+        else
+          Qd.setZero(x.size());
+
+        preconditioner_.set_up(step, nodal_compliance_);
+        const auto product = [&](const Eigen::VectorXd &v,
+                                 Eigen::VectorXd &Av,
+                                 Eigen::VectorXd &image) {
+          const Eigen::VectorXd d = step.embed(v);
+          Q_.vmult(image, d);
+          Av = step.test(image) + step.curvature().cwiseProduct(v);
+          preconditioner_.add(d, image); // for the steps to come
+        };
+        const auto solve_linear =
+          slip_bound.is_coulomb() ? gmres : conjugate_gradients;
+        const KrylovSolution solution = solve_linear(
+          product,
+          -step.test(gradient + Qd),
+          [&](const Eigen::VectorXd &v) { return preconditioner_.apply(v); },
+          reduction,
+          max_krylov_iterations);
+        statistics.krylov_iterations += solution.iterations;
+        ++statistics.steps;
+
+        x += d0 + step.embed(solution.y);
+        gradient += Qd;
+        if (solution.image.size() > 0)
+          gradient += solution.image;
+
+        statistics.residual = natural_residual();
+        observer(statistics.steps, statistics.residual);
+
+        history.push_back(
+          ContactLinearization(x, gradient, rho, slip_bound).residual() / c);
+        if (history.size() > fall_horizon &&
+            history.back() >
+              required_fall * history[history.size() - 1 - fall_horizon])
+          {
+            c /= 3.;
+            ++statistics.reductions;
+            history.clear();
+          }
+
+        idle_steps = statistics.residual < 0.9 * smallest ? 0 : idle_steps + 1;
+        smallest   = std::min(smallest, statistics.residual);
+        statistics.stagnated =
+          idle_steps >= max_idle_steps || !std::isfinite(statistics.residual);
+      }
+    return statistics;
+  }
+} // namespace stiction::qp
