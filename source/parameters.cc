@@ -161,10 +161,15 @@ namespace stiction
                   method,
                   "gauss seidel: the paper's ALGORITHM GS, alternating between "
                   "the normal forces (half-lines) and the tangential forces "
-                  "(discs, ALGORITHM QPQ), with Coulomb friction by successive "
-                  "approximations.",
+                  "(discs, ALGORITHM QPQ). squares: the paper's predecessors "
+                  "ALG_2 and ALG_4, discs replaced by 'Squares' rotated "
+                  "squares; another problem, so never certified unless nothing "
+                  "slips. mpgp: conjugate gradients with projections on "
+                  "half-lines times discs at once. newton: semismooth Newton "
+                  "on the dual problem, the fastest. admm: alternating "
+                  "directions with dense factorisations of Q.",
                   prm,
-                  Patterns::Selection("gauss seidel"));
+                  Patterns::Selection("gauss seidel|squares|mpgp|newton|admm"));
     add_parameter("Tolerance",
                   tolerance,
                   "What every error figure of the certificate has to reach; "
@@ -174,10 +179,45 @@ namespace stiction
                   Patterns::Double(1e-12, 1e-2));
     add_parameter("Maximum iterations",
                   maximum_iterations,
-                  "Cap on the Gauss-Seidel sweeps of the whole run. The run "
-                  "that meets it writes its files and ends with status 2.",
+                  "Cap on the iterations of the whole run: Gauss-Seidel "
+                  "sweeps, Newton steps, iterations of admm, stretches of 20 "
+                  "products with Q of mpgp and squares. The run that meets it "
+                  "writes its files and ends with status 2.",
                   prm,
                   Patterns::Integer(1));
+    add_parameter("Disc solver",
+                  disc_solver,
+                  "How gauss seidel realises ALGORITHM QPQ. as printed: stops "
+                  "at every circle it meets, releases nodes only when nothing "
+                  "else is left to do. The others repair this one measure at a "
+                  "time, each including those before: with expansion, with "
+                  "proportioning, with projected release (from here on with a "
+                  "proof of convergence), robust, spectral.",
+                  prm,
+                  Patterns::Selection(
+                    "as printed|with expansion|with proportioning|with "
+                    "projected release|robust|spectral"));
+    add_parameter("Squares",
+                  squares,
+                  "Number r of rotated squares in place of the disc in the "
+                  "method squares; their intersection is a regular polygon of "
+                  "4r sides around the disc.",
+                  prm,
+                  Patterns::Integer(1, 64));
+    add_parameter("Coulomb iteration",
+                  coulomb_iteration,
+                  "direct: gauss seidel updates the slip bound in every sweep, "
+                  "newton and admm solve Coulomb's law itself. fixed point: "
+                  "successive approximations by problems of given friction, "
+                  "whose contraction is reported; squares and mpgp always do "
+                  "that.",
+                  prm,
+                  Patterns::Selection("direct|fixed point"));
+    add_parameter("Accelerate fixed point",
+                  accelerate_fixed_point,
+                  "Whether successive approximations extrapolate the slip "
+                  "bound (Anderson). A step that does not lower the residual "
+                  "is undone.");
   }
 
 
@@ -233,6 +273,11 @@ namespace stiction
                   "Also solve the body without contact by conjugate gradients "
                   "with algebraic multigrid, twice, and state the price of "
                   "the contact solve in such solves.");
+    add_parameter("Measure factorizations",
+                  measure_factorizations,
+                  "Also factorise the stiffness matrix (sparse) and the "
+                  "assembled dual operator (dense) once more by themselves and "
+                  "state the times: units for the cost of the contact solve.");
     add_parameter("Print timing",
                   print_timing,
                   "Whether times and iteration counts are printed at the end. "
@@ -363,6 +408,16 @@ namespace stiction
             "does not match the boundary conditions, this reading needs "
             "'Prescribed displacement' on boundary " +
               std::to_string(clamped) + " alone and 'Contact boundary = 4'");
+
+    require(contact_solver.method != "squares" ||
+              friction.law() != FrictionLaw::coulomb,
+            "Contact solver/Method",
+            "is the comparison of the paper's experiment, so 'Friction/Law' "
+            "must be 'given'");
+    require(contact_solver.method != "admm" || dual_operator.form == "assembled",
+            "Contact solver/Method",
+            "factorises the dual operator, so 'Dual operator/Form' must be "
+            "'assembled'");
 
     require(!dealii::Utilities::trim(output.directory).empty(),
             "Output/Directory",

@@ -73,6 +73,10 @@ namespace stiction
     std::string method              = "gauss seidel";
     double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
+    std::string disc_solver         = "spectral";
+    unsigned int squares            = 2;
+    std::string coulomb_iteration   = "direct";
+    bool accelerate_fixed_point     = false;
   };
 
   struct StiffnessSolverParameters : dealii::ParameterAcceptor
@@ -102,6 +106,7 @@ namespace stiction
     PerformanceParameters();
 
     bool measure_one_elastic_solve = false;
+    bool measure_factorizations    = false;
     bool print_timing              = true;
   };
 

@@ -5,15 +5,12 @@
 #include <stiction/elasticity/stiffness_solver.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 namespace stiction
 {
@@ -33,13 +30,6 @@ namespace stiction
       return scale == 0. ? 1. : scale;
     }
 
-    // std::max that keeps a NaN
-    void
-    raise(double &largest, const double value)
-    {
-      if (!(value <= largest))
-        largest = std::isnan(largest) ? largest : value;
-    }
   } // namespace
 
 
@@ -48,12 +38,11 @@ namespace stiction
                            const ContactSurface &surface,
                            const LA::Vector &u,
                            const Eigen::VectorXd &lambda)
-    : elasticity_(elasticity)
+    : ContactConditions(lambda, surface.slip_bound().at(lambda))
+    , elasticity_(elasticity)
     , surface_(surface)
-    , lambda_(lambda)
-    , slip_bound_(surface.slip_bound(lambda))
-    , gradient_(-surface.apply_B(u))
   {
+    gradient_ = -surface.apply_B(u);
     gradient_.head(surface.n_nodes()) += surface.gaps();
     compute_body_figures(u);
     compute_contact_figures();
@@ -137,70 +126,16 @@ namespace stiction
     const auto corners = body.bounding_box().get_boundary_points();
     const double size  = corners.first.distance(corners.second);
 
-    figures_.equilibrium_residual = sums[imbalance] / S;
-    figures_.force_balance =
+    body_figures_.equilibrium_residual = sums[imbalance] / S;
+    body_figures_.force_balance =
       std::hypot(sums[force], sums[force + 1], sums[force + 2]) / S;
-    figures_.moment_balance =
+    body_figures_.moment_balance =
       std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) / (S * size);
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];
 
     scaling_.force        = surface_.areas() * (S / surface_.boundary_area());
     scaling_.displacement = nonzero(sums[energy] / S);
-  }
-
-
-
-  Eigen::Vector3d
-  Certificate::trial(const Eigen::Index node) const
-  {
-    Eigen::Vector3d a;
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        const Eigen::Index k = node + c * surface_.n_nodes();
-        a(c)                 = lambda_(k) / scaling_.force(node) -
-               gradient_(k) / scaling_.displacement;
-      }
-    return a;
-  }
-
-
-
-  double
-  Certificate::relative_slip_bound(const Eigen::Index node) const
-  {
-    return slip_bound_(node) / scaling_.force(node);
-  }
-
-
-
-  void
-  Certificate::compute_contact_figures()
-  {
-    const Eigen::Index m = surface_.n_nodes();
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        const double force = scaling_.force(i);
-        const double u0    = scaling_.displacement;
-        const double gap   = gradient_(i);
-        const Eigen::Vector2d lambda_t(lambda_(i + m), lambda_(i + 2 * m));
-        const Eigen::Vector2d slip(-gradient_(i + m), -gradient_(i + 2 * m));
-
-        raise(figures_.penetration, -gap / u0);
-        raise(figures_.complementarity,
-              std::abs(lambda_(i) * gap) / (force * u0));
-        raise(figures_.cone_violation, -lambda_(i) / force);
-        raise(figures_.cone_violation,
-              (lambda_t.norm() - slip_bound_(i)) / force);
-        if (slip.norm() > 1e-6 * u0 && lambda_t.norm() > 1e-6 * force)
-          raise(
-            figures_.slip_angle,
-            std::atan2(std::abs(lambda_t(0) * slip(1) - lambda_t(1) * slip(0)),
-                       lambda_t.dot(slip)) *
-              180. / numbers::PI);
-      }
-    figures_.kkt_residual = qp::HalfLinesTimesDiscs(slip_bound_)
-                              .natural_residual(lambda_, gradient_, scaling_);
   }
 
 
@@ -213,17 +148,16 @@ namespace stiction
     // The frozen bound, and the forces made feasible.
     Eigen::VectorXd feasible = lambda_;
     feasible.head(m)         = feasible.head(m).cwiseMax(0.);
-    const qp::HalfLinesTimesDiscs feasible_set(surface_.slip_bound(feasible));
+    const qp::HalfLinesTimesDiscs feasible_set(
+      surface_.slip_bound().at(feasible));
     feasible_set.project(feasible);
 
     // One prox step with a part k of the stiffness of the node itself,
     // λ̂ = P(λ + k w), p = w − (λ̂ − λ)/k with w = Bu − (d; 0; 0). By the
     // projection p is normal to the feasible set at λ̂: p_ν ≤ 0, λ̂_ν p_ν = 0,
     // g‖p_t‖ = λ̂_t·p_t.
-    LA::Vector diagonal = elasticity_.zero_vector();
-    for (const auto dof : elasticity_.body().locally_owned_dofs())
-      diagonal(dof) = elasticity_.constrained_stiffness().diag_element(dof);
-    const Eigen::VectorXd K_diagonal = surface_.trace().restriction(diagonal);
+    const Eigen::VectorXd K_diagonal =
+      surface_.trace().restriction(elasticity_.stiffness_diagonal());
     const Eigen::VectorXd k =
       prox_stiffness * K_diagonal.head(m)
                          .cwiseMax(K_diagonal.segment(m, m))
@@ -255,7 +189,7 @@ namespace stiction
 
     LA::Vector u_hat = u;
     surface_.add_transpose_B(-1., shift, u_hat);
-    figures_.duality_gap =
+    body_figures_.duality_gap =
       std::sqrt(2. * std::max(gap, 0.) /
                 nonzero(u_hat * elasticity_.internal_force(u_hat)));
   }
@@ -265,65 +199,12 @@ namespace stiction
   std::vector<std::pair<std::string, double>>
   Certificate::deciding_figures() const
   {
-    return {{"equilibrium_residual", figures_.equilibrium_residual},
-            {"kkt_residual", figures_.kkt_residual},
-            {"penetration", figures_.penetration},
-            {"complementarity", figures_.complementarity},
-            {"cone_violation", figures_.cone_violation},
-            {"force_balance", figures_.force_balance},
-            {"moment_balance", figures_.moment_balance}};
-  }
-
-
-
-  bool
-  Certificate::converged(const double tolerance) const
-  {
-    const auto figures = deciding_figures();
-    return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
-      return figure.second <= tolerance;
-    });
-  }
-
-
-
-  std::string
-  Certificate::worst() const
-  {
-    std::pair<std::string, double> worst{"", -1.};
-    for (const auto &figure : deciding_figures())
-      if (!(figure.second <= worst.second))
-        worst = figure;
-    std::ostringstream out;
-    out.precision(3);
-    out << worst.first << " is " << worst.second;
-    return out.str();
-  }
-
-
-
-  NodeStatus
-  Certificate::status(const Eigen::Index node) const
-  {
-    const Eigen::Vector3d a = trial(node);
-    const double gamma      = relative_slip_bound(node);
-    if (a(0) <= 0.)
-      return NodeStatus::open;
-    if (gamma == 0. || a.tail<2>().norm() > gamma)
-      return NodeStatus::slip;
-    return NodeStatus::stick;
-  }
-
-
-
-  bool
-  Certificate::is_undecided(const Eigen::Index node,
-                            const double tolerance) const
-  {
-    const Eigen::Vector3d a = trial(node);
-    const double gamma      = relative_slip_bound(node);
-    return std::abs(a(0)) <= tolerance ||
-           (a(0) > 0. && gamma > 0. &&
-            std::abs(a.tail<2>().norm() - gamma) <= tolerance);
+    auto figures = ContactConditions::deciding_figures();
+    figures.emplace(figures.begin(),
+                    "equilibrium_residual",
+                    body_figures_.equilibrium_residual);
+    figures.emplace_back("force_balance", body_figures_.force_balance);
+    figures.emplace_back("moment_balance", body_figures_.moment_balance);
+    return figures;
   }
 } // namespace stiction

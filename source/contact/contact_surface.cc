@@ -191,6 +191,7 @@ namespace stiction
 
     gaps_.resize(n_nodes());
     areas_.resize(n_nodes());
+    Eigen::VectorXd bound = Eigen::VectorXd::Zero(n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         ContactNode &node = nodes_[i];
@@ -203,7 +204,12 @@ namespace stiction
             not_negative(slip_stress, "Friction/Slip stress", node.position);
         gaps_(i)  = node.gap;
         areas_(i) = node.area;
+        bound(i)  = law_ == FrictionLaw::coulomb ? node.coefficient
+                                                 : node.area * node.slip_stress;
       }
+    slip_bound_ = law_ == FrictionLaw::coulomb
+                    ? qp::SlipBound::coulomb(std::move(bound))
+                    : qp::SlipBound::given(std::move(bound));
   }
 
 
@@ -267,20 +273,6 @@ namespace stiction
           w(i + c * m) = x[c];
       }
     return w;
-  }
-
-
-
-  Eigen::VectorXd
-  ContactSurface::slip_bound(const Eigen::VectorXd &lambda) const
-  {
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (law_ == FrictionLaw::given)
-        g(i) = nodes_[i].area * nodes_[i].slip_stress;
-      else if (law_ == FrictionLaw::coulomb)
-        g(i) = nodes_[i].coefficient * std::max(lambda(i), 0.);
-    return g;
   }
 
 

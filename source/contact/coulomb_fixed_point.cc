@@ -1,14 +1,11 @@
-#include <stiction/contact/contact_surface.h>
 #include <stiction/contact/coulomb_fixed_point.h>
-#include <stiction/contact/schur_complement.h>
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/stiffness_solver.h>
-#include <stiction/parameters.h>
-
-#include <deal.II/lac/trilinos_vector.h>
+#include <stiction/qp/anderson.h>
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <limits>
+#include <utility>
 
 namespace stiction
 {
@@ -18,162 +15,137 @@ namespace stiction
     // further, it would only be nearer to a bound that is about to change.
     constexpr double approximation_reduction = 0.3;
 
-    // What the dual residual has to reach, as a part of the tolerance: the
-    // certificate measures in scales of the next iterate.
-    constexpr double safety = 0.5;
-
     // Approximations without a new smallest residual before giving up.
     constexpr unsigned int max_idle_steps = 30;
 
-    // Other figures decide too: a complementarity of more than the KKT residual
-    // (where the pressure is above p0) asks for a smaller one.
-    double
-    share_of_kkt(const Certificate &certificate)
-    {
-      const Certificate::Figures &figures = certificate.figures();
-      const double largest                = std::max({figures.kkt_residual,
-                                                      figures.penetration,
-                                                      figures.complementarity,
-                                                      figures.cone_violation});
-      return largest > 0. ? std::max(figures.kkt_residual / largest, 0.01) : 1.;
-    }
-
-    double
-    ratio(const double after, const double before)
-    {
-      return before > 0. ? after / before : 0.;
-    }
+    // The contraction is averaged over so many approximations.
+    constexpr std::size_t contraction_horizon = 5;
   } // namespace
 
 
 
   CoulombFixedPoint::CoulombFixedPoint(
-    const LinearElasticity &elasticity,
-    const ContactSurface &surface,
-    const SchurComplement &schur,
-    StiffnessSolver &stiffness_solver,
-    GivenFrictionSolver &given_friction_solver,
-    const ContactSolverParameters &parameters)
-    : elasticity_(elasticity)
-    , surface_(surface)
-    , schur_(schur)
-    , stiffness_solver_(stiffness_solver)
-    , given_friction_solver_(given_friction_solver)
-    , parameters_(parameters)
+    std::unique_ptr<DualMethod> given_friction,
+    const bool accelerate)
+    : given_friction_(std::move(given_friction))
+    , accelerate_(accelerate)
   {
   }
 
 
 
-  ContactSolution
-  CoulombFixedPoint::solve(const Observer &observer)
+  DualMethodStatistics
+  CoulombFixedPoint::statistics() const
   {
-    const bool bound_changes = surface_.law() == FrictionLaw::coulomb;
-    const double tolerance   = parameters_.tolerance;
-    const auto infinity      = std::numeric_limits<double>::infinity();
+    DualMethodStatistics all = given_friction_->statistics();
+    all.coulomb_iterations   = iterations_;
+    all.contraction          = contraction_;
+    all.fallbacks += undone_;
+    return all;
+  }
 
-    ContactSolution solution;
-    solution.lambda = Eigen::VectorXd::Zero(3 * surface_.n_nodes());
-    certify(solution);
-    DualIterate iterate{solution.lambda, solution.certificate->gradient()};
 
-    double residual = solution.certificate->figures().kkt_residual;
-    double smallest = infinity, change = 0.;
-    for (unsigned int idle_steps = 0;;)
+
+  DualMethodResult
+  CoulombFixedPoint::solve(DualIterate &iterate,
+                           const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling,
+                           const StoppingRule &rule,
+                           const Observer &observer)
+  {
+    const auto natural_residual = [&]() {
+      return qp::HalfLinesTimesDiscs(slip_bound.at(iterate.lambda))
+        .natural_residual(iterate.lambda, iterate.gradient, scaling);
+    };
+
+    DualMethodResult result;
+    result.residual = natural_residual();
+    result.change   = std::numeric_limits<double>::infinity();
+    if (result.residual <= rule.residual)
+      result.change = 0.; // nothing to do
+
+    qp::Anderson anderson;
+    Eigen::VectorXd bound        = slip_bound.at(iterate.lambda);
+    bool is_extrapolated         = false;
+    std::deque<double> residuals = {result.residual};
+    double smallest              = result.residual;
+    unsigned int idle_steps      = 0;
+    while (true)
       {
-        const auto report = [&](const ContactStep &step) {
-          ContactStep row     = step;
-          row.multiplications = schur_.n_multiplications();
-          row.normal_force    = iterate.lambda.head(surface_.n_nodes()).sum();
-          observer(row);
-        };
+        result.converged =
+          result.residual <= rule.residual && result.change <= rule.change;
+        if (result.converged || result.stagnated ||
+            result.iterations >= rule.max_iterations)
+          break;
 
-        double last_residual = residual;
-        StoppingRule rule;
-        rule.residual =
-          std::max(safety * tolerance * share_of_kkt(*solution.certificate),
-                   bound_changes ? approximation_reduction * residual : 0.);
-        rule.change         = bound_changes ? infinity : tolerance;
-        rule.max_iterations = parameters_.maximum_iterations - solution.sweeps;
-        const GivenFrictionResult result = given_friction_solver_.solve(
-          iterate,
-          surface_.slip_bound(iterate.lambda),
-          solution.certificate->scaling(),
-          rule,
-          [&](const unsigned int sweep, const double r, const double c) {
-            if (!bound_changes)
-              report({solution.sweeps + sweep,
-                      solution.sweeps + sweep,
-                      0.,
-                      r,
-                      c,
-                      ratio(r, last_residual),
-                      0.});
-            last_residual = r;
-          });
-        solution.sweeps += result.iterations;
+        const DualIterate before     = iterate;
+        const double residual_before = result.residual;
+        StoppingRule inner;
+        inner.residual = std::max(approximation_reduction * residual_before,
+                                  0.5 * rule.residual);
+        inner.change   = std::numeric_limits<double>::infinity();
+        inner.max_iterations = rule.max_iterations - result.iterations;
+        const DualMethodResult approximation =
+          given_friction_->solve(iterate,
+                                 qp::SlipBound::given(bound),
+                                 scaling,
+                                 inner,
+                                 [](const Step &) {});
+        result.iterations += approximation.iterations;
+        ++iterations_;
 
         const double norm = iterate.lambda.norm();
-        change =
-          norm > 0. ? (iterate.lambda - solution.lambda).norm() / norm : 0.;
-        solution.lambda = iterate.lambda;
-        certify(solution);
-        iterate.gradient         = solution.certificate->gradient();
-        const double before      = residual;
-        residual                 = solution.certificate->figures().kkt_residual;
-        const double contraction = ratio(residual, before);
-        if (bound_changes)
+        result.change =
+          norm > 0. ? (iterate.lambda - before.lambda).norm() / norm : 0.;
+        result.residual = natural_residual();
+        observer({approximation.iterations, result.residual, result.change});
+
+        if (is_extrapolated && !(result.residual < residual_before))
           {
-            ++solution.coulomb_iterations;
-            report({solution.coulomb_iterations,
-                    solution.sweeps,
-                    0.,
-                    residual,
-                    change,
-                    contraction,
-                    0.});
+            iterate         = before;
+            result.residual = residual_before;
+            bound           = slip_bound.at(iterate.lambda);
+            is_extrapolated = false;
+            anderson.restart();
+            ++undone_;
+            continue;
           }
 
-        // the paper's rule on top: the slip bound has come to rest
-        solution.converged = solution.certificate->converged(tolerance);
-        if (solution.converged && (!bound_changes || change <= tolerance))
-          return solution;
+        residuals.push_back(result.residual);
+        if (residuals.size() > contraction_horizon + 1)
+          residuals.pop_front();
+        contraction_ = std::pow(result.residual / residuals.front(),
+                                1. / static_cast<double>(residuals.size() - 1));
 
-        idle_steps = residual < 0.9 * smallest ? 0 : idle_steps + 1;
-        smallest   = std::min(smallest, residual);
-        if (solution.sweeps >= parameters_.maximum_iterations)
-          solution.reason =
-            "the cap of " + std::to_string(parameters_.maximum_iterations) +
-            " sweeps was met, raise 'Contact solver/Maximum iterations'";
-        else if ((result.iterations == 0 && change == 0.) || result.stagnated ||
-                 (idle_steps >= max_idle_steps && residual < 1e-6))
-          solution.reason =
-            "rounding or the accuracy of the linear solver prevents a smaller "
-            "one, raise 'Contact solver/Tolerance'";
-        else if (idle_steps >= max_idle_steps)
-          solution.reason =
-            "the successive approximations of Coulomb friction do not "
-            "contract (last factor " +
-            std::to_string(contraction) + "), lower 'Friction/Coefficient'";
-        if (!solution.reason.empty())
+        Eigen::VectorXd next = slip_bound.at(iterate.lambda);
+        if (accelerate_)
           {
-            if (solution.converged) // nothing is left to explain
-              solution.reason.clear();
-            return solution;
+            const Eigen::VectorXd extrapolated =
+              anderson.next(bound, next).cwiseMax(0.);
+            is_extrapolated = extrapolated != next;
+            next            = extrapolated;
+          }
+        bound = next;
+
+        idle_steps = result.residual < 0.9 * smallest ? 0 : idle_steps + 1;
+        smallest   = std::min(smallest, result.residual);
+        if ((approximation.iterations == 0 && result.change == 0. &&
+             !is_extrapolated) ||
+            approximation.stagnated || !std::isfinite(result.residual))
+          result.stagnated = true;
+        else if (idle_steps >= max_idle_steps)
+          {
+            result.stagnated = true;
+            // at a residual as small as this it is rounding
+            if (result.residual > 1e-6)
+              result.reason =
+                "the successive approximations of Coulomb friction do not "
+                "contract (factor " +
+                std::to_string(contraction_) +
+                " a step), lower 'Friction/Coefficient' or choose 'Contact "
+                "solver/Coulomb iteration = direct'";
           }
       }
-  }
-
-
-
-  void
-  CoulombFixedPoint::certify(ContactSolution &solution) const
-  {
-    LA::Vector force = elasticity_.constrained_load();
-    surface_.add_transpose_B(-1., solution.lambda, force);
-    solution.u = std::make_unique<LA::Vector>(elasticity_.zero_vector());
-    stiffness_solver_.solve(*solution.u, force);
-    solution.certificate = std::make_unique<Certificate>(
-      elasticity_, surface_, *solution.u, solution.lambda);
+    return result;
   }
 } // namespace stiction

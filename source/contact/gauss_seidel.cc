@@ -1,10 +1,10 @@
 #include <stiction/contact/gauss_seidel.h>
-#include <stiction/qp/disc_active_set.h>
+#include <stiction/qp/feasible_set.h>
 #include <stiction/qp/proportioning.h>
 #include <stiction/qp/spectral_norm.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace stiction
 {
@@ -21,47 +21,37 @@ namespace stiction
     // Without a new smallest residual for so many sweeps, there is none: the
     // error of a sweep shrinks by about 0.55.
     constexpr unsigned int max_idle_sweeps = 20;
-
-    void
-    accumulate(qp::ActiveSetStatistics &sum, const qp::ActiveSetStatistics &one)
-    {
-      sum.conjugate_gradient_steps += one.conjugate_gradient_steps;
-      sum.expansion_steps += one.expansion_steps;
-      sum.release_steps += one.release_steps;
-      sum.multiplications += one.multiplications;
-      sum.residual  = one.residual;
-      sum.converged = one.converged;
-    }
   } // namespace
 
 
 
-  GaussSeidel::GaussSeidel(const SchurComplement &schur)
-    : schur_(schur)
-    , normal_block_(schur, DualBlock::normal)
-    , tangential_block_(schur, DualBlock::tangential)
+  GaussSeidel::GaussSeidel(const DualOperator &Q,
+                           const qp::DiscActiveSet::Variant variant)
+    : Q_(Q)
+    , normal_block_(Q, DualBlock::normal)
+    , tangential_block_(Q, DualBlock::tangential)
     , normal_norm_(qp::spectral_norm(normal_block_))
     , tangential_norm_(qp::spectral_norm(tangential_block_))
+    , variant_(variant)
   {
   }
 
 
 
-  GivenFrictionResult
+  DualMethodResult
   GaussSeidel::solve(DualIterate &iterate,
-                     const Eigen::VectorXd &slip_bound,
+                     const qp::SlipBound &slip_bound,
                      const qp::Scaling &scaling,
                      const StoppingRule &rule,
                      const Observer &observer)
   {
-    const qp::HalfLinesTimesDiscs feasible_set(slip_bound);
     const auto residual = [&]() {
-      return feasible_set.natural_residual(
-        iterate.lambda, iterate.gradient, scaling);
+      return qp::HalfLinesTimesDiscs(slip_bound.at(iterate.lambda))
+        .natural_residual(iterate.lambda, iterate.gradient, scaling);
     };
 
-    GivenFrictionResult result;
-    make_feasible(iterate, slip_bound);
+    DualMethodResult result;
+    make_feasible(iterate, slip_bound.at(iterate.lambda), Q_);
     result.residual  = residual();
     result.converged = result.residual <= rule.residual;
 
@@ -73,14 +63,18 @@ namespace stiction
         const Eigen::VectorXd before = iterate.lambda;
         const double tolerance       = inner_reduction * result.residual;
         normal_half_sweep(iterate, scaling, tolerance);
-        tangential_half_sweep(iterate, slip_bound, scaling, tolerance);
+        const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
+        if (slip_bound.is_coulomb())
+          make_feasible(iterate, bound, Q_);
+        tangential_half_sweep(iterate, bound, scaling, tolerance);
 
         ++result.iterations;
+        ++statistics_.gauss_seidel_iterations;
         result.residual   = residual();
         const double norm = iterate.lambda.norm();
         result.change =
           norm > 0. ? (iterate.lambda - before).norm() / norm : 0.;
-        observer(result.iterations, result.residual, result.change);
+        observer({1, result.residual, result.change});
 
         result.converged =
           result.residual <= rule.residual && result.change <= rule.change;
@@ -88,33 +82,9 @@ namespace stiction
         smallest    = std::min(smallest, result.residual);
         result.stagnated =
           !result.converged &&
-          (idle_sweeps >= max_idle_sweeps || !(result.residual < 1e300));
+          (idle_sweeps >= max_idle_sweeps || !std::isfinite(result.residual));
       }
     return result;
-  }
-
-
-
-  void
-  GaussSeidel::make_feasible(DualIterate &iterate,
-                             const Eigen::VectorXd &slip_bound) const
-  {
-    const Eigen::Index m      = schur_.n_nodes();
-    Eigen::VectorXd projected = iterate.lambda;
-    qp::HalfLinesTimesDiscs(slip_bound).project(projected);
-    const Eigen::VectorXd d = projected - iterate.lambda;
-
-    Eigen::VectorXd Qd;
-    for (const DualBlock block : {DualBlock::normal, DualBlock::tangential})
-      {
-        const Eigen::VectorXd part =
-          block == DualBlock::normal ? d.head(m) : d.tail(2 * m);
-        if (part.isZero(0.))
-          continue;
-        schur_.vmult(DualBlock::all, block, Qd, part);
-        iterate.gradient += Qd;
-      }
-    iterate.lambda = projected;
   }
 
 
@@ -124,24 +94,9 @@ namespace stiction
                                  const qp::Scaling &scaling,
                                  const double tolerance)
   {
-    const Eigen::Index m     = schur_.n_nodes();
-    Eigen::VectorXd lambda   = iterate.lambda.head(m);
-    Eigen::VectorXd gradient = iterate.gradient.head(m);
-    const qp::HalfLines half_lines(m);
+    const qp::HalfLines half_lines(Q_.n_nodes());
     qp::Proportioning solver(normal_block_, half_lines, normal_norm_);
-    accumulate(
-      normal_statistics_,
-      solver.solve(
-        lambda, gradient, scaling, tolerance, max_inner_multiplications));
-
-    const Eigen::VectorXd change = lambda - iterate.lambda.head(m);
-    if (change.isZero(0.))
-      return;
-    Eigen::VectorXd coupling;
-    schur_.vmult(DualBlock::tangential, DualBlock::normal, coupling, change);
-    iterate.lambda.head(m)   = lambda;
-    iterate.gradient.head(m) = gradient;
-    iterate.gradient.tail(2 * m) += coupling;
+    half_sweep(iterate, DualBlock::normal, solver, scaling, tolerance);
   }
 
 
@@ -152,23 +107,47 @@ namespace stiction
                                      const qp::Scaling &scaling,
                                      const double tolerance)
   {
-    const Eigen::Index m     = schur_.n_nodes();
-    Eigen::VectorXd lambda   = iterate.lambda.tail(2 * m);
-    Eigen::VectorXd gradient = iterate.gradient.tail(2 * m);
     const qp::Discs discs(slip_bound);
-    qp::DiscActiveSet solver(tangential_block_, discs, tangential_norm_);
-    accumulate(
-      tangential_statistics_,
-      solver.solve(
-        lambda, gradient, scaling, tolerance, max_inner_multiplications));
+    qp::DiscActiveSet solver(
+      tangential_block_, discs, tangential_norm_, variant_);
+    half_sweep(iterate, DualBlock::tangential, solver, scaling, tolerance);
+  }
 
-    const Eigen::VectorXd change = lambda - iterate.lambda.tail(2 * m);
+
+
+  void
+  GaussSeidel::half_sweep(DualIterate &iterate,
+                          const DualBlock block,
+                          qp::ActiveSetMethod &solver,
+                          const qp::Scaling &scaling,
+                          const double tolerance)
+  {
+    const Eigen::Index m = Q_.n_nodes();
+    const bool is_normal = block == DualBlock::normal;
+    const DualBlock other =
+      is_normal ? DualBlock::tangential : DualBlock::normal;
+    const auto mine = [&](Eigen::VectorXd &v) {
+      return v.segment(is_normal ? 0 : m, is_normal ? m : 2 * m);
+    };
+    const auto others = [&](Eigen::VectorXd &v) {
+      return v.segment(is_normal ? m : 0, is_normal ? 2 * m : m);
+    };
+
+    Eigen::VectorXd lambda              = mine(iterate.lambda);
+    Eigen::VectorXd gradient            = mine(iterate.gradient);
+    const qp::ActiveSetStatistics inner = solver.solve(
+      lambda, gradient, scaling, tolerance, max_inner_multiplications);
+    statistics_.conjugate_gradient_steps += inner.conjugate_gradient_steps;
+    statistics_.expansion_steps += inner.expansion_steps;
+    statistics_.release_steps += inner.release_steps;
+
+    const Eigen::VectorXd change = lambda - mine(iterate.lambda);
     if (change.isZero(0.))
       return;
     Eigen::VectorXd coupling;
-    schur_.vmult(DualBlock::normal, DualBlock::tangential, coupling, change);
-    iterate.lambda.tail(2 * m)   = lambda;
-    iterate.gradient.tail(2 * m) = gradient;
-    iterate.gradient.head(m) += coupling;
+    Q_.vmult(other, block, coupling, change);
+    mine(iterate.lambda)   = lambda;
+    mine(iterate.gradient) = gradient;
+    others(iterate.gradient) += coupling;
   }
 } // namespace stiction

@@ -55,6 +55,18 @@ namespace stiction
 
 
 
+  LA::Vector
+  LinearElasticity::stiffness_diagonal() const
+  {
+    LA::Vector diagonal = zero_vector();
+    for (const auto dof : body_.locally_owned_dofs())
+      diagonal(dof) = constrained_stiffness_->diag_element(dof);
+    diagonal.compress(VectorOperation::insert);
+    return diagonal;
+  }
+
+
+
   const LA::Vector &
   LinearElasticity::constrained_load() const
   {

@@ -39,6 +39,7 @@ namespace stiction::qp
                                      Eigen::VectorXd nodal_compliance)
     : Q_(Q)
     , nodal_compliance_(std::move(nodal_compliance))
+    , c_(first_c)
   {
     eigen_assert(Q.size() == 3 * nodal_compliance_.size());
   }
@@ -71,10 +72,11 @@ namespace stiction::qp
     };
 
     NewtonStatistics statistics;
-    double c = first_c, reduction = first_reduction;
+    double reduction = first_reduction;
     std::deque<double> history;
-    statistics.residual     = natural_residual();
-    double smallest         = statistics.residual;
+    statistics.residual    = natural_residual();
+    double smallest        = statistics.residual;
+    Eigen::VectorXd best_x = x, best_gradient = gradient;
     unsigned int idle_steps = 0;
     while (true)
       {
@@ -91,62 +93,86 @@ namespace stiction::qp
         if (statistics.steps >= max_steps || statistics.stagnated)
           break;
 
-        const Eigen::VectorXd rho = c * nodal_compliance_.cwiseInverse();
-        const ContactLinearization step(x, gradient, rho, slip_bound);
-        const Eigen::VectorXd &d0 = step.prescribed();
-        Eigen::VectorXd Qd;
-        if (!d0.isZero(0.))
-          {
-            Q_.vmult(Qd, d0);
-            preconditioner_.add(d0, Qd);
-          }
-        else
-          Qd.setZero(x.size());
-
-        preconditioner_.set_up(step, nodal_compliance_);
-        const auto product = [&](const Eigen::VectorXd &v,
-                                 Eigen::VectorXd &Av,
-                                 Eigen::VectorXd &image) {
-          const Eigen::VectorXd d = step.embed(v);
-          Q_.vmult(image, d);
-          Av = step.test(image) + step.curvature().cwiseProduct(v);
-          preconditioner_.add(d, image); // for the steps to come
-        };
-        const auto solve_linear =
-          slip_bound.is_coulomb() ? gmres : conjugate_gradients;
-        const KrylovSolution solution = solve_linear(
-          product,
-          -step.test(gradient + Qd),
-          [&](const Eigen::VectorXd &v) { return preconditioner_.apply(v); },
-          reduction,
-          max_krylov_iterations);
-        statistics.krylov_iterations += solution.iterations;
+        const Eigen::VectorXd rho = c_ * nodal_compliance_.cwiseInverse();
+        statistics.krylov_iterations +=
+          step(x, gradient, rho, slip_bound, reduction);
         ++statistics.steps;
-
-        x += d0 + step.embed(solution.y);
-        gradient += Qd;
-        if (solution.image.size() > 0)
-          gradient += solution.image;
 
         statistics.residual = natural_residual();
         observer(statistics.steps, statistics.residual);
 
         history.push_back(
-          ContactLinearization(x, gradient, rho, slip_bound).residual() / c);
+          ContactLinearization(x, gradient, rho, slip_bound).residual() / c_);
         if (history.size() > fall_horizon &&
             history.back() >
               required_fall * history[history.size() - 1 - fall_horizon])
           {
-            c /= 3.;
+            c_ /= 3.;
             ++statistics.reductions;
             history.clear();
           }
 
         idle_steps = statistics.residual < 0.9 * smallest ? 0 : idle_steps + 1;
-        smallest   = std::min(smallest, statistics.residual);
+        if (statistics.residual < smallest)
+          {
+            smallest      = statistics.residual;
+            best_x        = x;
+            best_gradient = gradient;
+          }
         statistics.stagnated =
           idle_steps >= max_idle_steps || !std::isfinite(statistics.residual);
       }
+    if (!statistics.converged)
+      {
+        x        = best_x;
+        gradient = best_gradient;
+        make_feasible();
+        statistics.residual = natural_residual();
+      }
     return statistics;
+  }
+
+
+
+  unsigned int
+  SemismoothNewton::step(Eigen::VectorXd &x,
+                         Eigen::VectorXd &gradient,
+                         const Eigen::VectorXd &rho,
+                         const SlipBound &slip_bound,
+                         const double reduction)
+  {
+    const ContactLinearization conditions(x, gradient, rho, slip_bound);
+    const Eigen::VectorXd &d0 = conditions.prescribed();
+    Eigen::VectorXd Qd;
+    if (!d0.isZero(0.))
+      {
+        Q_.vmult(Qd, d0);
+        preconditioner_.add(d0, Qd);
+      }
+    else
+      Qd.setZero(x.size());
+
+    preconditioner_.set_up(conditions, nodal_compliance_);
+    const auto product = [&](const Eigen::VectorXd &v,
+                             Eigen::VectorXd &Av,
+                             Eigen::VectorXd &image) {
+      const Eigen::VectorXd d = conditions.embed(v);
+      Q_.vmult(image, d);
+      Av = conditions.test(image) + conditions.curvature().cwiseProduct(v);
+      preconditioner_.add(d, image); // for the steps to come
+    };
+    const auto solve_linear =
+      slip_bound.is_coulomb() ? gmres : conjugate_gradients;
+    const KrylovSolution solution = solve_linear(
+      product,
+      -conditions.test(gradient + Qd),
+      [&](const Eigen::VectorXd &v) { return preconditioner_.apply(v); },
+      reduction,
+      max_krylov_iterations);
+    x += d0 + conditions.embed(solution.y);
+    gradient += Qd;
+    if (solution.image.size() > 0)
+      gradient += solution.image;
+    return solution.iterations;
   }
 } // namespace stiction::qp

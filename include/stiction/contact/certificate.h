@@ -1,8 +1,8 @@
 #ifndef stiction_contact_certificate_h
 #define stiction_contact_certificate_h
 
+#include <stiction/contact/contact_conditions.h>
 #include <stiction/elasticity/linear_algebra.h>
-#include <stiction/qp/feasible_set.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -18,16 +18,6 @@ namespace stiction
   class LinearElasticity;
   class StiffnessSolver;
 
-  /// What a contact node does. The numbers are those of the output files.
-  enum class NodeStatus
-  {
-    open  = 0,
-    slip  = 1,
-    stick = 2
-  };
-
-
-
   /// The one error measure that stops, reports and tests every method.
   ///
   /// Computed from the displacement u, the contact forces λ and the data of
@@ -38,26 +28,15 @@ namespace stiction
   /// S = max(Σ‖f_j‖, Σ‖R_j‖, Σ‖λ_i‖) over nodes (loads, support reactions,
   /// contact forces), p0 = S/|Γc|, u0 = uᵀKu/S. With π = λ_i/(A_i p0) and
   /// w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
-  class Certificate
+  class Certificate : public ContactConditions
   {
   public:
-    /// The figures, by their names in summary.json.
-    struct Figures
+    /// The figures that only a body has, by their names in summary.json.
+    struct BodyFigures
     {
       /// Σ‖(f − Bᵀλ − Ku)_j‖/S over the free unknowns: equilibrium at every
       /// node.
       double equilibrium_residual = 0.;
-      /// max_i ‖π − P_γ(π − w)‖: the contact and friction conditions.
-      double kkt_residual = 0.;
-      /// max(−r_ν, 0)/u0.
-      double penetration = 0.;
-      /// max λ_ν|r_ν|/(A p0 u0).
-      double complementarity = 0.;
-      /// max(‖λ_t‖ − g, −λ_ν, 0)/(A p0).
-      double cone_violation = 0.;
-      /// Largest angle in degrees between λ_t and the slip, where both are
-      /// above 1e-6 of their scales.
-      double slip_angle = 0.;
       /// ‖Σ(loads + contact forces + reactions)‖/S.
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
@@ -89,58 +68,14 @@ namespace stiction
     void
     compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
 
-    const Figures &
-    figures() const
+    const BodyFigures &
+    body_figures() const
     {
-      return figures_;
+      return body_figures_;
     }
 
-    /// The figures that decide, with their names.
     std::vector<std::pair<std::string, double>>
-    deciding_figures() const;
-
-    /// Whether all of them are at most the tolerance (a NaN never is).
-    bool
-    converged(double tolerance) const;
-
-    /// "kkt_residual is 3e-4": the largest of them.
-    std::string
-    worst() const;
-
-    /// The scales A_i p0 and u0 in which the figures are measured.
-    const qp::Scaling &
-    scaling() const
-    {
-      return scaling_;
-    }
-
-    /// r = (d − n·u; −slip) at the contact nodes, taken from u. Unit: m.
-    const Eigen::VectorXd &
-    gradient() const
-    {
-      return gradient_;
-    }
-
-    /// The contact forces and slip bounds the figures belong to. Unit: N.
-    const Eigen::VectorXd &
-    lambda() const
-    {
-      return lambda_;
-    }
-    const Eigen::VectorXd &
-    slip_bound() const
-    {
-      return slip_bound_;
-    }
-
-    /// open if π_ν − w_ν ≤ 0; otherwise slip if γ = 0 or ‖π_t − w_t‖ > γ;
-    /// otherwise stick.
-    NodeStatus
-    status(Eigen::Index node) const;
-
-    /// Whether the status changes within the tolerance.
-    bool
-    is_undecided(Eigen::Index node, double tolerance) const;
+    deciding_figures() const override;
 
     /// uᵀKu/2 in J.
     double
@@ -173,22 +108,9 @@ namespace stiction
     void
     compute_body_figures(const LA::Vector &u);
 
-    void
-    compute_contact_figures();
-
-    /// w = r/u0 and π = λ/(A p0) at a node: (π_ν − w_ν; π_t − w_t).
-    Eigen::Vector3d
-    trial(Eigen::Index node) const;
-
-    /// γ_i.
-    double
-    relative_slip_bound(Eigen::Index node) const;
-
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
-    Eigen::VectorXd lambda_, slip_bound_, gradient_;
-    qp::Scaling scaling_;
-    Figures figures_;
+    BodyFigures body_figures_;
     double strain_energy_ = 0., load_work_ = 0.;
     dealii::Tensor<1, 3> force_on_body_, moment_on_body_;
   };

@@ -3,6 +3,7 @@
 
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/trace.h>
+#include <stiction/qp/slip_bound.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -128,10 +129,13 @@ namespace stiction
     Eigen::VectorXd
     to_cartesian(const Eigen::VectorXd &v) const;
 
-    /// The slip bound g_i for contact forces λ: 0, A_i τ_c(x_i) or
-    /// F(x_i) max(λ_ν,i, 0) by the law. Length m, unit: N.
-    Eigen::VectorXd
-    slip_bound(const Eigen::VectorXd &lambda) const;
+    /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
+    /// F(x_i) max(λ_ν,i, 0) by the law. Unit: N.
+    const qp::SlipBound &
+    slip_bound() const
+    {
+      return slip_bound_;
+    }
 
     /// Whether all normals agree, so that sums over tangential components
     /// have a meaning.
@@ -150,6 +154,7 @@ namespace stiction
     std::vector<ContactNode> nodes_;
     Trace trace_;
     Eigen::VectorXd gaps_, areas_;
+    qp::SlipBound slip_bound_;
     double boundary_area_ = 0.;
 
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_;

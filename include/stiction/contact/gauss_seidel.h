@@ -1,9 +1,9 @@
 #ifndef stiction_contact_gauss_seidel_h
 #define stiction_contact_gauss_seidel_h
 
-#include <stiction/contact/given_friction.h>
-#include <stiction/contact/schur_complement.h>
-#include <stiction/qp/active_set_method.h>
+#include <stiction/contact/dual_method.h>
+#include <stiction/contact/dual_operator.h>
+#include <stiction/qp/disc_active_set.h>
 
 namespace stiction
 {
@@ -13,38 +13,40 @@ namespace stiction
   ///
   /// The inner programs are solved only to a fixed part of the current error
   /// of the whole problem: solving them further changes what the next half
-  /// sweep undoes.
-  class GaussSeidel : public GivenFrictionSolver
+  /// sweep undoes. With Coulomb friction the slip bound follows the normal
+  /// forces in every sweep; for successive approximations in the paper's
+  /// order see CoulombFixedPoint.
+  class GaussSeidel : public DualMethod
   {
   public:
-    /// Estimates the norms of the two diagonal blocks. The Schur complement
-    /// must outlive the solver.
-    explicit GaussSeidel(const SchurComplement &schur);
+    /// Estimates the norms of the two diagonal blocks. The operator must
+    /// outlive the method.
+    ///
+    /// @param variant how ALGORITHM QPQ is realised.
+    explicit GaussSeidel(const DualOperator &Q,
+                         qp::DiscActiveSet::Variant variant =
+                           qp::DiscActiveSet::Variant::spectral);
 
-    GivenFrictionResult
+    DualMethodResult
     solve(DualIterate &iterate,
-          const Eigen::VectorXd &slip_bound,
+          const qp::SlipBound &slip_bound,
           const qp::Scaling &scaling,
           const StoppingRule &rule,
           const Observer &observer) override;
 
-    /// Sums over all inner solves so far.
-    const qp::ActiveSetStatistics &
-    normal_statistics() const
+    bool
+    solves_coulomb() const override
     {
-      return normal_statistics_;
+      return true;
     }
-    const qp::ActiveSetStatistics &
-    tangential_statistics() const
+
+    DualMethodStatistics
+    statistics() const override
     {
-      return tangential_statistics_;
+      return statistics_;
     }
 
   private:
-    void
-    make_feasible(DualIterate &iterate,
-                  const Eigen::VectorXd &slip_bound) const;
-
     /// λ_ν^(i) of ALGORITHM GS.
     void
     normal_half_sweep(DualIterate &iterate,
@@ -58,11 +60,22 @@ namespace stiction
                           const qp::Scaling &scaling,
                           double tolerance);
 
-    const SchurComplement &schur_;
-    SchurBlock normal_block_, tangential_block_;
+    /// Solves the quadratic program of one block, whose solver is given, and
+    /// updates the gradient of the other one.
+    void
+    half_sweep(DualIterate &iterate,
+               DualBlock block,
+               qp::ActiveSetMethod &solver,
+               const qp::Scaling &scaling,
+               double tolerance);
+
+    const DualOperator &Q_;
+    DualOperatorBlock normal_block_, tangential_block_;
     double normal_norm_, tangential_norm_;
-    qp::ActiveSetStatistics normal_statistics_, tangential_statistics_;
+    qp::DiscActiveSet::Variant variant_;
+    DualMethodStatistics statistics_;
   };
+
 } // namespace stiction
 
 #endif

@@ -1,10 +1,7 @@
 #ifndef stiction_contact_schur_complement_h
 #define stiction_contact_schur_complement_h
 
-#include <stiction/elasticity/linear_algebra.h>
-#include <stiction/qp/symmetric_operator.h>
-
-#include <Eigen/Core>
+#include <stiction/contact/dual_operator.h>
 
 #include <memory>
 #include <string>
@@ -15,112 +12,42 @@ namespace stiction
   class LinearElasticity;
   class StiffnessSolver;
 
-  /// A block of rows or columns of the dual operator.
-  enum class DualBlock
-  {
-    normal,     ///< the m rows ν
-    tangential, ///< the 2m rows t1, t2
-    all         ///< all 3m rows
-  };
-
-
-
-  /// The contact dual operator Q = B K⁻¹ Bᵀ (m/N) and the dual right-hand side
-  /// h = B K⁻¹ f − (d; 0; 0) (m) of the paper's problem (D).
-  ///
-  /// The condensation of the body to its contact nodes: λ ↦ Qλ is how far the
-  /// contact nodes move under contact forces λ. Vectors are stored by blocks
-  /// (ν; t1; t2) and known to all ranks.
-  class SchurComplement
+  /// The contact dual operator of a body, Q = B K⁻¹ Bᵀ and
+  /// h = B K⁻¹ f − (d; 0; 0): the condensation of the body to its contact
+  /// nodes, by its definition. A product is an elastic solve: contact forces
+  /// on the body, displacements of the contact nodes.
+  class SchurComplement : public DualOperator
   {
   public:
-    virtual ~SchurComplement() = default;
-
     /// The form chosen in the parameter file: "assembled" (a dense matrix) or
-    /// "by solves" (one solve with K a product). Collective.
-    static std::unique_ptr<SchurComplement>
+    /// "by solves" (this class). Collective; computes h by one solve.
+    static std::unique_ptr<DualOperator>
     create(const std::string &form,
            const LinearElasticity &elasticity,
            const ContactSurface &surface,
            StiffnessSolver &solver);
 
-    /// m.
-    Eigen::Index
-    n_nodes() const
-    {
-      return n_nodes_;
-    }
+    /// All arguments must outlive the object. Collective.
+    SchurComplement(const LinearElasticity &elasticity,
+                    const ContactSurface &surface,
+                    StiffnessSolver &solver);
 
-    /// The dual right-hand side, length 3m.
-    const Eigen::VectorXd &
-    right_hand_side() const
-    {
-      return h_;
-    }
-
-    /// dst = Q_{rows,columns} src. Collective; counted.
-    void
-    vmult(DualBlock rows,
-          DualBlock columns,
-          Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const;
-
-    /// Products so far in units of one with all of Q: a product with Q_νν
-    /// counts 1/9, with Q_tt 4/9, with Q_νt or Q_tν 2/9.
-    double
-    n_multiplications() const
-    {
-      return n_ninths_ / 9.;
-    }
+    /// Estimated: a node gives way in proportion to the inverse of its own
+    /// diagonal entries of K; the factor is that of one product with Q.
+    Eigen::VectorXd
+    nodal_compliance() const override;
 
   protected:
-    SchurComplement(const LinearElasticity &elasticity,
-                    const ContactSurface &surface);
-
-    /// Computes h by one solve. Collective.
     void
-    set_right_hand_side(StiffnessSolver &solver);
-
-    virtual void
     apply(DualBlock rows,
           DualBlock columns,
           Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const = 0;
+          const Eigen::VectorXd &src) const override;
 
-    /// The first entry and the length of a block.
-    Eigen::Index
-    begin(DualBlock block) const;
-    Eigen::Index
-    length(DualBlock block) const;
-
+  private:
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
-
-  private:
-    Eigen::Index n_nodes_;
-    Eigen::VectorXd h_;
-    mutable unsigned long n_ninths_ = 0;
-  };
-
-
-
-  /// A diagonal block of the dual operator, as the quadratic programs see it.
-  class SchurBlock : public qp::SymmetricOperator
-  {
-  public:
-    /// The Schur complement must outlive the block.
-    SchurBlock(const SchurComplement &schur, DualBlock block);
-
-    Eigen::Index
-    size() const override;
-
-  protected:
-    void
-    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
-
-  private:
-    const SchurComplement &schur_;
-    const DualBlock block_;
+    StiffnessSolver &solver_;
   };
 } // namespace stiction
 

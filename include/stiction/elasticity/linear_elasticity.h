@@ -59,6 +59,10 @@ namespace stiction
     const LA::SparseMatrix &
     constrained_stiffness() const;
 
+    /// Its diagonal. Collective.
+    LA::Vector
+    stiffness_diagonal() const;
+
     /// The right-hand side that goes with it. Unit: N (m × diagonal entry in
     /// constrained rows).
     const LA::Vector &

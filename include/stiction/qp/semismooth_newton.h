@@ -75,9 +75,18 @@ namespace stiction::qp
           const Observer &observer);
 
   private:
+    /// One Newton step; returns its Krylov iterations.
+    unsigned int
+    step(Eigen::VectorXd &x,
+         Eigen::VectorXd &gradient,
+         const Eigen::VectorXd &rho,
+         const SlipBound &slip_bound,
+         double reduction);
+
     const SymmetricOperator &Q_;
     const Eigen::VectorXd nodal_compliance_;
-    NystromPreconditioner preconditioner_; ///< kept between runs
+    double c_;                             ///< kept between runs
+    NystromPreconditioner preconditioner_; ///< so is this
   };
 } // namespace stiction::qp
 

@@ -1,0 +1,57 @@
+#ifndef stiction_contact_certified_solve_h
+#define stiction_contact_certified_solve_h
+
+#include <stiction/contact/dual_method.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <string>
+
+namespace stiction
+{
+  class DualOperator;
+  class Judge;
+
+  /// One row of the convergence history.
+  struct ContactStep
+  {
+    unsigned int step       = 0;  ///< number of the outermost iteration
+    unsigned int iterations = 0;  ///< inner iterations so far
+    double multiplications  = 0.; ///< products with Q so far
+    double residual         = 0.; ///< natural residual after the step
+    double change           = 0.; ///< relative change of λ in the step
+    double contraction      = 0.; ///< residual over the one before
+    double normal_force     = 0.; ///< Σλ_ν in N
+  };
+
+
+
+  /// How a contact solve ended.
+  struct ContactSolution
+  {
+    Eigen::VectorXd lambda; ///< contact forces, N, length 3m
+    bool converged = false; ///< as the judge says
+    std::string reason; ///< if not: what stopped the iteration, what to change
+  };
+
+
+
+  /// Solves the contact problem from zero contact forces: lets the method
+  /// work, has its result judged, and hands the gradient and the scales of
+  /// the judgement back to it until the judge is content or nothing moves any
+  /// more. The method's own stopping test never decides on success. Collective.
+  ///
+  /// @param tolerance of the judge.
+  /// @param max_iterations of the method, in all.
+  ContactSolution
+  certified_solve(DualMethod &method,
+                  const DualOperator &Q,
+                  const qp::SlipBound &slip_bound,
+                  Judge &judge,
+                  double tolerance,
+                  unsigned int max_iterations,
+                  const std::function<void(const ContactStep &)> &observer);
+} // namespace stiction
+
+#endif

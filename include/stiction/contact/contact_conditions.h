@@ -1,0 +1,134 @@
+#ifndef stiction_contact_contact_conditions_h
+#define stiction_contact_contact_conditions_h
+
+#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/slip_bound.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stiction
+{
+  /// What a contact node does. The numbers are those of the output files.
+  enum class NodeStatus
+  {
+    open  = 0,
+    slip  = 1,
+    stick = 2
+  };
+
+
+
+  /// How far contact forces λ (N) and r = (remaining gap; −slip) (m) are from
+  /// satisfying the contact and friction conditions.
+  ///
+  /// All figures are relative to scales that the caller provides, a force at
+  /// every node and one displacement, so that no unit matters: π = λ_i/force_i,
+  /// w = r_i/displacement, γ = g_i/force_i.
+  class ContactConditions
+  {
+  public:
+    /// The figures, by their names in summary.json.
+    struct ContactFigures
+    {
+      /// max_i ‖π − P_γ(π − w)‖: the contact and friction conditions.
+      double kkt_residual = 0.;
+      /// max(−w_ν, 0).
+      double penetration = 0.;
+      /// max π_ν|w_ν|.
+      double complementarity = 0.;
+      /// max(‖π_t‖ − γ, −π_ν, 0).
+      double cone_violation = 0.;
+      /// Largest angle in degrees between λ_t and the slip, where both are
+      /// above 1e-6 of their scales.
+      double slip_angle = 0.;
+    };
+
+    /// Computes the figures.
+    ContactConditions(Eigen::VectorXd lambda,
+                      Eigen::VectorXd gradient,
+                      Eigen::VectorXd slip_bound,
+                      qp::Scaling scaling);
+    virtual ~ContactConditions() = default;
+
+    const ContactFigures &
+    contact_figures() const
+    {
+      return contact_figures_;
+    }
+
+    /// The figures that decide, with their names.
+    virtual std::vector<std::pair<std::string, double>>
+    deciding_figures() const;
+
+    /// Whether all of them are at most the tolerance (a NaN never is).
+    bool
+    converged(double tolerance) const;
+
+    /// "kkt_residual is 3e-4": the largest of them.
+    std::string
+    worst() const;
+
+    /// The scales in which the figures are measured.
+    const qp::Scaling &
+    scaling() const
+    {
+      return scaling_;
+    }
+
+    /// r = (remaining gap; −slip) at the contact nodes. Unit: m.
+    const Eigen::VectorXd &
+    gradient() const
+    {
+      return gradient_;
+    }
+
+    /// The contact forces and slip bounds the figures belong to. Unit: N.
+    const Eigen::VectorXd &
+    lambda() const
+    {
+      return lambda_;
+    }
+    const Eigen::VectorXd &
+    slip_bound() const
+    {
+      return slip_bound_;
+    }
+
+    /// open if π_ν − w_ν ≤ 0; otherwise slip if γ = 0 or ‖π_t − w_t‖ > γ;
+    /// otherwise stick.
+    NodeStatus
+    status(Eigen::Index node) const;
+
+    /// Whether the status changes within the tolerance.
+    bool
+    is_undecided(Eigen::Index node, double tolerance) const;
+
+  protected:
+    /// For a class that computes gradient and scales itself: sets λ and g, and
+    /// leaves the rest to compute_contact_figures().
+    ContactConditions(Eigen::VectorXd lambda, Eigen::VectorXd slip_bound);
+
+    void
+    compute_contact_figures();
+
+    Eigen::VectorXd lambda_, slip_bound_, gradient_;
+    qp::Scaling scaling_;
+
+  private:
+    /// w and π at a node: (π_ν − w_ν; π_t − w_t).
+    Eigen::Vector3d
+    trial(Eigen::Index node) const;
+
+    /// γ_i.
+    double
+    relative_slip_bound(Eigen::Index node) const;
+
+    ContactFigures contact_figures_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,146 @@
+#ifndef stiction_contact_dual_operator_h
+#define stiction_contact_dual_operator_h
+
+#include <stiction/qp/symmetric_operator.h>
+
+#include <Eigen/Core>
+
+namespace stiction
+{
+  /// A block of rows or columns of the dual operator.
+  enum class DualBlock
+  {
+    normal,     ///< the m rows ν
+    tangential, ///< the 2m rows t1, t2
+    all         ///< all 3m rows
+  };
+
+
+
+  /// The dual Hessian Q (m/N) and the dual right-hand side h (m) of the
+  /// paper's problem (D), wherever they come from.
+  ///
+  /// λ ↦ Qλ is how far the contact nodes move under contact forces λ. Vectors
+  /// are stored by blocks (ν; t1; t2) and known to all ranks.
+  class DualOperator
+  {
+  public:
+    virtual ~DualOperator() = default;
+
+    /// m.
+    Eigen::Index
+    n_nodes() const
+    {
+      return n_nodes_;
+    }
+
+    /// h, length 3m.
+    const Eigen::VectorXd &
+    right_hand_side() const
+    {
+      return h_;
+    }
+
+    /// dst = Q_{rows,columns} src. Collective; counted.
+    void
+    vmult(DualBlock rows,
+          DualBlock columns,
+          Eigen::VectorXd &dst,
+          const Eigen::VectorXd &src) const;
+
+    /// Products so far in units of one with all of Q: a product with Q_νν
+    /// counts 1/9, with Q_tt 4/9, with Q_νt or Q_tν 2/9.
+    double
+    n_multiplications() const
+    {
+      return static_cast<double>(n_ninths_) / 9.;
+    }
+
+    /// tr(Q_ii)/3 at every node, or an estimate of it: how much a node gives
+    /// way to its own force. Length m, > 0. Collective.
+    virtual Eigen::VectorXd
+    nodal_compliance() const = 0;
+
+    /// Q itself, or nullptr if it is known by its action only.
+    virtual const Eigen::MatrixXd *
+    matrix() const
+    {
+      return nullptr;
+    }
+
+  protected:
+    explicit DualOperator(Eigen::Index n_nodes);
+
+    void
+    set_right_hand_side(Eigen::VectorXd h);
+
+    virtual void
+    apply(DualBlock rows,
+          DualBlock columns,
+          Eigen::VectorXd &dst,
+          const Eigen::VectorXd &src) const = 0;
+
+    /// The first entry and the length of a block.
+    Eigen::Index
+    begin(DualBlock block) const;
+    Eigen::Index
+    length(DualBlock block) const;
+
+  private:
+    Eigen::Index n_nodes_;
+    Eigen::VectorXd h_;
+    mutable unsigned long n_ninths_ = 0;
+  };
+
+
+
+  /// Q as a dense symmetric matrix.
+  class DenseDualOperator : public DualOperator
+  {
+  public:
+    /// @param Q symmetric positive definite, 3m × 3m; @param h length 3m.
+    DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h);
+
+    Eigen::VectorXd
+    nodal_compliance() const override;
+
+    const Eigen::MatrixXd *
+    matrix() const override
+    {
+      return &Q_;
+    }
+
+  protected:
+    void
+    apply(DualBlock rows,
+          DualBlock columns,
+          Eigen::VectorXd &dst,
+          const Eigen::VectorXd &src) const override;
+
+  private:
+    Eigen::MatrixXd Q_;
+  };
+
+
+
+  /// A diagonal block of the dual operator, as the quadratic programs see it.
+  class DualOperatorBlock : public qp::SymmetricOperator
+  {
+  public:
+    /// The operator must outlive the block.
+    DualOperatorBlock(const DualOperator &Q, DualBlock block);
+
+    Eigen::Index
+    size() const override;
+
+  protected:
+    void
+    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
+
+  private:
+    const DualOperator &Q_;
+    const DualBlock block_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,114 @@
+#include <stiction/contact/certified_solve.h>
+#include <stiction/contact/dual_operator.h>
+#include <stiction/contact/judge.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction
+{
+  namespace
+  {
+    // The scales of zero contact forces are those of a body that falls through
+    // its foundation; they are taken afresh once the residual is this small.
+    constexpr double coarse_residual = 1e-2;
+
+    // What the method's residual has to reach, as a part of the tolerance: the
+    // judge measures in scales of the next iterate.
+    constexpr double safety = 0.5;
+
+    // Judgements without a new smallest residual before giving up.
+    constexpr unsigned int max_idle_judgements = 3;
+
+    // Other figures decide too: a complementarity of more than the KKT residual
+    // (where the pressure is above p0) asks for a smaller one.
+    double
+    share_of_kkt(const ContactConditions &conditions)
+    {
+      const auto &figures  = conditions.contact_figures();
+      const double largest = std::max({figures.kkt_residual,
+                                       figures.penetration,
+                                       figures.complementarity,
+                                       figures.cone_violation});
+      return largest > 0. ? std::max(figures.kkt_residual / largest, 0.01) : 1.;
+    }
+  } // namespace
+
+
+
+  ContactSolution
+  certified_solve(DualMethod &method,
+                  const DualOperator &Q,
+                  const qp::SlipBound &slip_bound,
+                  Judge &judge,
+                  const double tolerance,
+                  const unsigned int max_iterations,
+                  const std::function<void(const ContactStep &)> &observer)
+  {
+    ContactSolution solution;
+    solution.lambda = Eigen::VectorXd::Zero(3 * Q.n_nodes());
+    const ContactConditions *conditions = &judge.judge(solution.lambda);
+    DualIterate iterate{solution.lambda, conditions->gradient()};
+
+    ContactStep row;
+    row.residual = conditions->contact_figures().kkt_residual;
+
+    double target           = std::max(coarse_residual, 0.5 * tolerance);
+    double smallest         = row.residual;
+    unsigned int iterations = 0, idle = 0;
+    while (!conditions->converged(tolerance))
+      {
+        StoppingRule rule;
+        rule.residual           = target;
+        rule.change             = std::max(tolerance, target);
+        rule.max_iterations     = max_iterations - iterations;
+        DualMethodResult result = method.solve(
+          iterate,
+          slip_bound,
+          conditions->scaling(),
+          rule,
+          [&](const DualMethod::Step &step) {
+            row.contraction =
+              row.residual > 0. ? step.residual / row.residual : 0.;
+            ++row.step;
+            row.iterations += step.inner_iterations;
+            row.multiplications = Q.n_multiplications();
+            row.residual        = step.residual;
+            row.change          = step.change;
+            row.normal_force    = iterate.lambda.head(Q.n_nodes()).sum();
+            observer(row);
+          });
+        iterations += result.iterations;
+        solution.lambda  = iterate.lambda;
+        conditions       = &judge.judge(solution.lambda);
+        iterate.gradient = conditions->gradient();
+        if (conditions->converged(tolerance))
+          break;
+
+        const double residual = conditions->contact_figures().kkt_residual;
+        idle                  = residual < 0.9 * smallest ? 0 : idle + 1;
+        smallest              = std::min(smallest, residual);
+        const double goal = safety * tolerance * share_of_kkt(*conditions);
+        if (result.converged && target <= goal && !method.limitation().empty())
+          solution.reason = method.limitation();
+        else if (!result.reason.empty())
+          solution.reason = result.reason;
+        else if (iterations >= max_iterations)
+          solution.reason =
+            "the cap of " + std::to_string(max_iterations) +
+            " iterations was met, raise 'Contact solver/Maximum iterations'";
+        else if (result.stagnated || idle >= max_idle_judgements ||
+                 !std::isfinite(residual))
+          solution.reason =
+            "rounding or the accuracy of the linear solver prevents a smaller "
+            "one, raise 'Contact solver/Tolerance'";
+        if (!solution.reason.empty())
+          return solution;
+
+        const double goal = safety * tolerance * share_of_kkt(*conditions);
+        target            = target > goal ? goal : 0.3 * target;
+      }
+    solution.converged = true;
+    return solution;
+  }
+} // namespace stiction

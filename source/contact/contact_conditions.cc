@@ -1,0 +1,162 @@
+#include <stiction/contact/contact_conditions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    // std::max that keeps a NaN
+    void
+    raise(double &largest, const double value)
+    {
+      if (!(value <= largest))
+        largest = std::isnan(largest) ? largest : value;
+    }
+  } // namespace
+
+
+
+  ContactConditions::ContactConditions(Eigen::VectorXd lambda,
+                                       Eigen::VectorXd slip_bound)
+    : lambda_(std::move(lambda))
+    , slip_bound_(std::move(slip_bound))
+  {
+  }
+
+
+
+  ContactConditions::ContactConditions(Eigen::VectorXd lambda,
+                                       Eigen::VectorXd gradient,
+                                       Eigen::VectorXd slip_bound,
+                                       qp::Scaling scaling)
+    : lambda_(std::move(lambda))
+    , slip_bound_(std::move(slip_bound))
+    , gradient_(std::move(gradient))
+    , scaling_(std::move(scaling))
+  {
+    compute_contact_figures();
+  }
+
+
+
+  Eigen::Vector3d
+  ContactConditions::trial(const Eigen::Index node) const
+  {
+    Eigen::Vector3d a;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const Eigen::Index k = node + c * slip_bound_.size();
+        a(c)                 = lambda_(k) / scaling_.force(node) -
+               gradient_(k) / scaling_.displacement;
+      }
+    return a;
+  }
+
+
+
+  double
+  ContactConditions::relative_slip_bound(const Eigen::Index node) const
+  {
+    return slip_bound_(node) / scaling_.force(node);
+  }
+
+
+
+  void
+  ContactConditions::compute_contact_figures()
+  {
+    const Eigen::Index m = slip_bound_.size();
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const double force = scaling_.force(i);
+        const double u0    = scaling_.displacement;
+        const double gap   = gradient_(i);
+        const Eigen::Vector2d lambda_t(lambda_(i + m), lambda_(i + 2 * m));
+        const Eigen::Vector2d slip(-gradient_(i + m), -gradient_(i + 2 * m));
+
+        raise(contact_figures_.penetration, -gap / u0);
+        raise(contact_figures_.complementarity,
+              std::abs(lambda_(i) * gap) / (force * u0));
+        raise(contact_figures_.cone_violation, -lambda_(i) / force);
+        raise(contact_figures_.cone_violation,
+              (lambda_t.norm() - slip_bound_(i)) / force);
+        if (slip.norm() > 1e-6 * u0 && lambda_t.norm() > 1e-6 * force)
+          raise(
+            contact_figures_.slip_angle,
+            std::atan2(std::abs(lambda_t(0) * slip(1) - lambda_t(1) * slip(0)),
+                       lambda_t.dot(slip)) *
+              180. / M_PI);
+      }
+    contact_figures_.kkt_residual =
+      qp::HalfLinesTimesDiscs(slip_bound_)
+        .natural_residual(lambda_, gradient_, scaling_);
+  }
+
+
+
+  std::vector<std::pair<std::string, double>>
+  ContactConditions::deciding_figures() const
+  {
+    return {{"kkt_residual", contact_figures_.kkt_residual},
+            {"penetration", contact_figures_.penetration},
+            {"complementarity", contact_figures_.complementarity},
+            {"cone_violation", contact_figures_.cone_violation}};
+  }
+
+
+
+  bool
+  ContactConditions::converged(const double tolerance) const
+  {
+    const auto figures = deciding_figures();
+    return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
+      return figure.second <= tolerance;
+    });
+  }
+
+
+
+  std::string
+  ContactConditions::worst() const
+  {
+    std::pair<std::string, double> worst{"", -1.};
+    for (const auto &figure : deciding_figures())
+      if (!(figure.second <= worst.second))
+        worst = figure;
+    std::ostringstream out;
+    out.precision(3);
+    out << worst.first << " is " << worst.second;
+    return out.str();
+  }
+
+
+
+  NodeStatus
+  ContactConditions::status(const Eigen::Index node) const
+  {
+    const Eigen::Vector3d a = trial(node);
+    const double gamma      = relative_slip_bound(node);
+    if (a(0) <= 0.)
+      return NodeStatus::open;
+    if (gamma == 0. || a.tail<2>().norm() > gamma)
+      return NodeStatus::slip;
+    return NodeStatus::stick;
+  }
+
+
+
+  bool
+  ContactConditions::is_undecided(const Eigen::Index node,
+                                  const double tolerance) const
+  {
+    const Eigen::Vector3d a = trial(node);
+    const double gamma      = relative_slip_bound(node);
+    return std::abs(a(0)) <= tolerance ||
+           (a(0) > 0. && gamma > 0. &&
+            std::abs(a.tail<2>().norm() - gamma) <= tolerance);
+  }
+} // namespace stiction

@@ -1,0 +1,29 @@
+#include <stiction/contact/dual_iterate.h>
+#include <stiction/contact/dual_operator.h>
+#include <stiction/qp/feasible_set.h>
+
+namespace stiction
+{
+  void
+  make_feasible(DualIterate &iterate,
+                const Eigen::VectorXd &slip_bound,
+                const DualOperator &Q)
+  {
+    const Eigen::Index m      = Q.n_nodes();
+    Eigen::VectorXd projected = iterate.lambda;
+    qp::HalfLinesTimesDiscs(slip_bound).project(projected);
+    const Eigen::VectorXd d = projected - iterate.lambda;
+
+    Eigen::VectorXd Qd;
+    for (const DualBlock block : {DualBlock::normal, DualBlock::tangential})
+      {
+        const Eigen::VectorXd part =
+          block == DualBlock::normal ? d.head(m) : d.tail(2 * m);
+        if (part.isZero(0.))
+          continue;
+        Q.vmult(DualBlock::all, block, Qd, part);
+        iterate.gradient += Qd;
+      }
+    iterate.lambda = projected;
+  }
+} // namespace stiction

@@ -1,0 +1,61 @@
+#include <stiction/contact/admm.h>
+#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/contact/dual_method_factory.h>
+#include <stiction/contact/gauss_seidel.h>
+#include <stiction/contact/monolithic.h>
+#include <stiction/contact/newton.h>
+#include <stiction/contact/squares.h>
+#include <stiction/parameters.h>
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    qp::DiscActiveSet::Variant
+    variant(const std::string &disc_solver)
+    {
+      using Variant = qp::DiscActiveSet::Variant;
+      static const std::map<std::string, Variant> variants = {
+        {"as printed", Variant::as_printed},
+        {"with expansion", Variant::with_expansion},
+        {"with proportioning", Variant::with_proportioning},
+        {"with projected release", Variant::with_projected_release},
+        {"robust", Variant::robust},
+        {"spectral", Variant::spectral}};
+      return variants.at(disc_solver);
+    }
+
+    std::unique_ptr<DualMethod>
+    create(const ContactSolverParameters &parameters, const DualOperator &Q)
+    {
+      if (parameters.method == "squares")
+        return std::make_unique<Squares>(Q, parameters.squares);
+      if (parameters.method == "mpgp")
+        return std::make_unique<Monolithic>(Q);
+      if (parameters.method == "newton")
+        return std::make_unique<Newton>(Q);
+      if (parameters.method == "admm")
+        return std::make_unique<Admm>(Q);
+      return std::make_unique<GaussSeidel>(Q, variant(parameters.disc_solver));
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<DualMethod>
+  create_dual_method(const ContactSolverParameters &parameters,
+                     const DualOperator &Q,
+                     const bool coulomb)
+  {
+    auto method = create(parameters, Q);
+    if (coulomb && (!method->solves_coulomb() ||
+                    parameters.coulomb_iteration == "fixed point"))
+      return std::make_unique<CoulombFixedPoint>(
+        std::move(method), parameters.accelerate_fixed_point);
+    return method;
+  }
+} // namespace stiction

@@ -1,0 +1,130 @@
+#include <stiction/contact/dual_operator.h>
+
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    unsigned long
+    thirds(const DualBlock block)
+    {
+      switch (block)
+        {
+          case DualBlock::normal:
+            return 1;
+          case DualBlock::tangential:
+            return 2;
+          default:
+            return 3;
+        }
+    }
+  } // namespace
+
+
+
+  DualOperator::DualOperator(const Eigen::Index n_nodes)
+    : n_nodes_(n_nodes)
+  {
+  }
+
+
+
+  void
+  DualOperator::set_right_hand_side(Eigen::VectorXd h)
+  {
+    h_ = std::move(h);
+  }
+
+
+
+  void
+  DualOperator::vmult(const DualBlock rows,
+                      const DualBlock columns,
+                      Eigen::VectorXd &dst,
+                      const Eigen::VectorXd &src) const
+  {
+    n_ninths_ += thirds(rows) * thirds(columns);
+    apply(rows, columns, dst, src);
+  }
+
+
+
+  Eigen::Index
+  DualOperator::begin(const DualBlock block) const
+  {
+    return block == DualBlock::tangential ? n_nodes_ : 0;
+  }
+
+
+
+  Eigen::Index
+  DualOperator::length(const DualBlock block) const
+  {
+    return static_cast<Eigen::Index>(thirds(block)) * n_nodes_;
+  }
+
+
+
+  // ---------------------------------------------------- DenseDualOperator
+
+  DenseDualOperator::DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h)
+    : DualOperator(Q.rows() / 3)
+    , Q_(std::move(Q))
+  {
+    eigen_assert(Q_.rows() == Q_.cols() && Q_.rows() == h.size());
+    set_right_hand_side(std::move(h));
+  }
+
+
+
+  Eigen::VectorXd
+  DenseDualOperator::nodal_compliance() const
+  {
+    const Eigen::Index m = n_nodes();
+    return (Q_.diagonal().head(m) + Q_.diagonal().segment(m, m) +
+            Q_.diagonal().tail(m)) /
+           3.;
+  }
+
+
+
+  void
+  DenseDualOperator::apply(const DualBlock rows,
+                           const DualBlock columns,
+                           Eigen::VectorXd &dst,
+                           const Eigen::VectorXd &src) const
+  {
+    dst.noalias() =
+      Q_.block(begin(rows), begin(columns), length(rows), length(columns)) *
+      src;
+  }
+
+
+
+  // ---------------------------------------------------- DualOperatorBlock
+
+  DualOperatorBlock::DualOperatorBlock(const DualOperator &Q,
+                                       const DualBlock block)
+    : Q_(Q)
+    , block_(block)
+  {
+  }
+
+
+
+  Eigen::Index
+  DualOperatorBlock::size() const
+  {
+    return static_cast<Eigen::Index>(thirds(block_)) * Q_.n_nodes();
+  }
+
+
+
+  void
+  DualOperatorBlock::apply(Eigen::VectorXd &dst,
+                           const Eigen::VectorXd &src) const
+  {
+    Q_.vmult(block_, block_, dst, src);
+  }
+} // namespace stiction

@@ -1,0 +1,85 @@
+#include <stiction/contact/certificate.h>
+#include <stiction/contact/contact_surface.h>
+#include <stiction/contact/dual_operator.h>
+#include <stiction/contact/judge.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/stiffness_solver.h>
+
+#include <deal.II/lac/trilinos_vector.h>
+
+namespace stiction
+{
+  BodyJudge::BodyJudge(const LinearElasticity &elasticity,
+                       const ContactSurface &surface,
+                       StiffnessSolver &solver)
+    : elasticity_(elasticity)
+    , surface_(surface)
+    , solver_(solver)
+  {
+  }
+
+
+
+  BodyJudge::~BodyJudge() = default;
+
+
+
+  const ContactConditions &
+  BodyJudge::judge(const Eigen::VectorXd &lambda)
+  {
+    LA::Vector force = elasticity_.constrained_load();
+    surface_.add_transpose_B(-1., lambda, force);
+    u_ = std::make_unique<LA::Vector>(elasticity_.zero_vector());
+    solver_.solve(*u_, force);
+    certificate_ =
+      std::make_unique<Certificate>(elasticity_, surface_, *u_, lambda);
+    return *certificate_;
+  }
+
+
+
+  DualProblemJudge::DualProblemJudge(const DualOperator &Q,
+                                     const qp::SlipBound &slip_bound,
+                                     const Eigen::VectorXd &areas)
+    : Q_(Q)
+    , slip_bound_(slip_bound)
+    , share_(areas.size() > 0 ? Eigen::VectorXd(areas / areas.sum())
+                              : Eigen::VectorXd::Constant(
+                                  Q.n_nodes(),
+                                  1. / static_cast<double>(Q.n_nodes())))
+  {
+  }
+
+
+
+  const ContactConditions &
+  DualProblemJudge::judge(const Eigen::VectorXd &lambda)
+  {
+    const Eigen::Index m = Q_.n_nodes();
+    Eigen::VectorXd Q_lambda;
+    Q_.vmult(DualBlock::all, DualBlock::all, Q_lambda, lambda);
+
+    const auto sum_of_norms = [&](const Eigen::VectorXd &v) {
+      double sum = 0.;
+      for (Eigen::Index i = 0; i < m; ++i)
+        sum += Eigen::Vector3d(v(i), v(i + m), v(i + 2 * m)).norm();
+      return sum;
+    };
+    double force = sum_of_norms(lambda);
+    double work  = lambda.dot(Q_lambda);
+    if (force == 0.) // what it takes to undo h, node by node
+      {
+        const Eigen::VectorXd undo = Q_.right_hand_side().cwiseQuotient(
+          Q_.nodal_compliance().replicate(3, 1));
+        force = sum_of_norms(undo);
+        work  = undo.dot(Q_.right_hand_side());
+      }
+    qp::Scaling scaling;
+    scaling.force        = share_ * (force > 0. ? force : 1.);
+    scaling.displacement = force > 0. && work > 0. ? work / force : 1.;
+
+    conditions_ = std::make_unique<ContactConditions>(
+      lambda, Q_lambda - Q_.right_hand_side(), slip_bound_.at(lambda), scaling);
+    return *conditions_;
+  }
+} // namespace stiction

@@ -1,0 +1,50 @@
+#include <stiction/contact/monolithic.h>
+#include <stiction/contact/active_set_run.h>
+#include <stiction/qp/proportioning.h>
+#include <stiction/qp/spectral_norm.h>
+
+namespace stiction
+{
+  Monolithic::Monolithic(const DualOperator &Q)
+    : Q_(Q)
+    , block_(Q, DualBlock::all)
+    , nodal_scaling_(Q.nodal_compliance().cwiseSqrt().cwiseInverse())
+    , scaled_block_(block_, nodal_scaling_)
+    , norm_(qp::spectral_norm(scaled_block_))
+  {
+  }
+
+
+
+  DualMethodResult
+  Monolithic::solve(DualIterate &iterate,
+                    const qp::SlipBound &slip_bound,
+                    const qp::Scaling &scaling,
+                    const StoppingRule &rule,
+                    const Observer &observer)
+  {
+    const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
+    make_feasible(iterate, bound, Q_);
+
+    const qp::HalfLinesTimesDiscs set(nodal_scaling_.divide(bound));
+    qp::ProportioningOptions options;
+    options.gamma            = 3.;
+    options.spectral_release = true;
+    qp::Proportioning solver(scaled_block_, set, norm_, options);
+
+    Eigen::VectorXd x        = nodal_scaling_.divide(iterate.lambda);
+    Eigen::VectorXd gradient = nodal_scaling_.times(iterate.gradient);
+    const DualMethodResult result =
+      run_active_set_method(solver,
+                            x,
+                            gradient,
+                            nodal_scaling_.scaled(scaling),
+                            rule,
+                            products_in_an_iteration,
+                            statistics_,
+                            observer);
+    iterate.lambda   = nodal_scaling_.times(x);
+    iterate.gradient = nodal_scaling_.divide(gradient);
+    return result;
+  }
+} // namespace stiction

@@ -1,0 +1,69 @@
+#include <stiction/contact/active_set_run.h>
+#include <stiction/contact/monolithic.h>
+#include <stiction/contact/squares.h>
+#include <stiction/qp/half_lines_times_boxes.h>
+#include <stiction/qp/proportioning.h>
+#include <stiction/qp/rotated_squares.h>
+#include <stiction/qp/spectral_norm.h>
+#include <stiction/qp/squares_operator.h>
+
+namespace stiction
+{
+  Squares::Squares(const DualOperator &Q, const unsigned int r)
+    : Q_(Q)
+    , block_(Q, DualBlock::all)
+    , r_(r)
+  {
+  }
+
+
+
+  DualMethodResult
+  Squares::solve(DualIterate &iterate,
+                 const qp::SlipBound &slip_bound,
+                 const qp::Scaling &scaling,
+                 const StoppingRule &rule,
+                 const Observer &observer)
+  {
+    const qp::RotatedSquares squares(r_, slip_bound.at(iterate.lambda));
+    const qp::SquaresOperator A(block_, squares);
+    const qp::HalfLinesTimesBoxes boxes(squares.half_widths(), 2 * r_);
+    qp::Proportioning solver(A, boxes, qp::spectral_norm(A));
+
+    const auto move_to = [&](const Eigen::VectorXd &lambda) {
+      const Eigen::VectorXd d = lambda - iterate.lambda;
+      if (d.isZero(0.))
+        return;
+      Eigen::VectorXd Qd;
+      Q_.vmult(DualBlock::all, DualBlock::all, Qd, d);
+      iterate.lambda = lambda;
+      iterate.gradient += Qd;
+    };
+
+    Eigen::VectorXd x = squares.lift(iterate.lambda);
+    move_to(squares.to_forces(x));
+    Eigen::VectorXd gradient = squares.pull_back(iterate.gradient);
+    const DualMethodResult result =
+      run_active_set_method(solver,
+                            x,
+                            gradient,
+                            scaling,
+                            rule,
+                            Monolithic::products_in_an_iteration,
+                            statistics_,
+                            observer);
+    move_to(squares.to_forces(x));
+    return result;
+  }
+
+
+
+  std::string
+  Squares::limitation() const
+  {
+    return "the method squares solved its own problem, with polygons of " +
+           std::to_string(4 * r_) +
+           " sides in place of the discs, choose another 'Contact "
+           "solver/Method' for the exact one";
+  }
+} // namespace stiction
