@@ -120,7 +120,7 @@ namespace stiction::qp
       return;
     if (variant_ >= Variant::with_projected_release)
       {
-        projected_step(fixed_step_, gradient_);
+        fixed_projected_step(gradient_);
         return;
       }
 
@@ -153,6 +153,6 @@ namespace stiction::qp
     if (variant_ == Variant::as_printed)
       return;
     split();
-    projected_step(fixed_step_, free_);
+    fixed_projected_step(free_);
   }
 } // namespace stiction::qp

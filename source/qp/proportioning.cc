@@ -32,7 +32,7 @@ namespace stiction::qp
       {
         // A curved boundary: a straight step would lift sliding nodes off it,
         // and the tightest of them would hold up all others.
-        projected_step(fixed_step_, gradient_);
+        fixed_projected_step(gradient_);
         return;
       }
     const Eigen::VectorXd d = -chopped_;
