@@ -173,8 +173,15 @@ namespace stiction::qp
   void
   ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)
   {
-    if (guarded_projected_step(alpha_cg, p_))
-      return;
+    if (!guarded_projected_step(alpha_cg, p_))
+      standard_expansion(alpha_feasible);
+  }
+
+
+
+  void
+  ActiveSetMethod::standard_expansion(const double alpha_feasible)
+  {
     go_to_boundary(alpha_feasible);
     split();
     fixed_projected_step(free_);

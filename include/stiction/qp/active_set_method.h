@@ -79,12 +79,15 @@ namespace stiction::qp
     release() = 0;
 
     /// Changes x_ and gradient_ when the conjugate gradient step −α_cg p
-    /// leaves the set at −α_feasible p. Standard: the projected step
-    /// P(x − α_cg p) if it lowers the energy, otherwise the step to the
-    /// boundary followed by a projected gradient step of fixed length, which
-    /// always does.
+    /// leaves the set at −α_feasible p. Unless overridden: the projected step
+    /// P(x − α_cg p) if it lowers the energy, otherwise standard_expansion().
     virtual void
     expand(double alpha_cg, double alpha_feasible);
+
+    /// The step to the boundary followed by a projected gradient step of fixed
+    /// length, which always lowers the energy; one product.
+    void
+    standard_expansion(double alpha_feasible);
 
     /// Goes to the boundary: x − α_feasible p; needs no product.
     void
