@@ -7,8 +7,12 @@
 
 #include <stiction/qp/disc_active_set.h>
 #include <stiction/qp/feasible_set.h>
+#include <stiction/qp/half_lines_times_boxes.h>
+#include <stiction/qp/nodal_scaling.h>
 #include <stiction/qp/proportioning.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/rotated_squares.h>
+#include <stiction/qp/scaled_operator.h>
+#include <stiction/qp/squares_operator.h>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -68,13 +72,14 @@ namespace
 
   Make
   proportioning(
-    const std::function<std::unique_ptr<FeasibleSet>(const VectorXd &)> &make)
+    const std::function<std::unique_ptr<FeasibleSet>(const VectorXd &)> &make,
+    const ProportioningOptions &options = {})
   {
-    return [make](const SymmetricOperator &A,
-                  const VectorXd &radii,
-                  const double norm) {
+    return [make, options](const SymmetricOperator &A,
+                           const VectorXd &radii,
+                           const double norm) {
       auto set    = make(radii);
-      auto solver = std::make_unique<Proportioning>(A, *set, norm);
+      auto solver = std::make_unique<Proportioning>(A, *set, norm, options);
       return Method{std::move(set), std::move(solver)};
     };
   }
@@ -93,6 +98,11 @@ namespace
     const auto product = [](const VectorXd &radii) {
       return std::make_unique<HalfLinesTimesDiscs>(radii);
     };
+    const auto boxes = [](const VectorXd &half_widths) {
+      return std::make_unique<HalfLinesTimesBoxes>(half_widths, 4);
+    };
+    const ProportioningOptions literature{1., false, false};
+    const ProportioningOptions improved{3., true, true};
     using Variant = DiscActiveSet::Variant;
     return {
       {"as_printed", 2, disc_active_set(Variant::as_printed)},
@@ -105,7 +115,18 @@ namespace
       {"spectral", 2, disc_active_set(Variant::spectral)},
       {"half-lines", 1, proportioning(half_lines)},
       {"discs", 2, proportioning(discs)},
-      {"half-lines times discs", 3, proportioning(product)}};
+      {"half-lines times discs", 3, proportioning(product)},
+      {"half-lines times boxes", 5, proportioning(boxes)},
+      {"half-lines, literature", 1, proportioning(half_lines, literature)},
+      {"half-lines times discs, literature",
+       3,
+       proportioning(product, literature)},
+      {"half-lines times boxes, literature",
+       5,
+       proportioning(boxes, literature)},
+      {"half-lines, improved", 1, proportioning(half_lines, improved)},
+      {"half-lines times discs, improved", 3, proportioning(product, improved)},
+      {"half-lines times boxes, improved", 5, proportioning(boxes, improved)}};
   }
 
 
@@ -141,6 +162,56 @@ namespace
               not_finite += !(x.allFinite() && r.allFinite());
             }
     std::cout << candidate.name << ": " << products << " products, "
+              << not_finite << " results with a NaN" << std::endl;
+    return not_finite == 0 && products > 1000;
+  }
+
+
+
+  // The Hessians of the other formulations: scaled, and that of the squares,
+  // which is singular.
+  bool
+  run_other_formulations()
+  {
+    Random random(32);
+    unsigned int not_finite = 0, products = 0;
+    for (unsigned int sample = 0; sample < 60; ++sample)
+      for (const double condition : {3., 1e4})
+        for (const double tolerance : {1e-8, 0.})
+          for (const ProportioningOptions &options :
+               {ProportioningOptions{1., false, false},
+                ProportioningOptions{3., true, true}})
+            {
+              const Index m         = 1 + sample % 5;
+              const MatrixXd matrix = random.spd(3 * m, condition);
+              const VectorXd b      = random.vector(3 * m, -1., 2.);
+              const VectorXd radii  = random.vector(m, 0.01, 3.);
+              const Scaling scaling{VectorXd::Ones(m), 1.};
+              const DenseOperator Q(matrix);
+
+              const NodalScaling nodal =
+                NodalScaling::from_diagonal(matrix.diagonal(), m);
+              const ScaledOperator DQD(Q, nodal);
+              const HalfLinesTimesDiscs discs(nodal.divide(radii));
+              VectorXd x = VectorXd::Zero(3 * m), r = nodal.times(-b);
+              // the trace bounds the largest eigenvalue
+              Proportioning(DQD, discs, 3. * static_cast<double>(m), options)
+                .solve(x, r, nodal.scaled(scaling), tolerance, 300);
+              not_finite += !(x.allFinite() && r.allFinite());
+
+              const unsigned int n_squares = 1 + sample % 4;
+              const RotatedSquares squares(n_squares, radii);
+              const SquaresOperator CQC(Q, squares);
+              const HalfLinesTimesBoxes boxes(squares.half_widths(),
+                                              2 * n_squares);
+              x = VectorXd::Zero(squares.n_unknowns());
+              r = squares.pull_back(-b);
+              Proportioning(CQC, boxes, n_squares, options)
+                .solve(x, r, scaling, tolerance, 300);
+              not_finite += !(x.allFinite() && r.allFinite());
+              products += static_cast<unsigned int>(Q.n_multiplications());
+            }
+    std::cout << "scaled, and rotated squares: " << products << " products, "
               << not_finite << " results with a NaN" << std::endl;
     return not_finite == 0 && products > 1000;
   }
@@ -200,6 +271,8 @@ main()
   bool good = true;
   for (const Candidate &candidate : candidates())
     good = run(candidate) && good;
+
+  good = run_other_formulations() && good;
 
   const bool aborts = overshooting_aborts();
   print("A method that raises the energy is stopped", aborts);
