@@ -2,11 +2,72 @@
 #include <stiction/qp/feasible_set.h>
 #include <stiction/qp/symmetric_operator.h>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace stiction::qp
 {
+  namespace
+  {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+
+
+    // Asserts that a step does not raise the energy. Empty without assertions.
+#ifdef NDEBUG
+    class EnergyWatch
+    {
+    public:
+      void
+      before_step(const Eigen::VectorXd &, const Eigen::VectorXd &)
+      {
+      }
+
+      void
+      after_step(const Eigen::VectorXd &, const Eigen::VectorXd &, double) const
+      {
+      }
+    };
+#else
+    class EnergyWatch
+    {
+    public:
+      void
+      before_step(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient)
+      {
+        x_        = x;
+        gradient_ = gradient;
+      }
+
+      // A quadratic function changes by ½ dᵀ(r_old + r_new) along d. A NaN
+      // passes: solve() ends with it, in its residual.
+      void
+      after_step(const Eigen::VectorXd &x,
+                 const Eigen::VectorXd &gradient,
+                 const double norm) const
+      {
+        const Eigen::VectorXd d = x - x_;
+        const double change     = 0.5 * d.dot(gradient_ + gradient);
+        // the rounding of x, of the sum above and of the product with A
+        const double rounding =
+          16. * epsilon *
+          ((x_.cwiseAbs() + x.cwiseAbs())
+             .dot(gradient_.cwiseAbs() + gradient.cwiseAbs()) +
+           static_cast<double>(x.size()) * norm * d.squaredNorm());
+        assert(!(change > rounding) && "a step raised the dual energy");
+        (void)change;
+        (void)rounding;
+      }
+
+    private:
+      Eigen::VectorXd x_, gradient_;
+    };
+#endif
+  } // namespace
+
+
+
   ActiveSetMethod::ActiveSetMethod(const SymmetricOperator &A,
                                    const FeasibleSet &set,
                                    const double norm)
@@ -39,6 +100,7 @@ namespace stiction::qp
     // A step that changed nothing is followed by a release; if that changes
     // nothing either, rounding is all that is left.
     bool idle = false;
+    EnergyWatch energy;
     while (true)
       {
         statistics.multiplications = static_cast<unsigned int>(
@@ -50,9 +112,11 @@ namespace stiction::qp
           break;
 
         const Eigen::VectorXd before = x_;
+        energy.before_step(x_, gradient_);
         if (idle || must_release(scaling, tolerance))
           {
             release();
+            energy.after_step(x_, gradient_, 1.9 / fixed_step_);
             split();
             p_ = free_;
             ++statistics.release_steps;
@@ -63,15 +127,23 @@ namespace stiction::qp
           }
 
         A_.vmult(Ap_, p_);
-        const double curvature = p_.dot(Ap_);
-        if (!(curvature > 0.)) // nothing is free
-          {
-            idle = true;
-            continue;
-          }
-        const double alpha_cg       = gradient_.dot(p_) / curvature;
+        const double curvature      = p_.dot(Ap_);
+        const double slope          = gradient_.dot(p_);
         const double alpha_feasible = set_.largest_feasible_step(x_, -p_);
-        if (alpha_cg <= alpha_feasible)
+        const double alpha_cg       = slope / curvature;
+        if (!(curvature > 0.))
+          {
+            // Nothing is free, or A is singular and the energy falls along −p
+            // up to the boundary.
+            if (slope > 0. && std::isfinite(alpha_feasible))
+              {
+                go_to_boundary(alpha_feasible);
+                split();
+                p_ = free_;
+                ++statistics.expansion_steps;
+              }
+          }
+        else if (alpha_cg <= alpha_feasible)
           {
             x_ -= alpha_cg * p_;
             gradient_ -= alpha_cg * Ap_;
@@ -87,6 +159,7 @@ namespace stiction::qp
             p_ = free_;
             ++statistics.expansion_steps;
           }
+        energy.after_step(x_, gradient_, 1.9 / fixed_step_);
         idle = x_ == before;
       }
 
@@ -100,11 +173,18 @@ namespace stiction::qp
   void
   ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)
   {
-    if (guarded_projected_step(alpha_cg, p_))
-      return;
+    if (!guarded_projected_step(alpha_cg, p_))
+      standard_expansion(alpha_feasible);
+  }
+
+
+
+  void
+  ActiveSetMethod::standard_expansion(const double alpha_feasible)
+  {
     go_to_boundary(alpha_feasible);
     split();
-    projected_step(fixed_step_, free_);
+    fixed_projected_step(free_);
   }
 
 
@@ -131,12 +211,21 @@ namespace stiction::qp
 
 
   void
-  ActiveSetMethod::projected_step(const double step,
-                                  const Eigen::VectorXd &direction)
+  ActiveSetMethod::fixed_projected_step(const Eigen::VectorXd &direction)
   {
-    const Eigen::VectorXd d = step_to_projection(step, direction);
-    Eigen::VectorXd Ad;
-    A_.vmult(Ad, d);
+    Eigen::VectorXd d, Ad;
+    while (true)
+      {
+        d = step_to_projection(fixed_step_, direction);
+        A_.vmult(Ad, d);
+        // The energy falls if the step is below 2/quotient. The norm was but
+        // an estimate, and the quotient is at most the true one.
+        const double square   = d.squaredNorm();
+        const double quotient = d.dot(Ad) / square;
+        if (!(square > 0. && fixed_step_ * quotient >= 2.))
+          break;
+        fixed_step_ = 1.9 / (1.1 * quotient);
+      }
     x_ += d;
     gradient_ += Ad;
   }
@@ -154,8 +243,8 @@ namespace stiction::qp
     A_.vmult(Ad, d);
     // Near the solution the change drowns in the rounding of dᵀr; a step that
     // raises the energy by no more than that is as good as one that lowers it.
-    const double rounding = 4. * std::numeric_limits<double>::epsilon() *
-                            x_.cwiseAbs().dot(gradient_.cwiseAbs());
+    const double rounding =
+      4. * epsilon * x_.cwiseAbs().dot(gradient_.cwiseAbs());
     if (!(d.dot(gradient_) + 0.5 * d.dot(Ad) <= rounding))
       return false;
     x_ += d;

@@ -60,9 +60,7 @@ namespace stiction::qp
   void
   DiscActiveSet::start()
   {
-    last_x_.resize(0);
-    last_gradient_.resize(0);
-    short_steps_.clear();
+    spectral_step_.reset();
   }
 
 
@@ -79,48 +77,16 @@ namespace stiction::qp
 
 
 
-  double
-  DiscActiveSet::spectral_step()
-  {
-    // a short step this much shorter than the long one is worth taking
-    constexpr double much_shorter = 0.5;
-    constexpr std::size_t memory  = 3;
-
-    double step = fixed_step_;
-    if (last_x_.size() == x_.size())
-      {
-        const Eigen::VectorXd dx = x_ - last_x_;
-        const Eigen::VectorXd dr = gradient_ - last_gradient_;
-        const double curvature   = dx.dot(dr);
-        if (curvature > 0.)
-          {
-            const double long_step  = dx.squaredNorm() / curvature;
-            const double short_step = curvature / dr.squaredNorm();
-            short_steps_.push_back(short_step);
-            if (short_steps_.size() > memory)
-              short_steps_.pop_front();
-            step =
-              short_step < much_shorter * long_step
-                ? *std::min_element(short_steps_.begin(), short_steps_.end())
-                : long_step;
-          }
-      }
-    last_x_        = x_;
-    last_gradient_ = gradient_;
-    return std::max(step, fixed_step_);
-  }
-
-
-
   void
   DiscActiveSet::release()
   {
     if (variant_ == Variant::spectral &&
-        guarded_projected_step(spectral_step(), gradient_))
+        guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
+                               gradient_))
       return;
     if (variant_ >= Variant::with_projected_release)
       {
-        projected_step(fixed_step_, gradient_);
+        fixed_projected_step(gradient_);
         return;
       }
 
@@ -149,10 +115,9 @@ namespace stiction::qp
         ActiveSetMethod::expand(alpha_cg, alpha_feasible);
         return;
       }
-    go_to_boundary(alpha_feasible);
     if (variant_ == Variant::as_printed)
-      return;
-    split();
-    projected_step(fixed_step_, free_);
+      go_to_boundary(alpha_feasible);
+    else
+      standard_expansion(alpha_feasible);
   }
 } // namespace stiction::qp

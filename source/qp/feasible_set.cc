@@ -33,12 +33,18 @@ namespace stiction::qp
                                 const Scaling &scaling) const
   {
     eigen_assert(scaling.force.size() == n_nodes_);
+    eigen_assert(scaling.weight.size() == 0 ||
+                 scaling.weight.size() == n_nodes_);
 
+    const Eigen::VectorXd force_per_weight =
+      scaling.weight.size() == 0 ? scaling.force
+                                 : scaling.force.cwiseQuotient(scaling.weight);
     Eigen::VectorXd y(size());
     for (unsigned int c = 0; c < n_components_; ++c)
       y.segment(c * n_nodes_, n_nodes_) =
         x.segment(c * n_nodes_, n_nodes_) -
-        scaling.force.cwiseProduct(gradient.segment(c * n_nodes_, n_nodes_)) /
+        force_per_weight.cwiseProduct(
+          gradient.segment(c * n_nodes_, n_nodes_)) /
           scaling.displacement;
     project(y);
 

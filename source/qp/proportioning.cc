@@ -9,10 +9,18 @@ namespace stiction::qp
   Proportioning::Proportioning(const SymmetricOperator &A,
                                const FeasibleSet &set,
                                const double norm,
-                               const double gamma)
+                               const ProportioningOptions &options)
     : ActiveSetMethod(A, set, norm)
-    , gamma_(gamma)
+    , options_(options)
   {
+  }
+
+
+
+  void
+  Proportioning::start()
+  {
+    spectral_step_.reset();
   }
 
 
@@ -20,7 +28,7 @@ namespace stiction::qp
   bool
   Proportioning::must_release(const Scaling &, const double) const
   {
-    return is_disproportionate(gamma_);
+    return is_disproportionate(options_.gamma);
   }
 
 
@@ -28,11 +36,15 @@ namespace stiction::qp
   void
   Proportioning::release()
   {
+    if (options_.spectral_release &&
+        guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
+                               gradient_))
+      return;
     if (set_.n_components() > 1)
       {
-        // A curved boundary: a straight step would lift sliding nodes off it,
-        // and the tightest of them would hold up all others.
-        projected_step(fixed_step_, gradient_);
+        // Bounded sets: a straight step would lift sliding nodes off their
+        // circle, and the tightest of them would hold up all others.
+        fixed_projected_step(gradient_);
         return;
       }
     const Eigen::VectorXd d = -chopped_;
@@ -46,5 +58,16 @@ namespace stiction::qp
     x_ += alpha * d;
     gradient_ += alpha * Ad;
     set_.project(x_); // removes rounding only
+  }
+
+
+
+  void
+  Proportioning::expand(const double alpha_cg, const double alpha_feasible)
+  {
+    if (options_.projected_cg_expansion)
+      ActiveSetMethod::expand(alpha_cg, alpha_feasible);
+    else
+      standard_expansion(alpha_feasible);
   }
 } // namespace stiction::qp

@@ -146,7 +146,7 @@ namespace
               VectorXd gradient = problem.A * x - problem.b;
               const DenseOperator A(problem.A);
               const ActiveSetStatistics statistics =
-                Proportioning(A, half_lines, problem.norm, gamma)
+                Proportioning(A, half_lines, problem.norm, {gamma})
                   .solve(x, gradient, {VectorXd::Ones(n), 1.}, 1e-13, 10000);
               not_converged += !statistics.converged;
               negative.add(-x.minCoeff());

@@ -33,12 +33,17 @@ namespace stiction::qp
   /// The frame is that of Dostál and Schöberl's MPRGP; what an expansion and
   /// a release are is left to the derived class. The iteration works with the
   /// gradient r = Ax − b only: the change of the energy along d is
-  /// dᵀr + ½ dᵀAd, so b itself is never needed.
+  /// dᵀr + ½ dᵀAd, so b itself is never needed. A may be singular if the set
+  /// is bounded where A is.
+  ///
+  /// No step raises the energy, up to rounding; with assertions switched on
+  /// every step is checked.
   class ActiveSetMethod
   {
   public:
     /// The operator and the set must outlive this object. norm is an upper
-    /// estimate of the largest eigenvalue of A, see spectral_norm().
+    /// estimate of the largest eigenvalue of A, see spectral_norm(). One that
+    /// is too small is noticed and corrected for good: it costs products.
     ActiveSetMethod(const SymmetricOperator &A,
                     const FeasibleSet &set,
                     double norm);
@@ -74,23 +79,28 @@ namespace stiction::qp
     release() = 0;
 
     /// Changes x_ and gradient_ when the conjugate gradient step −α_cg p
-    /// leaves the set at −α_feasible p. Standard: the projected step
-    /// P(x − α_cg p) if it lowers the energy, otherwise the step to the
-    /// boundary followed by a projected gradient step of fixed length, which
-    /// always does.
+    /// leaves the set at −α_feasible p. Unless overridden: the projected step
+    /// P(x − α_cg p) if it lowers the energy, otherwise standard_expansion().
     virtual void
     expand(double alpha_cg, double alpha_feasible);
+
+    /// The step to the boundary followed by a projected gradient step of fixed
+    /// length, which always lowers the energy; one product.
+    void
+    standard_expansion(double alpha_feasible);
 
     /// Goes to the boundary: x − α_feasible p; needs no product.
     void
     go_to_boundary(double alpha_feasible);
 
-    /// Moves by the projected step P(x − step·direction) − x; one product.
+    /// Moves by P(x − fixed_step_·direction) − x, direction being the gradient
+    /// or its free part; one product. If the step turns out to be longer than
+    /// 2/‖A‖, it is shortened and done again, one product each time.
     void
-    projected_step(double step, const Eigen::VectorXd &direction);
+    fixed_projected_step(const Eigen::VectorXd &direction);
 
-    /// As projected_step(), but only if the energy falls, up to rounding; one
-    /// product.
+    /// Moves by P(x − step·direction) − x, but only if the energy falls, up to
+    /// rounding; one product.
     bool
     guarded_projected_step(double step, const Eigen::VectorXd &direction);
 
@@ -105,7 +115,7 @@ namespace stiction::qp
 
     const SymmetricOperator &A_;
     const FeasibleSet &set_;
-    const double fixed_step_; ///< 1.9/norm: below 2/‖A‖
+    double fixed_step_; ///< 1.9/norm: below 2/‖A‖
 
     Eigen::VectorXd x_, gradient_;   ///< the iterate and Ax − b there
     Eigen::VectorXd free_, chopped_; ///< the two parts of the gradient

@@ -2,8 +2,7 @@
 #define stiction_qp_disc_active_set_h
 
 #include <stiction/qp/active_set_method.h>
-
-#include <deque>
+#include <stiction/qp/spectral_step.h>
 
 namespace stiction::qp
 {
@@ -88,18 +87,10 @@ namespace stiction::qp
     expand(double alpha_cg, double alpha_feasible) override;
 
   private:
-    /// The step length of Barzilai and Borwein that the last two release steps
-    /// suggest, chosen as in ABBmin (Frassoldati, Zanni and Zanghirati 2008):
-    /// the long one, or the shortest of the last short ones where the two
-    /// differ much. Never below the fixed step.
-    double
-    spectral_step();
-
     const Discs &discs_;
     const Variant variant_;
 
-    Eigen::VectorXd last_x_, last_gradient_; ///< at the last release
-    std::deque<double> short_steps_;
+    SpectralStep spectral_step_;
   };
 } // namespace stiction::qp
 

@@ -9,11 +9,13 @@ namespace stiction::qp
   ///
   /// At node i a multiplier is worth force(i) (N) and a gradient entry is
   /// worth displacement (m), so that figures of different nodes, units and
-  /// materials can be compared.
+  /// materials can be compared. Where variables were scaled (NodalScaling) a
+  /// gradient entry is worth weight(i)·displacement.
   struct Scaling
   {
-    Eigen::VectorXd force;    ///< length n_nodes, > 0
-    double displacement = 1.; ///< > 0
+    Eigen::VectorXd force;       ///< length n_nodes, > 0
+    double displacement    = 1.; ///< > 0
+    Eigen::VectorXd weight = {}; ///< length n_nodes, > 0, or empty: all are 1
   };
 
 
@@ -71,7 +73,8 @@ namespace stiction::qp
 
     /// The distance from optimality of the feasible x, without a unit:
     /// max over the nodes of ‖π − P(π − w)‖ with π = x_i/force_i and
-    /// w = gradient_i/displacement. Zero if and only if x is optimal.
+    /// w = gradient_i/(weight_i displacement). Zero if and only if x is
+    /// optimal.
     double
     natural_residual(const Eigen::VectorXd &x,
                      const Eigen::VectorXd &gradient,

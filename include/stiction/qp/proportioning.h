@@ -2,9 +2,31 @@
 #define stiction_qp_proportioning_h
 
 #include <stiction/qp/active_set_method.h>
+#include <stiction/qp/spectral_step.h>
 
 namespace stiction::qp
 {
+  /// What Proportioning does in its steps. The standard method of the
+  /// literature is {1, false, false}; with Γ = 3, both improvements and one
+  /// scale a node (NodalScaling) it takes about a quarter of its products.
+  struct ProportioningOptions
+  {
+    /// Γ > 0 weighs the free gradient against the chopped one: the larger it
+    /// is, the longer the free nodes are improved before a release.
+    double gamma = 1.;
+
+    /// Releases are first tried as P(x − α r) with a SpectralStep α, and kept
+    /// if the energy falls.
+    bool spectral_release = false;
+
+    /// Expansions are first tried as P(x − α_cg p), and kept if the energy
+    /// falls; otherwise, and with false always, ActiveSetMethod's
+    /// standard_expansion().
+    bool projected_cg_expansion = true;
+  };
+
+
+
   /// Conjugate gradients with proportioning and gradient projections for any
   /// feasible set: the paper's reference [1] for its first quadratic program
   /// (on half-lines), with the rules of MPRGP (Dostál and Schöberl 2005).
@@ -16,22 +38,28 @@ namespace stiction::qp
   class Proportioning : public ActiveSetMethod
   {
   public:
-    /// As ActiveSetMethod; gamma > 0 weighs the free gradient against the
-    /// chopped one.
+    /// As ActiveSetMethod.
     Proportioning(const SymmetricOperator &A,
                   const FeasibleSet &set,
                   double norm,
-                  double gamma = 1.);
+                  const ProportioningOptions &options = {});
 
   protected:
+    void
+    start() override;
+
     bool
     must_release(const Scaling &scaling, double tolerance) const override;
 
     void
     release() override;
 
+    void
+    expand(double alpha_cg, double alpha_feasible) override;
+
   private:
-    const double gamma_;
+    const ProportioningOptions options_;
+    SpectralStep spectral_step_;
   };
 } // namespace stiction::qp
 
