@@ -255,10 +255,11 @@ namespace stiction
       static hid_t
       create(const std::size_t expected_size)
       {
-        constexpr std::size_t everything_small = 1 << 16;
+        // room is made by so many bytes at a time: few times, little too much
+        const std::size_t step =
+          std::max<std::size_t>(expected_size / 8, 1 << 20);
         const Handle access(checked(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
-        checked(
-          H5Pset_fapl_core(access, expected_size + everything_small, false));
+        checked(H5Pset_fapl_core(access, step, false));
         return checked(
           H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access));
       }
