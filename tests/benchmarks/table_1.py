@@ -203,8 +203,8 @@ class Benchmark:
             if self.is_hopeless(case):
                 print(f"{head}  skipped, a smaller k was over the limit")
                 continue
-            print(f"{head}  ", end="", flush=True)
             self.program.check_unchanged()
+            print(f"{head}  ", end="", flush=True)
             row = runs.run_case(
                 self.program,
                 ROOT,

@@ -180,7 +180,9 @@ def run_case(program, root, case, tolerance, threads, limit, scratch):
     """
     settings = case.settings(tolerance)
     os.makedirs(scratch, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix="running-", dir=scratch) as folder:
+    with tempfile.TemporaryDirectory(
+        prefix="running-", dir=scratch
+    ) as folder, tempfile.TemporaryDirectory() as session:
         results = os.path.join(folder, "results")
         command = [program.path, os.path.join(root, case.parameter_file)]
         for setting in settings:
@@ -190,6 +192,9 @@ def run_case(program, root, case, tolerance, threads, limit, scratch):
             os.environ,
             OMP_NUM_THREADS=str(threads),
             OPENBLAS_NUM_THREADS=str(threads),
+            # Open MPI leaves its files there when it is killed; the names of
+            # its sockets must be short, so not below the results.
+            TMPDIR=session,
         )
         said = os.path.join(folder, "said")
         complained = os.path.join(folder, "complained")

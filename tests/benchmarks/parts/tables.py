@@ -243,7 +243,7 @@ def start_up(result):
         for entry in result.entries.values()
         if entry["program_s"] is not None
     ]
-    return statistics.median(waits) if waits else None
+    return statistics.median(waits) if waits else 0.0
 
 
 def disturbance(result):
@@ -279,7 +279,7 @@ def write_markdown(result, plots, path):
         "not seconds. *Program* is the whole program by its own clock, from "
         "mesh to the last file; *iteration* is the dual method alone, with Q "
         "given, without the certificate. Loading libraries and starting MPI "
-        f"took {seconds(start_up(result))} s more in each run (median); with "
+        f"came to {seconds(start_up(result))} s more in each run (median); with "
         "it, and as CPU time, `table_1.csv` has every run. "
         "Every run aims at a certificate of "
         f"{figures.short(row['tolerance'])}. † means that the tolerance was not "
