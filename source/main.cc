@@ -1,4 +1,5 @@
 #include <stiction/contact_problem.h>
+#include <stiction/dual_contact_problem.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
@@ -26,9 +27,10 @@ namespace
 
   struct CommandLine
   {
-    std::string file, output;
+    std::string file, problem;
+    std::optional<std::string> output, export_directory;
     std::vector<std::string> settings;
-    bool has_output = false, validate = false, print_parameters = false;
+    bool validate = false, print_parameters = false;
   };
 
   // What was made stays alive until main() ends: to destroy parallel objects
@@ -37,21 +39,27 @@ namespace
   {
     stiction::Parameters parameters;
     std::unique_ptr<stiction::ContactProblem> problem;
+    std::unique_ptr<stiction::DualContactProblem> dual_problem;
   };
 
   int
   run(Program &program, const CommandLine &arguments)
   {
     using namespace stiction;
-    if (arguments.file.empty())
+    if (arguments.file.empty() && arguments.problem.empty())
       throw InputError("FILE.prm is missing, 'stiction --help' shows how to "
                        "call the program and 'stiction --print-parameters' "
                        "prints a complete parameter file.");
     program.parameters.read(arguments.file,
                             arguments.settings,
-                            arguments.has_output
-                              ? std::make_optional(arguments.output)
-                              : std::nullopt);
+                            arguments.output,
+                            arguments.export_directory);
+    if (!arguments.problem.empty())
+      {
+        program.dual_problem = std::make_unique<DualContactProblem>(
+          arguments.problem, program.parameters, MPI_COMM_WORLD);
+        return program.dual_problem->run() ? certified : not_converged;
+      }
     program.problem =
       std::make_unique<ContactProblem>(program.parameters, MPI_COMM_WORLD);
     if (arguments.validate)
@@ -100,9 +108,21 @@ main(int argc, char *argv[])
     ->expected(1)
     ->take_all();
   app.add_option("--output", arguments.output, "Directory for all results");
-  app.add_flag("--validate",
-               arguments.validate,
-               "Read and check everything, solve nothing");
+  app.add_option("--export",
+                 arguments.export_directory,
+                 "Also write the discrete problem (Q, h, friction) and its "
+                 "solution to this directory");
+  auto *const problem = app.add_option(
+    "--problem",
+    arguments.problem,
+    "Solve the discrete problem of an FCLIB file (*.hdf5), a Matrix Market "
+    "file (*.mtx) or an exported directory instead of a body; FILE may be left "
+    "out");
+  app
+    .add_flag("--validate",
+              arguments.validate,
+              "Read and check everything, solve nothing")
+    ->excludes(problem);
   app.add_flag("--print-parameters",
                arguments.print_parameters,
                "Print the complete commented default file");
@@ -135,7 +155,6 @@ main(int argc, char *argv[])
             std::cout << stiction::Parameters::default_file();
           return certified;
         }
-      arguments.has_output = app.count("--output") > 0;
       return run(program, arguments);
     }
   catch (const CLI::Success &wish) // --help, --version

@@ -1,4 +1,7 @@
+#include <stiction/errors.h>
 #include <stiction/memory.h>
+#include <stiction/output/log.h>
+#include <stiction/parameters.h>
 
 #include <algorithm>
 #include <sys/resource.h>
@@ -26,5 +29,53 @@ namespace stiction
     double all = 0.;
     MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, communicator);
     return all;
+  }
+
+
+
+  void
+  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
+  {
+    // two stiffness matrices of up to 81 × 3 entries a node, mesh, unknowns
+    constexpr double bytes_per_cell = 8e3;
+
+    const double bytes     = parameters.geometry.n_cells() * bytes_per_cell;
+    const double available = available_memory(communicator);
+    if (bytes > available)
+      throw InputError(
+        parameters.source.describe(parameters.geometry.entry_of_size()) +
+        format(", makes %.3g cells that need about %.3g GB of memory, at most "
+               "%.3g GB are here.",
+               parameters.geometry.n_cells(),
+               bytes / 1e9,
+               available / 1e9));
+  }
+
+
+
+  void
+  require_memory_for_dual_operator(const Parameters &parameters,
+                                   const double n_dual_unknowns,
+                                   MPI_Comm communicator)
+  {
+    if (parameters.dual_operator.form != "assembled")
+      return;
+    int n_ranks = 1;
+    MPI_Comm_size(communicator, &n_ranks);
+
+    // Q on every rank, and on the first one the Schur complement and a copy;
+    // one more on every rank where Q is factorised
+    const double copies =
+      (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks + 2.;
+    const double bytes     = 8. * n_dual_unknowns * n_dual_unknowns * copies;
+    const double available = available_memory(communicator);
+    if (bytes > available)
+      throw InputError(parameters.source.describe("Dual operator/Form") +
+                       format(", needs %.3g GB of memory for %.0f dual "
+                              "unknowns, at most %.3g GB are here, must be "
+                              "'by solves' for a mesh as fine as this.",
+                              bytes / 1e9,
+                              n_dual_unknowns,
+                              available / 1e9));
   }
 } // namespace stiction

@@ -139,7 +139,7 @@ namespace stiction
   {
     std::ifstream in(file);
     std::string line;
-    if (!in || (in.peek(), in.bad()))
+    if (!file.empty() && (!in || (in.peek(), in.bad())))
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
 

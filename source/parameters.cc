@@ -63,6 +63,29 @@ namespace stiction
 
 
 
+  double
+  GeometryParameters::n_cells() const
+  {
+    double cells = std::pow(8., global_refinement);
+    for (const unsigned int n : subdivisions)
+      cells *= n;
+    return cells;
+  }
+
+
+
+  std::string
+  GeometryParameters::entry_of_size() const
+  {
+    return table_1_level > 0 ? "Geometry/Table 1 level"
+           : global_refinement == 0 ||
+               n_cells() / std::pow(8., global_refinement) > max_cells
+             ? "Geometry/Subdivisions"
+             : "Geometry/Global refinement";
+  }
+
+
+
   MaterialParameters::MaterialParameters()
     : ParameterAcceptor("Material")
   {
@@ -185,18 +208,18 @@ namespace stiction
                   "writes its files and ends with status 2.",
                   prm,
                   Patterns::Integer(1));
-    add_parameter("Disc solver",
-                  disc_solver,
-                  "How gauss seidel realises ALGORITHM QPQ. as printed: stops "
-                  "at every circle it meets, releases nodes only when nothing "
-                  "else is left to do. The others repair this one measure at a "
-                  "time, each including those before: with expansion, with "
-                  "proportioning, with projected release (from here on with a "
-                  "proof of convergence), robust, spectral.",
-                  prm,
-                  Patterns::Selection(
-                    "as printed|with expansion|with proportioning|with "
-                    "projected release|robust|spectral"));
+    add_parameter(
+      "Disc solver",
+      disc_solver,
+      "How gauss seidel realises ALGORITHM QPQ. as printed: stops "
+      "at every circle it meets, releases nodes only when nothing "
+      "else is left to do. The others repair this one measure at a "
+      "time, each including those before: with expansion, with "
+      "proportioning, with projected release (from here on with a "
+      "proof of convergence), robust, spectral.",
+      prm,
+      Patterns::Selection("as printed|with expansion|with proportioning|with "
+                          "projected release|robust|spectral"));
     add_parameter("Squares",
                   squares,
                   "Number r of rotated squares in place of the disc in the "
@@ -258,6 +281,12 @@ namespace stiction
                   directory,
                   "Where all results are written; made if it does not exist. "
                   "--output on the command line overrides it.");
+    add_parameter("Export directory",
+                  export_directory,
+                  "Where the discrete problem (Q, h, slip bound, areas, nodes) "
+                  "and its solution are written for other programs, as an "
+                  "FCLIB file and as Matrix Market files; empty: not written. "
+                  "--export on the command line overrides it.");
     add_parameter("Print progress",
                   print_progress,
                   "Whether a line is printed for each step of the solver.");
@@ -298,12 +327,16 @@ namespace stiction
   void
   Parameters::read(const std::string &file,
                    const std::vector<std::string> &settings,
-                   const std::optional<std::string> &output)
+                   const std::optional<std::string> &output,
+                   const std::optional<std::string> &export_directory)
   {
     dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
     source.read(file, settings, prm);
     if (output)
       source.assign("--output", "Output", "Directory", *output, prm);
+    if (export_directory)
+      source.assign(
+        "--export", "Output", "Export directory", *export_directory, prm);
     apply_table_1_level();
     check();
 
@@ -382,18 +415,11 @@ namespace stiction
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
 
-    double coarse_cells = 1.;
-    for (const unsigned int n : geometry.subdivisions)
-      coarse_cells *= n;
-    const double cells =
-      coarse_cells * std::pow(8., geometry.global_refinement);
     std::ostringstream too_many;
-    too_many << "makes " << cells << " cells, allowed are at most "
+    too_many << "makes " << geometry.n_cells() << " cells, allowed are at most "
              << max_cells;
-    require(cells <= max_cells,
-            geometry.table_1_level > 0 ? "Geometry/Table 1 level"
-            : coarse_cells > max_cells ? "Geometry/Subdivisions"
-                                       : "Geometry/Global refinement",
+    require(geometry.n_cells() <= max_cells,
+            geometry.entry_of_size(),
             too_many.str());
 
     // n/m of the table come out only with the face clamped that goes with it
@@ -409,18 +435,33 @@ namespace stiction
             "'Prescribed displacement' on boundary " +
               std::to_string(clamped) + " alone and 'Contact boundary = 4'");
 
-    require(contact_solver.method != "squares" ||
-              friction.law() != FrictionLaw::coulomb,
-            "Contact solver/Method",
-            "is the comparison of the paper's experiment, so 'Friction/Law' "
-            "must be 'given'");
-    require(contact_solver.method != "admm" || dual_operator.form == "assembled",
+    check_method(friction.law() == FrictionLaw::coulomb);
+
+    require(contact_solver.method != "admm" ||
+              dual_operator.form == "assembled",
             "Contact solver/Method",
             "factorises the dual operator, so 'Dual operator/Form' must be "
             "'assembled'");
 
+    require(output.export_directory.empty() ||
+              dual_operator.form == "assembled",
+            "Output/Export directory",
+            "writes the matrix Q, so 'Dual operator/Form' must be 'assembled'");
+
     require(!dealii::Utilities::trim(output.directory).empty(),
             "Output/Directory",
             "must name a directory");
+  }
+
+
+
+  void
+  Parameters::check_method(const bool is_coulomb) const
+  {
+    if (contact_solver.method == "squares" && is_coulomb)
+      throw InputError(source.describe("Contact solver/Method") +
+                       ", is the comparison of the paper's experiment with "
+                       "given friction, must be another one for Coulomb "
+                       "friction.");
   }
 } // namespace stiction

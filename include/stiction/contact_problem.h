@@ -1,26 +1,26 @@
 #ifndef stiction_contact_problem_h
 #define stiction_contact_problem_h
 
-#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/contact/certified_solve.h>
+#include <stiction/contact/judge.h>
 #include <stiction/elasticity/linear_algebra.h>
+#include <stiction/output/phases.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <mpi.h>
 
-#include <map>
 #include <memory>
-#include <string>
 
 namespace stiction
 {
   class Body;
   class ContactSurface;
-  class GaussSeidel;
+  class DualMethod;
+  class DualOperator;
   class LinearElasticity;
   class Log;
   class Parameters;
-  class SchurComplement;
   class StiffnessSolver;
   class ConvergenceHistory;
 
@@ -71,6 +71,18 @@ namespace stiction
       return *solution_;
     }
 
+    /// The displacement of the solution (m) and its certificate.
+    const LA::Vector &
+    displacement() const
+    {
+      return judge_->displacement();
+    }
+    const Certificate &
+    certificate() const
+    {
+      return judge_->certificate();
+    }
+
   private:
     void
     make_grid();
@@ -78,10 +90,6 @@ namespace stiction
     assemble_system();
     void
     make_contact_surface();
-    void
-    require_memory_for_mesh() const;
-    void
-    require_memory_for_dual_operator() const;
     void
     open_output();
     void
@@ -95,7 +103,11 @@ namespace stiction
     void
     measure_one_elastic_solve();
     void
+    measure_factorizations();
+    void
     output_results();
+    void
+    export_problem();
     void
     summarize();
     void
@@ -110,13 +122,14 @@ namespace stiction
     std::unique_ptr<LinearElasticity> elasticity_;
     std::unique_ptr<ContactSurface> surface_;
     std::unique_ptr<StiffnessSolver> stiffness_solver_;
-    std::unique_ptr<SchurComplement> schur_;
+    std::unique_ptr<DualOperator> schur_;
+    std::unique_ptr<DualMethod> method_;
+    std::unique_ptr<BodyJudge> judge_;
     std::unique_ptr<ContactSolution> solution_;
 
     std::unique_ptr<nlohmann::json> summary_;
 
-    /// Wall time of the phases, by their names in summary.json.
-    std::map<std::string, double> seconds_;
+    Phases phases_;
     /// Iterations of one elastic solve, if it was measured.
     unsigned int elastic_solve_iterations_ = 0;
   };

@@ -23,8 +23,8 @@ namespace stiction
     /// An unread file: everything has its default.
     ParameterFile() = default;
 
-    /// Reads @p file, then applies each of @p settings ("Section/Entry=value")
-    /// in the order given.
+    /// Reads @p file (nothing if that is empty), then applies each of @p
+    /// settings ("Section/Entry=value") in the order given.
     ///
     /// Throws InputError naming file, line, entry, value and what is allowed,
     /// for a file that cannot be read, an unknown section or entry, a value

@@ -27,6 +27,15 @@ namespace stiction
   {
     GeometryParameters();
 
+    /// Number of cells after refinement; a double, because it may be anything
+    /// before it is checked.
+    double
+    n_cells() const;
+
+    /// The entry ("Section/Entry") to blame if these are too many.
+    std::string
+    entry_of_size() const;
+
     std::string type                       = "brick";
     std::vector<double> lengths            = {4., 3., 1.};
     std::vector<unsigned int> subdivisions = {4, 3, 1};
@@ -97,8 +106,9 @@ namespace stiction
   {
     OutputParameters();
 
-    std::string directory = "output/stiction";
-    bool print_progress   = true;
+    std::string directory        = "output/stiction";
+    std::string export_directory = "";
+    bool print_progress          = true;
   };
 
   struct PerformanceParameters : dealii::ParameterAcceptor
@@ -129,13 +139,20 @@ namespace stiction
   public:
     /// Reads a file and command line settings and checks every value.
     ///
-    /// @param output the argument of --output, which goes before all else.
+    /// @param file may be empty: all defaults.
+    /// @param output, export_directory the arguments of --output and --export,
+    ///   which go before all else.
     ///
     /// Throws InputError: see ParameterFile::read() and check().
     void
     read(const std::string &file,
-         const std::vector<std::string> &settings = {},
-         const std::optional<std::string> &output = std::nullopt);
+         const std::vector<std::string> &settings           = {},
+         const std::optional<std::string> &output           = std::nullopt,
+         const std::optional<std::string> &export_directory = std::nullopt);
+
+    /// Throws InputError if the method cannot solve a problem with this law.
+    void
+    check_method(bool is_coulomb) const;
 
     /// The complete commented default file, in declaration order.
     static std::string

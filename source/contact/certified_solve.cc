@@ -88,7 +88,7 @@ namespace stiction
         const double residual = conditions->contact_figures().kkt_residual;
         idle                  = residual < 0.9 * smallest ? 0 : idle + 1;
         smallest              = std::min(smallest, residual);
-        const double goal = safety * tolerance * share_of_kkt(*conditions);
+        const double goal     = safety * tolerance * share_of_kkt(*conditions);
         if (result.converged && target <= goal && !method.limitation().empty())
           solution.reason = method.limitation();
         else if (!result.reason.empty())

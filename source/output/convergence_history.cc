@@ -1,4 +1,4 @@
-#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/contact/certified_solve.h>
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/log.h>
 
@@ -21,25 +21,25 @@ namespace stiction
   ConvergenceHistory::add(const ContactStep &step)
   {
     if (print_ && !has_header_)
-      log_.line(format("  %-12s %7s %9s %13s %13s %12s",
+      log_.line(format("  %-12s %10s %9s %13s %13s %12s",
                        step_name_.c_str(),
-                       "sweeps",
+                       "iterations",
                        "products",
                        "kkt residual",
                        "change",
                        "contraction"));
     has_header_ = true;
     if (print_)
-      log_.line(format("  %-12u %7u %9.1f %13.3e %13.3e %12.3f",
+      log_.line(format("  %-12u %10u %9.1f %13.3e %13.3e %12.3f",
                        step.step,
-                       step.sweeps,
+                       step.iterations,
                        step.multiplications,
                        step.residual,
                        step.change,
                        step.contraction));
 
     table_.add_value("step", step.step);
-    table_.add_value("sweeps", step.sweeps);
+    table_.add_value("iterations", step.iterations);
     table_.add_value("dual_multiplications", step.multiplications);
     table_.add_value("kkt_residual", step.residual);
     table_.add_value("relative_change", step.change);
@@ -67,7 +67,7 @@ namespace stiction
         text,
         dealii::TableHandler::simple_table_with_separate_column_description);
 
-    out << "step,sweeps,dual_multiplications,kkt_residual,relative_change,"
+    out << "step,iterations,dual_multiplications,kkt_residual,relative_change,"
            "contraction,normal_force\n";
     for (std::string line; std::getline(text, line);)
       {

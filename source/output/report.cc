@@ -1,9 +1,13 @@
+#include <stiction/contact/certified_solve.h>
+#include <stiction/contact/contact_conditions.h>
 #include <stiction/output/log.h>
 #include <stiction/output/report.h>
+#include <stiction/parameters.h>
 
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <utility>
 
 namespace stiction
 {
@@ -27,7 +31,63 @@ namespace stiction
       return value.is_null() ? std::string("not measured")
                              : format("%.4g", value.get<double>());
     }
+
+    // the iterations that the method made, by name
+    std::string
+    iterations(const json &solver)
+    {
+      std::string all;
+      for (const auto &count :
+           {std::make_pair("coulomb_iterations", "Coulomb steps"),
+            std::make_pair("gauss_seidel_iterations", "Gauss-Seidel sweeps"),
+            std::make_pair("newton_steps", "Newton steps"),
+            std::make_pair("dual_krylov_iterations", "Krylov iterations"),
+            std::make_pair("conjugate_gradient_steps", "CG steps"),
+            std::make_pair("expansion_steps", "expansions"),
+            std::make_pair("release_steps", "releases"),
+            std::make_pair("admm_iterations", "ADMM iterations"),
+            std::make_pair("dense_factorizations", "dense factorizations"),
+            std::make_pair("fallbacks", "fallbacks")})
+        if (solver[count.first].get<unsigned int>() > 0)
+          all += (all.empty() ? "" : ", ") + std::string(count.second) +
+                 format(" %u", solver[count.first].get<unsigned int>());
+      return all.empty() ? "none" : all;
+    }
+
+    // A geometric mean above this deserves a word.
+    constexpr double worrying_contraction = 0.9;
   } // namespace
+
+
+
+  std::string
+  step_name(const ContactSolverParameters &parameters, const bool is_coulomb)
+  {
+    const std::string &method = parameters.method;
+    const bool has_products   = method == "mpgp" || method == "squares";
+    if (is_coulomb &&
+        (has_products || parameters.coulomb_iteration == "fixed point"))
+      return "Coulomb step";
+    return method == "gauss seidel" ? "sweep"
+           : method == "newton"     ? "Newton step"
+           : has_products           ? "20 products"
+                                    : "iteration";
+  }
+
+
+
+  std::string
+  explain(const ContactSolution &solution,
+          const ContactConditions &conditions,
+          const double tolerance)
+  {
+    if (solution.converged)
+      return {};
+    return format("%s, the tolerance is %g; ",
+                  conditions.worst().c_str(),
+                  tolerance) +
+           solution.reason;
+  }
 
 
 
@@ -47,18 +107,23 @@ namespace stiction
                     contact["slip"].get<unsigned int>(),
                     contact["stick"].get<unsigned int>(),
                     contact["undecided"].get<unsigned int>()));
-    log.line(vector_line("force on the body [N]", contact["force_on_body"]));
-    log.line(format("  %-24s %.6g",
-                    "largest pressure [Pa]",
-                    contact["max_pressure"].get<double>()));
-    log.line(format("  %-24s %.6g",
-                    "largest displacement [m]",
-                    summary["displacement"]["max"].get<double>()));
-    log.line(format("  %-24s strain %.6g, load %.6g, friction %.6g",
-                    "energy [J]",
-                    summary["energy"]["strain"].get<double>(),
-                    summary["energy"]["load_work"].get<double>(),
-                    summary["energy"]["friction_dissipation"].get<double>()));
+    if (contact.contains("force_on_body"))
+      {
+        log.line(
+          vector_line("force on the body [N]", contact["force_on_body"]));
+        log.line(format("  %-24s %.6g",
+                        "largest pressure [Pa]",
+                        contact["max_pressure"].get<double>()));
+        log.line(format("  %-24s %.6g",
+                        "largest displacement [m]",
+                        summary["displacement"]["max"].get<double>()));
+        log.line(
+          format("  %-24s strain %.6g, load %.6g, friction %.6g",
+                 "energy [J]",
+                 summary["energy"]["strain"].get<double>(),
+                 summary["energy"]["load_work"].get<double>(),
+                 summary["energy"]["friction_dissipation"].get<double>()));
+      }
 
     log.line();
     log.line(format("Certificate (tolerance %g)", tolerance));
@@ -80,6 +145,8 @@ namespace stiction
        {"duality_gap", "bound on the relative energy error", false}}};
     for (const Row &row : rows)
       {
+        if (figures[row.name].is_null())
+          continue;
         const double value = figures[row.name].get<double>();
         log.line(format("  %-24s %9.2e  %-36s %s",
                         row.name,
@@ -89,7 +156,8 @@ namespace stiction
                         : value <= tolerance ? "ok"
                                              : "NOT REACHED"));
       }
-    if (summary["solver"]["law"] == "coulomb")
+    if (summary["solver"]["law"] == "coulomb" &&
+        !figures["duality_gap"].is_null())
       log.line(
         "  (the duality gap is that of the last slip bound, held fixed)");
 
@@ -98,19 +166,18 @@ namespace stiction
         const json &solver = summary["solver"], &seconds = summary["seconds"];
         log.line();
         log.line("Cost");
-        log.line(format("  %-24s Coulomb steps %u, Gauss-Seidel sweeps %u",
-                        "iterations",
-                        solver["coulomb_iterations"].get<unsigned int>(),
-                        solver["gauss_seidel_iterations"].get<unsigned int>()));
+        log.line("  " + format("%-24s ", "iterations") + iterations(solver));
         log.line(format("  %-24s %.1f",
                         "products with Q",
                         solver["dual_multiplications"].get<double>()));
-        log.line(format("  %-24s %u (%u Krylov iterations)",
-                        "solves with K",
-                        solver["stiffness_solves"].get<unsigned int>(),
-                        solver["krylov_iterations"].get<unsigned int>()));
-        log.line("  " + format("%-24s ", "elastic solves' worth") +
-                 number(solver["elastic_solve_equivalents"]));
+        if (solver.contains("stiffness_solves"))
+          log.line(format("  %-24s %u (%u Krylov iterations)",
+                          "solves with K",
+                          solver["stiffness_solves"].get<unsigned int>(),
+                          solver["krylov_iterations"].get<unsigned int>()));
+        if (solver.contains("elastic_solve_equivalents"))
+          log.line("  " + format("%-24s ", "elastic solves' worth") +
+                   number(solver["elastic_solve_equivalents"]));
         std::string phases;
         for (const auto &phase : seconds.items())
           if (!phase.value().is_null())
@@ -120,6 +187,18 @@ namespace stiction
         log.line(format("  %-24s %.0f",
                         "peak memory [MB]",
                         summary["peak_memory_MB"].get<double>()));
+      }
+
+    const json &contraction = summary["solver"]["contraction"];
+    if (!contraction.is_null() &&
+        contraction.get<double>() > worrying_contraction)
+      {
+        log.line();
+        log.line(format("WARNING: the successive approximations contract by "
+                        "%.3f a step only; near 1 the answer may not be the "
+                        "only one. 'Contact solver/Method = newton' does "
+                        "without them.",
+                        contraction.get<double>()));
       }
 
     log.line();

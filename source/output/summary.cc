@@ -1,8 +1,11 @@
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/dual_method.h>
+#include <stiction/contact/dual_operator.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/output/summary.h>
+#include <stiction/parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -28,18 +31,77 @@ namespace stiction
 
 
   json
-  certificate_to_json(const Certificate &certificate)
+  certificate_to_json(const ContactConditions &conditions)
   {
-    const Certificate::Figures &figures = certificate.figures();
-    return {{"equilibrium_residual", figures.equilibrium_residual},
-            {"kkt_residual", figures.kkt_residual},
-            {"penetration", figures.penetration},
-            {"complementarity", figures.complementarity},
-            {"cone_violation", figures.cone_violation},
-            {"slip_angle", figures.slip_angle},
-            {"force_balance", figures.force_balance},
-            {"moment_balance", figures.moment_balance},
-            {"duality_gap", figures.duality_gap}};
+    const auto &figures = conditions.contact_figures();
+    json result         = {{"equilibrium_residual", nullptr},
+                           {"kkt_residual", figures.kkt_residual},
+                           {"penetration", figures.penetration},
+                           {"complementarity", figures.complementarity},
+                           {"cone_violation", figures.cone_violation},
+                           {"slip_angle", figures.slip_angle},
+                           {"force_balance", nullptr},
+                           {"moment_balance", nullptr},
+                           {"duality_gap", nullptr}};
+    if (const auto *certificate =
+          dynamic_cast<const Certificate *>(&conditions))
+      {
+        const auto &body               = certificate->body_figures();
+        result["equilibrium_residual"] = body.equilibrium_residual;
+        result["force_balance"]        = body.force_balance;
+        result["moment_balance"]       = body.moment_balance;
+        result["duality_gap"]          = body.duality_gap;
+      }
+    return result;
+  }
+
+
+
+  json
+  counts_to_json(const ContactConditions &conditions, const double tolerance)
+  {
+    std::array<unsigned int, 3> count{};
+    unsigned int undecided = 0;
+    for (Eigen::Index i = 0; i < conditions.slip_bound().size(); ++i)
+      {
+        ++count[static_cast<unsigned int>(conditions.status(i))];
+        undecided += conditions.is_undecided(i, tolerance) ? 1 : 0;
+      }
+    return {{"open", count[0]},
+            {"slip", count[1]},
+            {"stick", count[2]},
+            {"undecided", undecided}};
+  }
+
+
+
+  json
+  solver_to_json(const ContactSolverParameters &parameters,
+                 const qp::SlipBound &slip_bound,
+                 const DualMethod &method,
+                 const DualOperator &Q)
+  {
+    const DualMethodStatistics statistics = method.statistics();
+    const bool has_friction = slip_bound.data().cwiseAbs().sum() > 0.;
+    return {{"law",
+             slip_bound.is_coulomb() ? "coulomb"
+             : has_friction          ? "given"
+                                     : "frictionless"},
+            {"method", parameters.method},
+            {"coulomb_iterations", statistics.coulomb_iterations},
+            {"gauss_seidel_iterations", statistics.gauss_seidel_iterations},
+            {"newton_steps", statistics.newton_steps},
+            {"dual_krylov_iterations", statistics.krylov_iterations},
+            {"conjugate_gradient_steps", statistics.conjugate_gradient_steps},
+            {"expansion_steps", statistics.expansion_steps},
+            {"release_steps", statistics.release_steps},
+            {"admm_iterations", statistics.admm_iterations},
+            {"dense_factorizations", statistics.dense_factorizations},
+            {"fallbacks", statistics.fallbacks},
+            {"contraction",
+             statistics.coulomb_iterations > 0 ? json(statistics.contraction)
+                                               : json(nullptr)},
+            {"dual_multiplications", Q.n_multiplications()}};
   }
 
 
@@ -52,16 +114,11 @@ namespace stiction
     const Eigen::Index m          = surface.n_nodes();
     const Eigen::VectorXd &lambda = certificate.lambda();
 
-    std::array<unsigned int, 3> count{};
-    unsigned int undecided = 0;
     double max_pressure = 0., area = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
-        const NodeStatus status = certificate.status(i);
-        ++count[static_cast<unsigned int>(status)];
-        undecided += certificate.is_undecided(i, tolerance) ? 1 : 0;
         max_pressure = std::max(max_pressure, lambda(i) / surface.areas()(i));
-        if (status != NodeStatus::open)
+        if (certificate.status(i) != NodeStatus::open)
           area += surface.areas()(i);
       }
 
@@ -69,16 +126,14 @@ namespace stiction
     if (surface.is_plane())
       tangential_force = {lambda.segment(m, m).sum(), lambda.tail(m).sum()};
 
-    return {{"open", count[0]},
-            {"slip", count[1]},
-            {"stick", count[2]},
-            {"undecided", undecided},
-            {"normal_force", lambda.head(m).sum()},
-            {"tangential_force", tangential_force},
-            {"force_on_body", to_json(certificate.force_on_body())},
-            {"moment", to_json(certificate.moment_on_body())},
-            {"max_pressure", max_pressure},
-            {"area", area}};
+    json result                = counts_to_json(certificate, tolerance);
+    result["normal_force"]     = lambda.head(m).sum();
+    result["tangential_force"] = tangential_force;
+    result["force_on_body"]    = to_json(certificate.force_on_body());
+    result["moment"]           = to_json(certificate.moment_on_body());
+    result["max_pressure"]     = max_pressure;
+    result["area"]             = area;
+    return result;
   }
 
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stiction::qp
 {
@@ -80,6 +81,14 @@ namespace stiction::qp
 
 
 
+  void
+  ActiveSetMethod::set_observer(Observer observer)
+  {
+    observer_ = std::move(observer);
+  }
+
+
+
   ActiveSetStatistics
   ActiveSetMethod::solve(Eigen::VectorXd &x,
                          Eigen::VectorXd &gradient,
@@ -107,6 +116,8 @@ namespace stiction::qp
           A_.n_multiplications() - multiplications_before);
         statistics.residual  = set_.natural_residual(x_, gradient_, scaling);
         statistics.converged = statistics.residual <= tolerance;
+        if (observer_)
+          observer_(statistics.multiplications, x_, statistics.residual);
         if (statistics.converged || std::isnan(statistics.residual) ||
             statistics.multiplications >= max_multiplications)
           break;

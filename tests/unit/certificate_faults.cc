@@ -25,17 +25,23 @@ using namespace stiction;
 namespace
 {
   // A dual operator with one wrong per cent in its tangential rows.
-  class WrongSchurComplement : public SchurComplement
+  class WrongSchurComplement : public DualOperator
   {
   public:
     WrongSchurComplement(const LinearElasticity &elasticity,
                          const ContactSurface &surface,
                          StiffnessSolver &solver)
-      : SchurComplement(elasticity, surface)
+      : DualOperator(surface.n_nodes())
       , right_(
           SchurComplement::create("by solves", elasticity, surface, solver))
     {
-      set_right_hand_side(solver);
+      set_right_hand_side(right_->right_hand_side());
+    }
+
+    Eigen::VectorXd
+    nodal_compliance() const override
+    {
+      return right_->nodal_compliance();
     }
 
   protected:
@@ -51,7 +57,7 @@ namespace
     }
 
   private:
-    std::unique_ptr<SchurComplement> right_;
+    std::unique_ptr<DualOperator> right_;
   };
 } // namespace
 
@@ -69,9 +75,9 @@ main(int argc, char *argv[])
 
   const auto &elasticity       = run.problem->elasticity();
   const auto &surface          = run.problem->contact_surface();
-  const auto &right            = *run.problem->solution().certificate;
+  const auto &right            = run.problem->certificate();
   const Eigen::VectorXd lambda = run.problem->solution().lambda;
-  const LA::Vector u           = *run.problem->solution().u;
+  const LA::Vector u           = run.problem->displacement();
   const Eigen::Index m         = surface.n_nodes();
 
   StiffnessSolverParameters mumps;
@@ -91,7 +97,7 @@ main(int argc, char *argv[])
       for (const auto &figure : certificate.deciding_figures())
         if (!(figure.second <= 1e-6))
           out() << " " << figure.first;
-      if (certificate.figures().slip_angle > 0.1)
+      if (certificate.contact_figures().slip_angle > 0.1)
         out() << " slip_angle";
       out() << (certificate.converged(1e-6) ? " (certified)" : "") << std::endl;
     };
@@ -119,11 +125,12 @@ main(int argc, char *argv[])
     rule.residual       = 1e-9;
     rule.change         = std::numeric_limits<double>::infinity();
     rule.max_iterations = 200;
-    const auto result   = gauss_seidel.solve(iterate,
-                                           right.slip_bound(),
-                                           right.scaling(),
-                                           rule,
-                                           [](unsigned int, double, double) {});
+    const auto result =
+      gauss_seidel.solve(iterate,
+                         qp::SlipBound::given(right.slip_bound()),
+                         right.scaling(),
+                         rule,
+                         [](const DualMethod::Step &) {});
     out() << "(the solver with the wrong Q says it converged: "
           << yes(result.converged) << ")" << std::endl;
     show("a wrong Q", displacement(iterate.lambda, *solver), iterate.lambda);
@@ -193,7 +200,7 @@ main(int argc, char *argv[])
 
   // Away from the solution the duality gap is a bound, and not a wild one.
   out() << "duality gap of the certified answer below 1e-7: "
-        << yes(right.figures().duality_gap < 1e-7) << std::endl;
+        << yes(right.body_figures().duality_gap < 1e-7) << std::endl;
   for (const double size : {1e-2, 1e-4})
     {
       Eigen::VectorXd forces = lambda;
@@ -209,7 +216,7 @@ main(int argc, char *argv[])
       const double true_error =
         std::sqrt((error * elasticity.internal_force(error)) /
                   (u * elasticity.internal_force(u)));
-      const double ratio = certificate.figures().duality_gap / true_error;
+      const double ratio = certificate.body_figures().duality_gap / true_error;
       out() << "error of size " << size
             << ": the gap is 0.9 to 10 times the energy error: "
             << yes(ratio > 0.9 && ratio < 10.) << std::endl;

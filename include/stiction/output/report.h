@@ -7,14 +7,28 @@
 
 namespace stiction
 {
+  class ContactConditions;
   class Log;
+  struct ContactSolution;
+  struct ContactSolverParameters;
+
+  /// What an outermost iteration of the method is called.
+  std::string
+  step_name(const ContactSolverParameters &parameters, bool is_coulomb);
+
+  /// Why a solution is not certified, "kkt_residual is 3e-4, the tolerance is
+  /// 1e-6; ..." and what to change; empty if it is.
+  std::string
+  explain(const ContactSolution &solution,
+          const ContactConditions &conditions,
+          double tolerance);
 
   /// The end of a run in words: contact state, forces, energies, the
   /// certificate with its verdict, and if asked for what it cost.
   ///
   /// @param summary the content of summary.json.
   /// @param tolerance what the certificate had to reach.
-  /// @param reason if it did not: what stopped the iteration.
+  /// @param reason if it did not: see explain().
   void
   print_report(Log &log,
                const nlohmann::json &summary,

@@ -2,6 +2,7 @@
 #define stiction_output_summary_h
 
 #include <stiction/elasticity/linear_algebra.h>
+#include <stiction/qp/slip_bound.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,14 +11,32 @@
 namespace stiction
 {
   class Certificate;
+  class ContactConditions;
   class ContactSurface;
+  class DualMethod;
+  class DualOperator;
+  struct ContactSolverParameters;
   class LinearElasticity;
 
-  /// The sections "contact", "certificate" and "energy" of summary.json, from
-  /// a certificate. Forces in N, moments in Nm, pressures in Pa, areas in m²,
-  /// energies in J.
+  /// The section "certificate" of summary.json; the figures that only a body
+  /// has are null without one.
   nlohmann::json
-  certificate_to_json(const Certificate &certificate);
+  certificate_to_json(const ContactConditions &conditions);
+
+  /// The entries "open", "slip", "stick" and "undecided" of the section
+  /// "contact".
+  nlohmann::json
+  counts_to_json(const ContactConditions &conditions, double tolerance);
+
+  /// What the section "solver" says of the dual method.
+  nlohmann::json
+  solver_to_json(const ContactSolverParameters &parameters,
+                 const qp::SlipBound &slip_bound,
+                 const DualMethod &method,
+                 const DualOperator &Q);
+
+  /// The sections "contact" and "energy", from a certificate. Forces in N,
+  /// moments in Nm, pressures in Pa, areas in m², energies in J.
   nlohmann::json
   contact_to_json(const ContactSurface &surface,
                   const Certificate &certificate,

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace stiction::qp
 {
   class FeasibleSet;
@@ -48,6 +50,14 @@ namespace stiction::qp
                     const FeasibleSet &set,
                     double norm);
     virtual ~ActiveSetMethod() = default;
+
+    /// Called before each step with the products so far, the point and its
+    /// natural residual.
+    using Observer = std::function<void(unsigned int multiplications,
+                                        const Eigen::VectorXd &x,
+                                        double residual)>;
+    void
+    set_observer(Observer observer);
 
     /// Moves the feasible x until its natural residual is at most tolerance,
     /// or max_multiplications products were made.
@@ -122,6 +132,8 @@ namespace stiction::qp
     Eigen::VectorXd p_, Ap_;         ///< conjugate direction and its image
 
   private:
+    Observer observer_;
+
     Eigen::VectorXd
     step_to_projection(double step, const Eigen::VectorXd &direction) const;
   };

@@ -1,0 +1,169 @@
+#include <stiction/contact/dual_method_factory.h>
+#include <stiction/contact/dual_operator.h>
+#include <stiction/contact/judge.h>
+#include <stiction/dual_contact_problem.h>
+#include <stiction/errors.h>
+#include <stiction/output/convergence_history.h>
+#include <stiction/output/files.h>
+#include <stiction/output/log.h>
+#include <stiction/output/output_directory.h>
+#include <stiction/output/problem_files.h>
+#include <stiction/output/report.h>
+#include <stiction/output/summary.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+
+namespace stiction
+{
+  DualContactProblem::DualContactProblem(std::string path,
+                                         const Parameters &parameters,
+                                         MPI_Comm communicator)
+    : path_(std::move(path))
+    , parameters_(parameters)
+    , communicator_(communicator)
+    , log_(std::make_unique<Log>(communicator))
+  {
+  }
+
+
+
+  DualContactProblem::~DualContactProblem() = default;
+
+
+
+  bool
+  DualContactProblem::run()
+  {
+    {
+      const auto total = phases_.scope("total");
+      read_problem();
+      prepare_output(parameters_, *log_, communicator_);
+      solve_contact();
+      output_results();
+    }
+    summarize();
+    report();
+    return solution_->converged;
+  }
+
+
+
+  void
+  DualContactProblem::read_problem()
+  {
+    const auto phase = phases_.scope("dual_operator");
+    problem_         = import_problem(path_);
+    parameters_.check_method(problem_.slip_bound.is_coulomb());
+    Q_       = std::make_unique<DenseDualOperator>(std::move(problem_.Q),
+                                             std::move(problem_.h));
+    history_ = std::make_unique<ConvergenceHistory>(
+      *log_,
+      step_name(parameters_.contact_solver, problem_.slip_bound.is_coulomb()),
+      parameters_.output.print_progress);
+    log_->line(format("Problem: %lld contact nodes, %s",
+                      static_cast<long long>(Q_->n_nodes()),
+                      problem_.slip_bound.is_coulomb() ? "Coulomb friction"
+                                                       : "given friction"));
+  }
+
+
+
+  void
+  DualContactProblem::solve_contact()
+  {
+    const auto whole = phases_.scope("contact_solve");
+    const auto phase = phases_.scope("dual_iteration");
+    method_          = create_dual_method(
+      parameters_.contact_solver, *Q_, problem_.slip_bound.is_coulomb());
+    judge_ = std::make_unique<DualProblemJudge>(
+      *Q_, problem_.slip_bound, problem_.areas);
+    solution_ = std::make_unique<ContactSolution>(
+      certified_solve(*method_,
+                      *Q_,
+                      problem_.slip_bound,
+                      *judge_,
+                      parameters_.contact_solver.tolerance,
+                      parameters_.contact_solver.maximum_iterations,
+                      [&](const ContactStep &step) { history_->add(step); }));
+    conditions_ = &judge_->judge(solution_->lambda);
+  }
+
+
+
+  void
+  DualContactProblem::output_results()
+  {
+    const auto phase             = phases_.scope("output");
+    const std::string &directory = parameters_.output.directory;
+    write_run_files(parameters_, *history_, communicator_);
+    together(communicator_, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+        return;
+      write_file(directory + "/forces.csv", [&](std::ostream &out) {
+        const Eigen::Index m = Q_->n_nodes();
+        const auto &lambda   = conditions_->lambda();
+        const auto &r        = conditions_->gradient();
+        out.precision(17);
+        out << "node,lambda_n,lambda_t1,lambda_t2,gap,slip_t1,slip_t2,status\n";
+        for (Eigen::Index i = 0; i < m; ++i)
+          out << i << ',' << lambda(i) << ',' << lambda(i + m) << ','
+              << lambda(i + 2 * m) << ',' << r(i) << ',' << 0. - r(i + m) << ','
+              << 0. - r(i + 2 * m) << ','
+              << static_cast<int>(conditions_->status(i)) << '\n';
+      });
+      if (!parameters_.output.export_directory.empty())
+        {
+          DualProblem problem = problem_;
+          problem.Q           = *Q_->matrix();
+          problem.h           = Q_->right_hand_side();
+          export_problem(parameters_.output.export_directory,
+                         problem,
+                         conditions_->lambda(),
+                         conditions_->gradient());
+        }
+    });
+  }
+
+
+
+  void
+  DualContactProblem::summarize()
+  {
+    const Eigen::Index m = Q_->n_nodes();
+    summary_             = std::make_unique<nlohmann::json>();
+    auto &summary        = *summary_;
+    summary["program"]   = program_to_json(communicator_);
+    summary["converged"] = solution_->converged;
+    summary["problem"]   = {
+        {"file", path_}, {"contact_nodes", m}, {"dual_unknowns", 3 * m}};
+    summary["solver"] = solver_to_json(
+      parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
+    summary["certificate"] = certificate_to_json(*conditions_);
+    summary["contact"] =
+      counts_to_json(*conditions_, parameters_.contact_solver.tolerance);
+    summary["contact"]["normal_force"] = solution_->lambda.head(m).sum();
+    summary["seconds"]                 = phases_.to_json();
+    summary["peak_memory_MB"]          = peak_memory(communicator_);
+    write_summary(summary, parameters_.output.directory, communicator_);
+  }
+
+
+
+  void
+  DualContactProblem::report() const
+  {
+    print_report(
+      *log_,
+      *summary_,
+      parameters_.contact_solver.tolerance,
+      explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
+      parameters_.performance.print_timing);
+    log_->line("The contact forces are in " + parameters_.output.directory +
+               "/forces.csv.");
+  }
+} // namespace stiction
