@@ -105,8 +105,7 @@ namespace stiction
         if (!solution.reason.empty())
           return solution;
 
-        const double goal = safety * tolerance * share_of_kkt(*conditions);
-        target            = target > goal ? goal : 0.3 * target;
+        target = target > goal ? goal : 0.3 * target;
       }
     solution.converged = true;
     return solution;

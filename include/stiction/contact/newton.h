@@ -6,6 +6,8 @@
 #include <stiction/contact/monolithic.h>
 #include <stiction/qp/semismooth_newton.h>
 
+#include <memory>
+
 namespace stiction
 {
   /// The semismooth Newton method on the dual problem, for given and for
