@@ -216,10 +216,12 @@ namespace stiction
       "else is left to do. The others repair this one measure at a "
       "time, each including those before: with expansion, with "
       "proportioning, with projected release (from here on with a "
-      "proof of convergence), robust, spectral.",
+      "proof of convergence), robust, spectral. newton: the "
+      "quadratic program on discs by the semismooth Newton method "
+      "instead.",
       prm,
       Patterns::Selection("as printed|with expansion|with proportioning|with "
-                          "projected release|robust|spectral"));
+                          "projected release|robust|spectral|newton"));
     add_parameter("Squares",
                   squares,
                   "Number r of rotated squares in place of the disc in the "

@@ -82,7 +82,7 @@ namespace stiction
     std::string method              = "gauss seidel";
     double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
-    std::string disc_solver         = "spectral";
+    std::string disc_solver         = "newton";
     unsigned int squares            = 2;
     std::string coulomb_iteration   = "direct";
     bool accelerate_fixed_point     = false;

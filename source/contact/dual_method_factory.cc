@@ -8,6 +8,7 @@
 #include <stiction/parameters.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,9 +16,11 @@ namespace stiction
 {
   namespace
   {
-    qp::DiscActiveSet::Variant
+    std::optional<qp::DiscActiveSet::Variant>
     variant(const std::string &disc_solver)
     {
+      if (disc_solver == "newton")
+        return std::nullopt;
       using Variant = qp::DiscActiveSet::Variant;
       static const std::map<std::string, Variant> variants = {
         {"as printed", Variant::as_printed},

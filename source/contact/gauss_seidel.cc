@@ -12,11 +12,13 @@ namespace stiction
   {
     // The part of the current error to which an inner program is solved.
     // Between 0.1 and 0.5 the cost is flat; at 0.8 the sweeps stand still.
-    constexpr double inner_reduction = 0.3;
+    constexpr double inner_reduction = 0.1;
 
     // Far above what an inner program takes; met only when rounding keeps its
     // residual above the tolerance.
     constexpr unsigned int max_inner_multiplications = 500;
+
+    constexpr unsigned int max_newton_steps = 50;
 
     // Without a new smallest residual for so many sweeps, there is none: the
     // error of a sweep shrinks by about 0.55.
@@ -25,8 +27,9 @@ namespace stiction
 
 
 
-  GaussSeidel::GaussSeidel(const DualOperator &Q,
-                           const qp::DiscActiveSet::Variant variant)
+  GaussSeidel::GaussSeidel(
+    const DualOperator &Q,
+    const std::optional<qp::DiscActiveSet::Variant> variant)
     : Q_(Q)
     , normal_block_(Q, DualBlock::normal)
     , tangential_block_(Q, DualBlock::tangential)
@@ -34,6 +37,9 @@ namespace stiction
     , tangential_norm_(qp::spectral_norm(tangential_block_))
     , variant_(variant)
   {
+    if (!variant)
+      disc_newton_ = std::make_unique<qp::SemismoothNewton>(
+        tangential_block_, Q.nodal_compliance());
   }
 
 
@@ -61,12 +67,14 @@ namespace stiction
            result.iterations < rule.max_iterations)
       {
         const Eigen::VectorXd before = iterate.lambda;
-        const double tolerance       = inner_reduction * result.residual;
-        normal_half_sweep(iterate, scaling, tolerance);
+        const auto tolerance         = [&]() {
+          return std::max(inner_reduction * residual(), 0.5 * rule.residual);
+        };
+        normal_half_sweep(iterate, scaling, tolerance());
         const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
         if (slip_bound.is_coulomb())
           make_feasible(iterate, bound, Q_);
-        tangential_half_sweep(iterate, bound, scaling, tolerance);
+        tangential_half_sweep(iterate, bound, scaling, tolerance());
 
         ++result.iterations;
         ++statistics_.gauss_seidel_iterations;
@@ -78,6 +86,13 @@ namespace stiction
 
         result.converged =
           result.residual <= rule.residual && result.change <= rule.change;
+        if (result.converged && disc_newton_)
+          {
+            // up to here the tangential forces were feasible up to a tolerance
+            make_feasible(iterate, slip_bound.at(iterate.lambda), Q_);
+            result.residual  = residual();
+            result.converged = result.residual <= rule.residual;
+          }
         idle_sweeps = result.residual < 0.9 * smallest ? 0 : idle_sweeps + 1;
         smallest    = std::min(smallest, result.residual);
         result.stagnated =
@@ -96,7 +111,13 @@ namespace stiction
   {
     const qp::HalfLines half_lines(Q_.n_nodes());
     qp::Proportioning solver(normal_block_, half_lines, normal_norm_);
-    half_sweep(iterate, DualBlock::normal, solver, scaling, tolerance);
+    half_sweep(
+      iterate,
+      DualBlock::normal,
+      [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {
+        add(solver.solve(
+          lambda, gradient, scaling, tolerance, max_inner_multiplications));
+      });
   }
 
 
@@ -107,10 +128,47 @@ namespace stiction
                                      const qp::Scaling &scaling,
                                      const double tolerance)
   {
-    const qp::Discs discs(slip_bound);
-    qp::DiscActiveSet solver(
-      tangential_block_, discs, tangential_norm_, variant_);
-    half_sweep(iterate, DualBlock::tangential, solver, scaling, tolerance);
+    half_sweep(
+      iterate,
+      DualBlock::tangential,
+      [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {
+        if (disc_newton_)
+          {
+            const qp::NewtonStatistics steps =
+              disc_newton_->solve(lambda,
+                                  gradient,
+                                  qp::SlipBound::given(slip_bound),
+                                  scaling,
+                                  tolerance,
+                                  max_newton_steps,
+                                  [](unsigned int, double) {});
+            statistics_.newton_steps += steps.steps;
+            statistics_.krylov_iterations += steps.krylov_iterations;
+            if (steps.converged)
+              return;
+            ++statistics_.fallbacks;
+          }
+        if (!tangential_norm_)
+          tangential_norm_ = qp::spectral_norm(tangential_block_);
+        const qp::Discs discs(slip_bound);
+        qp::DiscActiveSet solver(
+          tangential_block_,
+          discs,
+          *tangential_norm_,
+          variant_.value_or(qp::DiscActiveSet::Variant::spectral));
+        add(solver.solve(
+          lambda, gradient, scaling, tolerance, max_inner_multiplications));
+      });
+  }
+
+
+
+  void
+  GaussSeidel::add(const qp::ActiveSetStatistics &inner)
+  {
+    statistics_.conjugate_gradient_steps += inner.conjugate_gradient_steps;
+    statistics_.expansion_steps += inner.expansion_steps;
+    statistics_.release_steps += inner.release_steps;
   }
 
 
@@ -118,9 +176,7 @@ namespace stiction
   void
   GaussSeidel::half_sweep(DualIterate &iterate,
                           const DualBlock block,
-                          qp::ActiveSetMethod &solver,
-                          const qp::Scaling &scaling,
-                          const double tolerance)
+                          const Solver &solver)
   {
     const Eigen::Index m = Q_.n_nodes();
     const bool is_normal = block == DualBlock::normal;
@@ -133,13 +189,9 @@ namespace stiction
       return v.segment(is_normal ? m : 0, is_normal ? 2 * m : m);
     };
 
-    Eigen::VectorXd lambda              = mine(iterate.lambda);
-    Eigen::VectorXd gradient            = mine(iterate.gradient);
-    const qp::ActiveSetStatistics inner = solver.solve(
-      lambda, gradient, scaling, tolerance, max_inner_multiplications);
-    statistics_.conjugate_gradient_steps += inner.conjugate_gradient_steps;
-    statistics_.expansion_steps += inner.expansion_steps;
-    statistics_.release_steps += inner.release_steps;
+    Eigen::VectorXd lambda   = mine(iterate.lambda);
+    Eigen::VectorXd gradient = mine(iterate.gradient);
+    solver(lambda, gradient);
 
     const Eigen::VectorXd change = lambda - mine(iterate.lambda);
     if (change.isZero(0.))

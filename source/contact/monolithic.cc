@@ -28,7 +28,7 @@ namespace stiction
 
     const qp::HalfLinesTimesDiscs set(nodal_scaling_.divide(bound));
     qp::ProportioningOptions options;
-    options.gamma            = 3.;
+    options.gamma            = 6.;
     options.spectral_release = true;
     qp::Proportioning solver(scaled_block_, set, norm_, options);
 

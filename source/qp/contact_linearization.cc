@@ -11,9 +11,13 @@ namespace stiction::qp
                                              const Eigen::VectorXd &rho,
                                              const SlipBound &slip_bound)
     : m_(slip_bound.n_nodes())
-    , prescribed_(Eigen::VectorXd::Zero(3 * m_))
+    , has_normal_(x.size() == 3 * m_)
+    , t1_(has_normal_ ? m_ : 0)
+    , t2_(t1_ + m_)
+    , prescribed_(Eigen::VectorXd::Zero(x.size()))
   {
-    Eigen::VectorXd a = x - rho.replicate(3, 1).cwiseProduct(gradient);
+    Eigen::VectorXd a =
+      x - rho.replicate(x.size() / m_, 1).cwiseProduct(gradient);
     const Eigen::VectorXd radius = slip_bound.at(a);
     const Eigen::VectorXd target = slip_bound.at(x);
 
@@ -29,12 +33,12 @@ namespace stiction::qp
     double square = 0.;
     for (Eigen::Index i = 0; i < m_; ++i)
       {
-        const Eigen::Vector2d x_t(x(i + m_), x(i + 2 * m_));
-        const Eigen::Vector2d a_t(a(i + m_), a(i + 2 * m_));
-        const double norm    = a_t.norm();
-        const bool is_closed = a(i) > 0.;
+        const Eigen::Vector2d x_t(x(i + t1_), x(i + t2_));
+        const Eigen::Vector2d a_t(a(i + t1_), a(i + t2_));
+        const double norm = a_t.norm();
 
-        const double normal_change = x(i) - std::max(a(i), 0.);
+        const double normal_change =
+          has_normal_ ? x(i) - std::max(a(i), 0.) : 0.;
         const Eigen::Vector2d tangential_change =
           x_t - (norm > radius(i) ? radius(i) / norm * a_t : a_t);
         square +=
@@ -43,8 +47,8 @@ namespace stiction::qp
         Eigen::Vector2d follows = Eigen::Vector2d::Zero();
         if (radius(i) == 0.)
           {
-            prescribed_(i + m_)     = -x_t(0);
-            prescribed_(i + 2 * m_) = -x_t(1);
+            prescribed_(i + t1_) = -x_t(0);
+            prescribed_(i + t2_) = -x_t(1);
           }
         else if (norm <= radius(i))
           {
@@ -55,8 +59,8 @@ namespace stiction::qp
           {
             const Eigen::Vector2d n = a_t / norm;
             const Eigen::Vector2d d = target(i) * n - x_t;
-            prescribed_(i + m_)     = d(0);
-            prescribed_(i + 2 * m_) = d(1);
+            prescribed_(i + t1_)    = d(0);
+            prescribed_(i + t2_)    = d(1);
             if (slip_bound.is_coulomb())
               follows = slip_bound.data()(i) * n;
             add(i,
@@ -65,7 +69,9 @@ namespace stiction::qp
                 (norm - radius(i)) / (rho(i) * radius(i)));
           }
 
-        if (is_closed)
+        if (!has_normal_)
+          continue;
+        if (a(i) > 0.)
           add(i, Eigen::Vector3d::UnitX(), follows, 0.);
         else
           prescribed_(i) = -x(i);
@@ -80,13 +86,14 @@ namespace stiction::qp
   Eigen::VectorXd
   ContactLinearization::embed(const Eigen::VectorXd &y) const
   {
-    Eigen::VectorXd d = Eigen::VectorXd::Zero(3 * m_);
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(prescribed_.size());
     for (Eigen::Index k = 0; k < n_free(); ++k)
       {
         const Free &f = free_[k];
-        d(f.node) += f.direction(0) * y(k);
-        d(f.node + m_) += (f.direction(1) + f.follows(0)) * y(k);
-        d(f.node + 2 * m_) += (f.direction(2) + f.follows(1)) * y(k);
+        if (has_normal_)
+          d(f.node) += f.direction(0) * y(k);
+        d(f.node + t1_) += (f.direction(1) + f.follows(0)) * y(k);
+        d(f.node + t2_) += (f.direction(2) + f.follows(1)) * y(k);
       }
     return d;
   }
@@ -100,8 +107,9 @@ namespace stiction::qp
     for (Eigen::Index k = 0; k < n_free(); ++k)
       {
         const Free &f = free_[k];
-        y(k) = f.direction(0) * v(f.node) + f.direction(1) * v(f.node + m_) +
-               f.direction(2) * v(f.node + 2 * m_);
+        y(k)          = (has_normal_ ? f.direction(0) * v(f.node) : 0.) +
+               f.direction(1) * v(f.node + t1_) +
+               f.direction(2) * v(f.node + t2_);
       }
     return y;
   }
@@ -113,8 +121,8 @@ namespace stiction::qp
   {
     Eigen::VectorXd y = test(v);
     for (Eigen::Index k = 0; k < n_free(); ++k)
-      y(k) += free_[k].follows(0) * v(free_[k].node + m_) +
-              free_[k].follows(1) * v(free_[k].node + 2 * m_);
+      y(k) += free_[k].follows(0) * v(free_[k].node + t1_) +
+              free_[k].follows(1) * v(free_[k].node + t2_);
     return y;
   }
 } // namespace stiction::qp

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <memory>
 #include <utility>
 
 namespace stiction::qp
@@ -36,12 +37,15 @@ namespace stiction::qp
 
 
   SemismoothNewton::SemismoothNewton(const SymmetricOperator &Q,
-                                     Eigen::VectorXd nodal_compliance)
+                                     Eigen::VectorXd nodal_compliance,
+                                     const bool ends_feasible)
     : Q_(Q)
     , nodal_compliance_(std::move(nodal_compliance))
+    , ends_feasible_(ends_feasible)
     , c_(first_c)
   {
-    eigen_assert(Q.size() == 3 * nodal_compliance_.size());
+    eigen_assert(Q.size() == 3 * nodal_compliance_.size() ||
+                 Q.size() == 2 * nodal_compliance_.size());
   }
 
 
@@ -55,13 +59,17 @@ namespace stiction::qp
                           const unsigned int max_steps,
                           const Observer &observer)
   {
+    const auto feasible_set = [&]() -> std::unique_ptr<FeasibleSet> {
+      if (x.size() == 2 * slip_bound.n_nodes())
+        return std::make_unique<Discs>(slip_bound.at(x));
+      return std::make_unique<HalfLinesTimesDiscs>(slip_bound.at(x));
+    };
     const auto natural_residual = [&]() {
-      return HalfLinesTimesDiscs(slip_bound.at(x))
-        .natural_residual(x, gradient, scaling);
+      return feasible_set()->natural_residual(x, gradient, scaling);
     };
     const auto make_feasible = [&]() {
       Eigen::VectorXd projected = x;
-      HalfLinesTimesDiscs(slip_bound.at(x)).project(projected);
+      feasible_set()->project(projected);
       const Eigen::VectorXd d = projected - x;
       if (d.isZero(0.))
         return;
@@ -83,7 +91,8 @@ namespace stiction::qp
         if (statistics.residual <= tolerance)
           {
             // up to here x was feasible up to the tolerance only
-            make_feasible();
+            if (ends_feasible_)
+              make_feasible();
             statistics.residual  = natural_residual();
             statistics.converged = statistics.residual <= tolerance;
             if (statistics.converged)

@@ -4,6 +4,10 @@
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/qp/disc_active_set.h>
+#include <stiction/qp/semismooth_newton.h>
+
+#include <memory>
+#include <optional>
 
 namespace stiction
 {
@@ -19,13 +23,15 @@ namespace stiction
   class GaussSeidel : public DualMethod
   {
   public:
-    /// Estimates the norms of the two diagonal blocks. The operator must
-    /// outlive the method.
+    /// Estimates the norm of the normal block. The operator must outlive the
+    /// method.
     ///
-    /// @param variant how ALGORITHM QPQ is realised.
-    explicit GaussSeidel(const DualOperator &Q,
-                         qp::DiscActiveSet::Variant variant =
-                           qp::DiscActiveSet::Variant::spectral);
+    /// @param variant how ALGORITHM QPQ is realised; without one the
+    ///   quadratic program on discs is solved by the semismooth Newton method,
+    ///   and by the spectral variant where that stands still.
+    explicit GaussSeidel(
+      const DualOperator &Q,
+      std::optional<qp::DiscActiveSet::Variant> variant = std::nullopt);
 
     DualMethodResult
     solve(DualIterate &iterate,
@@ -60,19 +66,24 @@ namespace stiction
                           const qp::Scaling &scaling,
                           double tolerance);
 
-    /// Solves the quadratic program of one block, whose solver is given, and
-    /// updates the gradient of the other one.
+    /// A solver of a quadratic program, as a function of the point and its
+    /// gradient.
+    using Solver = std::function<void(Eigen::VectorXd &, Eigen::VectorXd &)>;
+
+    /// Solves the quadratic program of one block and updates the gradient of
+    /// the other one.
     void
-    half_sweep(DualIterate &iterate,
-               DualBlock block,
-               qp::ActiveSetMethod &solver,
-               const qp::Scaling &scaling,
-               double tolerance);
+    half_sweep(DualIterate &iterate, DualBlock block, const Solver &solver);
+
+    void
+    add(const qp::ActiveSetStatistics &inner);
 
     const DualOperator &Q_;
     DualOperatorBlock normal_block_, tangential_block_;
-    double normal_norm_, tangential_norm_;
-    qp::DiscActiveSet::Variant variant_;
+    double normal_norm_;
+    std::optional<double> tangential_norm_; ///< estimated when first needed
+    std::optional<qp::DiscActiveSet::Variant> variant_;
+    std::unique_ptr<qp::SemismoothNewton> disc_newton_;
     DualMethodStatistics statistics_;
   };
 

@@ -11,7 +11,7 @@ namespace stiction
   /// Given friction as one quadratic program over half-lines times discs,
   /// without splitting (MPGP: modified proportioning with gradient
   /// projections, Dostál, Kučera and Kozubek), with one scale a node, spectral
-  /// release steps and Γ = 3. Its energy falls in every step and it converges
+  /// release steps and Γ = 6. Its energy falls in every step and it converges
   /// from anywhere: what faster methods fall back on.
   ///
   /// An iteration, for the cap and the history, is a stretch of

@@ -20,7 +20,8 @@ namespace stiction::qp
   class ContactLinearization
   {
   public:
-    /// @param x, gradient the point and r = Qx − h there, entries (ν; t1; t2).
+    /// @param x, gradient the point and r = Qx − h there, entries (ν; t1; t2),
+    ///   or (t1; t2) only where the normal forces are held fixed.
     /// @param rho length m, > 0, unit N/m.
     ContactLinearization(const Eigen::VectorXd &x,
                          const Eigen::VectorXd &gradient,
@@ -34,7 +35,7 @@ namespace stiction::qp
       return static_cast<Eigen::Index>(free_.size());
     }
 
-    /// d0, length 3m.
+    /// d0, the length of x.
     const Eigen::VectorXd &
     prescribed() const
     {
@@ -48,7 +49,7 @@ namespace stiction::qp
       return curvature_;
     }
 
-    /// Z y, length 3m.
+    /// Z y, the length of x.
     Eigen::VectorXd
     embed(const Eigen::VectorXd &y) const;
 
@@ -84,6 +85,8 @@ namespace stiction::qp
     };
 
     Eigen::Index m_;
+    bool has_normal_;
+    Eigen::Index t1_, t2_; ///< where the tangential blocks begin
     std::vector<Free> free_;
     Eigen::VectorXd prescribed_, curvature_;
     double residual_ = 0.;

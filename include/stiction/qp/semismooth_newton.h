@@ -55,15 +55,20 @@ namespace stiction::qp
     /// Called after each step with its number and the natural residual.
     using Observer = std::function<void(unsigned int step, double residual)>;
 
-    /// @param Q the operator, of size 3m; must outlive the object.
+    /// @param Q the operator, of size 3m, or its tangential block, of size 2m,
+    ///   for the problem on discs alone; must outlive the object.
     /// @param nodal_compliance about tr(Q_ii)/3 at every node, length m, > 0.
+    /// @param ends_feasible whether the result is moved into its feasible set,
+    ///   which costs a product. Without it may be outside by less than the
+    ///   tolerance: good enough inside of another iteration.
     SemismoothNewton(const SymmetricOperator &Q,
-                     Eigen::VectorXd nodal_compliance);
+                     Eigen::VectorXd nodal_compliance,
+                     bool ends_feasible = true);
 
-    /// Moves x until its natural residual is at most tolerance. The returned x
-    /// is feasible for its own slip bound.
+    /// Moves x until its natural residual is at most tolerance.
     ///
-    /// @param x in: any point; out: the solution. Entries (ν; t1; t2).
+    /// @param x in: any point; out: the solution. Entries (ν; t1; t2) or (t1;
+    /// t2).
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
     NewtonStatistics
     solve(Eigen::VectorXd &x,
@@ -85,6 +90,7 @@ namespace stiction::qp
 
     const SymmetricOperator &Q_;
     const Eigen::VectorXd nodal_compliance_;
+    const bool ends_feasible_;
     double c_;                             ///< kept between runs
     NystromPreconditioner preconditioner_; ///< so is this
   };
