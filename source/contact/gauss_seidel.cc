@@ -34,12 +34,11 @@ namespace stiction
     , normal_block_(Q, DualBlock::normal)
     , tangential_block_(Q, DualBlock::tangential)
     , normal_norm_(qp::spectral_norm(normal_block_))
-    , tangential_norm_(qp::spectral_norm(tangential_block_))
     , variant_(variant)
   {
     if (!variant)
       disc_newton_ = std::make_unique<qp::SemismoothNewton>(
-        tangential_block_, Q.nodal_compliance());
+        tangential_block_, Q.nodal_compliance(), false);
   }
 
 
