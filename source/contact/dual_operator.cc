@@ -95,9 +95,12 @@ namespace stiction
                            Eigen::VectorXd &dst,
                            const Eigen::VectorXd &src) const
   {
-    dst.noalias() =
-      Q_.block(begin(rows), begin(columns), length(rows), length(columns)) *
-      src;
+    const auto block =
+      Q_.block(begin(rows), begin(columns), length(rows), length(columns));
+    if (rows == columns) // reads half of the block, and memory is what it costs
+      dst.noalias() = block.selfadjointView<Eigen::Lower>() * src;
+    else
+      dst.noalias() = block * src;
   }
 
 

@@ -27,6 +27,60 @@ namespace stiction
 
 
 
+  namespace
+  {
+    // Whether a cell is the last one shifted: then its stiffness is the same.
+    // The shape is that of the cell before, and becomes that of this one.
+    bool
+    is_translation(const DoFHandler<3>::cell_iterator &cell,
+                   std::vector<Tensor<1, 3>> &shape)
+    {
+      const double tolerance = 1e-12 * cell->diameter();
+      bool is_same           = !shape.empty();
+      shape.resize(cell->n_vertices());
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          const Tensor<1, 3> edge = cell->vertex(v) - cell->vertex(0);
+          is_same  = is_same && (edge - shape[v]).norm() <= tolerance;
+          shape[v] = edge;
+        }
+      return is_same;
+    }
+
+
+
+    void
+    integrate_stiffness(const FEValues<3> &values,
+                        const double lame_lambda,
+                        const double shear_modulus,
+                        FullMatrix<double> &cell_matrix)
+    {
+      const FiniteElement<3> &fe = values.get_fe();
+      const unsigned int n       = fe.n_dofs_per_cell();
+      cell_matrix                = 0.;
+
+      // a(φ_i e_a, φ_j e_b) = ∫ λ ∂aφ_i ∂bφ_j + G (∂bφ_i ∂aφ_j
+      //                         + δ_ab ∇φ_i·∇φ_j)
+      for (const unsigned int q : values.quadrature_point_indices())
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const unsigned int a   = fe.system_to_component_index(i).first;
+            const Tensor<1, 3> &gi = values.shape_grad(i, q);
+            for (unsigned int j = 0; j < n; ++j)
+              {
+                const unsigned int b   = fe.system_to_component_index(j).first;
+                const Tensor<1, 3> &gj = values.shape_grad(j, q);
+                cell_matrix(i, j) +=
+                  (lame_lambda * gi[a] * gj[b] +
+                   shear_modulus * (gi[b] * gj[a] + (a == b ? gi * gj : 0.))) *
+                  values.JxW(q);
+              }
+          }
+    }
+  } // namespace
+
+
+
   LinearElasticity::LinearElasticity(const Body &body,
                                      const Parameters &parameters)
     : body_(body)
@@ -181,34 +235,19 @@ namespace stiction
     FullMatrix<double> cell_matrix(n, n);
     Vector<double> cell_load(n);
     std::vector<types::global_dof_index> indices(n);
+    std::vector<Tensor<1, 3>> last_shape;
 
     together(comm, [&]() {
       for (const auto &cell : dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            cell_values.reinit(cell);
-            cell_matrix = 0.;
-            cell_load   = 0.;
-
-            // a(φ_i e_a, φ_j e_b) = ∫ λ ∂aφ_i ∂bφ_j + G (∂bφ_i ∂aφ_j
-            //                         + δ_ab ∇φ_i·∇φ_j)
-            for (const unsigned int q : cell_values.quadrature_point_indices())
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  const unsigned int a = fe.system_to_component_index(i).first;
-                  const Tensor<1, 3> &gi = cell_values.shape_grad(i, q);
-                  for (unsigned int j = 0; j < n; ++j)
-                    {
-                      const unsigned int b =
-                        fe.system_to_component_index(j).first;
-                      const Tensor<1, 3> &gj = cell_values.shape_grad(j, q);
-                      cell_matrix(i, j) +=
-                        (lame_lambda_ * gi[a] * gj[b] +
-                         shear_modulus_ *
-                           (gi[b] * gj[a] + (a == b ? gi * gj : 0.))) *
-                        cell_values.JxW(q);
-                    }
-                }
+            cell_load = 0.;
+            if (!is_translation(cell, last_shape))
+              {
+                cell_values.reinit(cell);
+                integrate_stiffness(
+                  cell_values, lame_lambda_, shear_modulus_, cell_matrix);
+              }
 
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary() &&
