@@ -241,20 +241,47 @@ namespace stiction
 
 
 
-  Eigen::MatrixXd
-  ContactSurface::to_local(const Eigen::MatrixXd &v) const
+  Eigen::VectorXd
+  ContactSurface::to_local(const Eigen::VectorXd &v) const
   {
     const Eigen::Index m = n_nodes();
-    Eigen::MatrixXd w(v.rows(), v.cols());
-    for (Eigen::Index j = 0; j < v.cols(); ++j)
+    Eigen::VectorXd w(v.size());
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const Tensor<1, 3> x({v(i), v(i + m), v(i + 2 * m)});
+        w(i)         = nodes_[i].normal * x;
+        w(i + m)     = nodes_[i].tangent1 * x;
+        w(i + 2 * m) = nodes_[i].tangent2 * x;
+      }
+    return w;
+  }
+
+
+
+  void
+  ContactSurface::rotate_to_local(Eigen::MatrixXd &C) const
+  {
+    const Eigen::Index m = n_nodes();
+    std::vector<Eigen::Matrix3d> R(m);
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          R[i](0, c) = nodes_[i].normal[c];
+          R[i](1, c) = nodes_[i].tangent1[c];
+          R[i](2, c) = nodes_[i].tangent2[c];
+        }
+    for (Eigen::Index j = 0; j < m; ++j)
       for (Eigen::Index i = 0; i < m; ++i)
         {
-          const Tensor<1, 3> x({v(i, j), v(i + m, j), v(i + 2 * m, j)});
-          w(i, j)         = nodes_[i].normal * x;
-          w(i + m, j)     = nodes_[i].tangent1 * x;
-          w(i + 2 * m, j) = nodes_[i].tangent2 * x;
+          Eigen::Matrix3d block;
+          for (Eigen::Index b = 0; b < 3; ++b)
+            for (Eigen::Index a = 0; a < 3; ++a)
+              block(a, b) = C(i + a * m, j + b * m);
+          block = (R[i] * block * R[j].transpose()).eval();
+          for (Eigen::Index b = 0; b < 3; ++b)
+            for (Eigen::Index a = 0; a < 3; ++a)
+              C(i + a * m, j + b * m) = block(a, b);
         }
-    return w;
   }
 
 

@@ -5,6 +5,8 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <utility>
+
 namespace stiction
 {
   namespace
@@ -34,11 +36,10 @@ namespace stiction
       return std::make_unique<SchurComplement>(elasticity, surface, solver);
 
     // Q = R C Rᵀ with C the block of K⁻¹ at the contact unknowns
-    const Eigen::MatrixXd RC =
-      surface.to_local(solver.compliance(surface.trace()));
+    Eigen::MatrixXd Q = solver.compliance(surface.trace());
+    surface.rotate_to_local(Q);
     return std::make_unique<DenseDualOperator>(
-      surface.to_local(RC.transpose()),
-      dual_right_hand_side(elasticity, surface, solver));
+      std::move(Q), dual_right_hand_side(elasticity, surface, solver));
   }
 
 

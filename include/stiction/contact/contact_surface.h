@@ -121,9 +121,13 @@ namespace stiction
                     LA::Vector &dst) const;
 
     /// From components (x; y; z) to (n; t1; t2) at every node: the orthogonal
-    /// matrix R with B = R × restriction. Acts on every column of v.
-    Eigen::MatrixXd
-    to_local(const Eigen::MatrixXd &v) const;
+    /// matrix R with B = R × restriction.
+    Eigen::VectorXd
+    to_local(const Eigen::VectorXd &v) const;
+
+    /// Replaces a matrix of order 3m by R C Rᵀ, in one pass: C may be large.
+    void
+    rotate_to_local(Eigen::MatrixXd &C) const;
 
     /// The inverse of to_local(), Rᵀ v.
     Eigen::VectorXd
