@@ -129,6 +129,8 @@ namespace stiction
 
         idle_steps = result.residual < 0.9 * smallest ? 0 : idle_steps + 1;
         smallest   = std::min(smallest, result.residual);
+        if (result.residual <= rule.residual && result.change <= rule.change)
+          continue; // converged
         if ((approximation.iterations == 0 && result.change == 0. &&
              !is_extrapolated) ||
             approximation.stagnated || !std::isfinite(result.residual))

@@ -196,8 +196,8 @@ namespace stiction
         log.line();
         log.line(format("WARNING: the successive approximations contract by "
                         "%.3f a step only; near 1 the answer may not be the "
-                        "only one. 'Contact solver/Method = newton' does "
-                        "without them.",
+                        "only one. 'Contact solver/Method = newton' with "
+                        "'Coulomb iteration = direct' does without them.",
                         contraction.get<double>()));
       }
 
