@@ -76,7 +76,7 @@ METHODS = (
         BOTH,
         (
             "Contact solver/Method=newton",
-            "Performance/Measure factorisations=true",
+            "Performance/Measure factorizations=true",
         ),
         "yardstick",
     ),
