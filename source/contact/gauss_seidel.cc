@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace stiction
 {
@@ -98,6 +99,11 @@ namespace stiction
           !result.converged &&
           (idle_sweeps >= max_idle_sweeps || !std::isfinite(result.residual));
       }
+    if (result.stagnated && !inner_converged_)
+      result.reason =
+        "the quadratic programs on discs were not solved in " +
+        std::to_string(max_inner_multiplications) +
+        " products each, choose another 'Contact solver/Disc solver'";
     return result;
   }
 
@@ -168,6 +174,8 @@ namespace stiction
     statistics_.conjugate_gradient_steps += inner.conjugate_gradient_steps;
     statistics_.expansion_steps += inner.expansion_steps;
     statistics_.release_steps += inner.release_steps;
+    inner_converged_ =
+      inner.converged || inner.multiplications < max_inner_multiplications;
   }
 
 

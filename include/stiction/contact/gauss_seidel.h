@@ -85,6 +85,7 @@ namespace stiction
     std::optional<qp::DiscActiveSet::Variant> variant_;
     std::unique_ptr<qp::SemismoothNewton> disc_newton_;
     DualMethodStatistics statistics_;
+    bool inner_converged_ = true; ///< the last program, or rounding ended it
   };
 
 } // namespace stiction

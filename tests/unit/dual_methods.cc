@@ -1,0 +1,151 @@
+// The methods on the dual problem of the reference brick, k = 1: Newton's
+// method with its fallbacks forced after every step still ends at the same
+// forces, and counts them; the monolithic method's energy falls in every
+// iteration; successive approximations report how they contract, and the
+// extrapolation ends at the same forces; a method that needs the matrix says
+// so; a problem written to files and read again has the same solution.
+
+#include "tests.h"
+
+#include <stiction/contact/admm.h>
+#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/contact/dual_problem.h>
+#include <stiction/contact/gauss_seidel.h>
+#include <stiction/contact/judge.h>
+#include <stiction/contact/monolithic.h>
+#include <stiction/contact/newton.h>
+#include <stiction/contact/schur_complement.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/output/problem_files.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+using namespace stiction;
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Parameters parameters;
+  parameters.read(shipped("brick.prm"), {"Geometry/Table 1 level=1"});
+  const Body body(parameters.geometry, MPI_COMM_WORLD);
+  const LinearElasticity elasticity(body, parameters);
+  const ContactSurface surface(elasticity, parameters);
+  const auto solver =
+    StiffnessSolver::create(parameters.stiffness_solver, elasticity, 1e-13);
+  const auto Q =
+    SchurComplement::create("assembled", elasticity, surface, *solver);
+  const auto by_solves =
+    SchurComplement::create("by solves", elasticity, surface, *solver);
+  const auto given   = qp::SlipBound::given(1.5e7 * surface.areas());
+  const auto coulomb = surface.slip_bound();
+
+  const auto solve = [&](DualMethod &method, const qp::SlipBound &bound) {
+    DualProblemJudge judge(*Q, bound, surface.areas());
+    return certified_solve(
+      method, *Q, bound, judge, 1e-9, 1000, [](const ContactStep &) {});
+  };
+
+  for (const auto &bound : {given, coulomb})
+    {
+      const char *law = bound.is_coulomb() ? "coulomb" : "given";
+      Newton plain(*Q), forced(*Q, 1);
+      const auto best = solve(plain, bound), same = solve(forced, bound);
+      out() << law << ": newton " << yes(best.converged)
+            << " without fallbacks " << yes(plain.statistics().fallbacks == 0)
+            << "; forced to fall back " << yes(same.converged)
+            << ", more than twice " << yes(forced.statistics().fallbacks > 2)
+            << ", same forces "
+            << yes((same.lambda - best.lambda).norm() <
+                   1e-7 * best.lambda.norm())
+            << std::endl;
+    }
+
+  {
+    // the energy from h afresh, not from what the method keeps
+    Monolithic method(*Q);
+    DualIterate iterate{Eigen::VectorXd::Zero(given.n_nodes() * 3),
+                        -Q->right_hand_side()};
+    DualProblemJudge judge(*Q, given, surface.areas());
+    const qp::Scaling scaling = judge.judge(iterate.lambda).scaling();
+    double last               = 0.;
+    bool falls                = true;
+    unsigned int steps        = 0;
+    for (; steps < 40; ++steps)
+      {
+        StoppingRule rule;
+        rule.max_iterations = 1;
+        method.solve(
+          iterate, given, scaling, rule, [](const DualMethod::Step &) {});
+        const double energy =
+          0.5 * iterate.lambda.dot(*Q->matrix() * iterate.lambda) -
+          iterate.lambda.dot(Q->right_hand_side());
+        falls = falls && energy <= last + 1e-12 * std::abs(last);
+        last  = energy;
+      }
+    out() << "mpgp: the energy falls " << yes(falls && last < 0.) << std::endl;
+  }
+
+  {
+    CoulombFixedPoint plain(std::make_unique<GaussSeidel>(*Q), false),
+      extrapolated(std::make_unique<GaussSeidel>(*Q), true);
+    const auto one = solve(plain, coulomb), two = solve(extrapolated, coulomb);
+    const double contraction = plain.statistics().contraction;
+    out() << "fixed point: " << yes(one.converged) << ", contracts "
+          << yes(contraction > 0. && contraction < 0.9)
+          << "; extrapolated: " << yes(two.converged) << ", same forces "
+          << yes((one.lambda - two.lambda).norm() < 1e-7 * one.lambda.norm())
+          << std::endl;
+  }
+
+  try
+    {
+      Admm admm(*by_solves);
+      out() << "admm without a matrix: not refused" << std::endl;
+    }
+  catch (const std::invalid_argument &)
+    {
+      out() << "admm without a matrix: refused" << std::endl;
+    }
+  const Eigen::VectorXd exact = Q->nodal_compliance(),
+                        guess = by_solves->nodal_compliance();
+  const Eigen::ArrayXd ratio  = guess.cwiseQuotient(exact).array();
+  out() << "compliance by one product within a factor of three: "
+        << yes(ratio.minCoeff() > 1. / 3. && ratio.maxCoeff() < 3.)
+        << std::endl;
+
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      DualProblem problem;
+      problem.Q          = *Q->matrix();
+      problem.h          = Q->right_hand_side();
+      problem.slip_bound = coulomb;
+      problem.areas      = surface.areas();
+      export_problem("results", problem);
+      Newton here(*Q);
+      const auto expected = solve(here, coulomb);
+      for (const std::string path : {"results/problem.hdf5", "results/Q.mtx"})
+        {
+          const DualProblem read = import_problem(path);
+          const DenseDualOperator R(read.Q, read.h);
+          DualProblemJudge judge(R, read.slip_bound, read.areas);
+          Newton there(R);
+          const auto found = certified_solve(there,
+                                             R,
+                                             read.slip_bound,
+                                             judge,
+                                             1e-9,
+                                             1000,
+                                             [](const ContactStep &) {});
+          out() << path << ": " << yes(found.converged) << ", same forces "
+                << yes((found.lambda - expected.lambda).norm() <
+                       1e-9 * expected.lambda.norm())
+                << std::endl;
+        }
+    }
+}
