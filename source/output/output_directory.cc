@@ -33,14 +33,19 @@ namespace stiction
     together(communicator, [&]() {
       if (!is_first(communicator))
         return;
-      const std::string entry = parameters.source.describe("Output/Directory");
-      require_writable(directory, entry);
-      if (!parameters.output.export_directory.empty())
-        require_writable(parameters.output.export_directory,
-                         parameters.source.describe("Output/Export directory"));
       std::error_code error;
-      std::filesystem::create_directories(directory, error);
-      require_writable(directory + "/.", entry);
+      const auto make = [&](const std::string &name, const char *entry) {
+        require_writable(name, parameters.source.describe(entry));
+        std::filesystem::create_directories(name, error);
+        if (error)
+          throw InputError(parameters.source.describe(entry) +
+                           ", cannot be written to, must be a directory that "
+                           "exists or can be made.");
+        require_writable(name + "/.", parameters.source.describe(entry));
+      };
+      if (!parameters.output.export_directory.empty())
+        make(parameters.output.export_directory, "Output/Export directory");
+      make(directory, "Output/Directory");
       log.open_file(directory + "/log.txt");
       std::filesystem::remove(directory + "/summary.json", error);
     });

@@ -93,6 +93,11 @@ def problem_panels(result, share=True):
     return figure, axes, named
 
 
+def comparable(methods, name):
+    """Those whose cost a figure tells: ADMM's is in its factorisations."""
+    return [m for m in methods if name != "products" or m != "ADMM"]
+
+
 def against_n(result, name, ylabel, path, paper=False):
     """A figure of every run against n, both in logarithms."""
     levels = result.chosen("k")
@@ -112,7 +117,7 @@ def against_n(result, name, ylabel, path, paper=False):
                     markersize=5,
                     label=f"{method}, paper",
                 )
-        for method in result.methods(law):
+        for method in comparable(result.methods(law), name):
             # not a number leaves a gap: a line would hide a failed run
             costs = [
                 result.cost(k, reading, law, method, name) or float("nan")
@@ -133,14 +138,17 @@ def against_n(result, name, ylabel, path, paper=False):
 
 
 def residual_histories(result, path):
-    """The residual against products with Q at the largest k that was done."""
+    """The residual against products with Q at the largest k that was done.
+
+    ADMM is left out: what it does is not products.
+    """
     figure, axes, named = problem_panels(result, share=False)
     for (law, reading), axis in named.items():
         entries = [
             entry
             for entry in result.entries.values()
             if (entry["law"], entry["reading"]) == (law, reading)
-            and entry["method"] in STYLES
+            and entry["method"] in comparable(STYLES, "products")
             and len(entry["history"]) > 1
         ]
         largest = max((entry["k"] for entry in entries), default=None)
@@ -174,7 +182,7 @@ def profile_costs(result, law, name):
 
     None where a method failed. Polygons are another problem and left out.
     """
-    methods = result.methods(law, ("disc",))
+    methods = comparable(result.methods(law, ("disc",)), name)
     known = (runs.CERTIFIED, runs.NOT_CERTIFIED, runs.LIMIT, "skipped")
     problems = [
         (k, reading)
