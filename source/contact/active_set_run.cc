@@ -5,14 +5,16 @@
 namespace stiction
 {
   DualMethodResult
-  run_active_set_method(qp::ActiveSetMethod &solver,
-                        Eigen::VectorXd &x,
-                        Eigen::VectorXd &gradient,
-                        const qp::Scaling &scaling,
-                        const StoppingRule &rule,
-                        const unsigned int products_in_an_iteration,
-                        DualMethodStatistics &statistics,
-                        const DualMethod::Observer &observer)
+  run_active_set_method(
+    qp::ActiveSetMethod &solver,
+    Eigen::VectorXd &x,
+    Eigen::VectorXd &gradient,
+    const qp::Scaling &scaling,
+    const StoppingRule &rule,
+    const unsigned int products_in_an_iteration,
+    DualMethodStatistics &statistics,
+    const std::function<void(const Eigen::VectorXd &)> &show,
+    const DualMethod::Observer &observer)
   {
     DualMethodResult result;
     Eigen::VectorXd before = x;
@@ -25,6 +27,7 @@ namespace stiction
       before            = now;
       reported          = products;
       ++result.iterations;
+      show(now);
       observer({1, residual, result.change});
     };
     solver.set_observer([&](const unsigned int products,

@@ -32,17 +32,20 @@ namespace stiction
     options.spectral_release = true;
     qp::Proportioning solver(scaled_block_, set, norm_, options);
 
-    Eigen::VectorXd x        = nodal_scaling_.divide(iterate.lambda);
-    Eigen::VectorXd gradient = nodal_scaling_.times(iterate.gradient);
-    const DualMethodResult result =
-      run_active_set_method(solver,
-                            x,
-                            gradient,
-                            nodal_scaling_.scaled(scaling),
-                            rule,
-                            products_in_an_iteration,
-                            statistics_,
-                            observer);
+    Eigen::VectorXd x             = nodal_scaling_.divide(iterate.lambda);
+    Eigen::VectorXd gradient      = nodal_scaling_.times(iterate.gradient);
+    const DualMethodResult result = run_active_set_method(
+      solver,
+      x,
+      gradient,
+      nodal_scaling_.scaled(scaling),
+      rule,
+      products_in_an_iteration,
+      statistics_,
+      [&](const Eigen::VectorXd &now) {
+        iterate.lambda = nodal_scaling_.times(now);
+      },
+      observer);
     iterate.lambda   = nodal_scaling_.times(x);
     iterate.gradient = nodal_scaling_.divide(gradient);
     return result;

@@ -42,16 +42,21 @@ namespace stiction
 
     Eigen::VectorXd x = squares.lift(iterate.lambda);
     move_to(squares.to_forces(x));
-    Eigen::VectorXd gradient = squares.pull_back(iterate.gradient);
-    const DualMethodResult result =
-      run_active_set_method(solver,
-                            x,
-                            gradient,
-                            scaling,
-                            rule,
-                            Monolithic::products_in_an_iteration,
-                            statistics_,
-                            observer);
+    Eigen::VectorXd gradient      = squares.pull_back(iterate.gradient);
+    const Eigen::VectorXd start   = iterate.lambda;
+    const DualMethodResult result = run_active_set_method(
+      solver,
+      x,
+      gradient,
+      scaling,
+      rule,
+      Monolithic::products_in_an_iteration,
+      statistics_,
+      [&](const Eigen::VectorXd &now) {
+        iterate.lambda = squares.to_forces(now);
+      },
+      observer);
+    iterate.lambda = start; // the one that the gradient belongs to
     move_to(squares.to_forces(x));
     return result;
   }

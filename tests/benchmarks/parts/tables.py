@@ -21,7 +21,7 @@ The paper's ratios at k = 6 are 34 and 139; they are not found here, and need
 not be. Here a product with the Hessian of the squares is one with Q and a
 little more, whatever their number, and the same proportioning with projected
 conjugate-gradient expansions works on their bounds, so that the ratio is that
-of the numbers of products, two to three. Formed as a matrix in the larger
+of the numbers of products, between one and three. Formed as a matrix in the larger
 number of unknowns, as a predecessor may well have done, the Hessian would cost
 2.8 and 9 times as much in every product; it is singular besides, which slows
 conjugate gradients that do not know of it, and the paper's times grow like n²
