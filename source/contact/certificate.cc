@@ -135,7 +135,7 @@ namespace stiction
     load_work_     = sums[work];
 
     scaling_.force        = surface_.areas() * (S / surface_.boundary_area());
-    scaling_.displacement = nonzero(sums[energy] / S);
+    scaling_.displacement = nonzero(std::max(sums[energy], 0.) / S);
   }
 
 

@@ -32,6 +32,36 @@ namespace stiction
                                        figures.cone_violation});
       return largest > 0. ? std::max(figures.kkt_residual / largest, 0.01) : 1.;
     }
+
+
+    // The judge's scales, unless they are rounding: a body that is only moved
+    // has neither load nor strain as long as there are no contact forces. Then
+    // those of the forces count that would undo h node by node.
+    qp::Scaling
+    usable_scaling(const ContactConditions &conditions, const DualOperator &Q)
+    {
+      constexpr double rounding = 1e-6;
+
+      qp::Scaling scaling         = conditions.scaling();
+      const Eigen::Index m        = Q.n_nodes();
+      const Eigen::VectorXd &h    = Q.right_hand_side();
+      const Eigen::VectorXd nodal = Q.nodal_compliance();
+      double undoing = 0., work = 0.;
+      for (Eigen::Index i = 0; i < m; ++i)
+        {
+          const double gap =
+            Eigen::Vector3d(h(i), h(i + m), h(i + 2 * m)).norm();
+          undoing += gap / nodal(i);
+          work += gap * gap / nodal(i);
+        }
+      const double total = scaling.force.sum();
+      if (total < rounding * undoing)
+        {
+          scaling.force *= undoing / total;
+          scaling.displacement = work / undoing;
+        }
+      return scaling;
+    }
   } // namespace
 
 
@@ -56,6 +86,7 @@ namespace stiction
     double target           = std::max(coarse_residual, 0.5 * tolerance);
     double smallest         = row.residual;
     unsigned int iterations = 0, idle = 0;
+    qp::Scaling scaling = usable_scaling(*conditions, Q);
     while (!conditions->converged(tolerance))
       {
         StoppingRule rule;
@@ -65,7 +96,7 @@ namespace stiction
         DualMethodResult result = method.solve(
           iterate,
           slip_bound,
-          conditions->scaling(),
+          scaling,
           rule,
           [&](const DualMethod::Step &step) {
             row.contraction =
@@ -82,6 +113,7 @@ namespace stiction
         solution.lambda  = iterate.lambda;
         conditions       = &judge.judge(solution.lambda);
         iterate.gradient = conditions->gradient();
+        scaling          = usable_scaling(*conditions, Q);
         if (conditions->converged(tolerance))
           break;
 

@@ -5,6 +5,7 @@
 #include <stiction/elasticity/mumps_solver.h>
 #include <stiction/elasticity/trace.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -82,6 +83,22 @@ namespace stiction
       int local_size_;
       std::vector<int> counts_, offsets_;
     };
+
+    // Whether an unknown is neither prescribed nor in the trace. Collective.
+    bool
+    has_interior(const LinearElasticity &elasticity, const Trace &trace)
+    {
+      dealii::IndexSet interior = elasticity.body().locally_owned_dofs();
+      dealii::IndexSet taken(interior.size());
+      taken.add_indices(trace.dofs().begin(), trace.dofs().end());
+      for (const auto dof : interior)
+        if (elasticity.constraints().is_constrained(dof))
+          taken.add_index(dof);
+      interior.subtract_set(taken);
+      return dealii::Utilities::MPI::sum(
+               static_cast<unsigned int>(interior.is_empty() ? 0 : 1),
+               elasticity.body().communicator()) > 0;
+    }
   } // namespace
 
 
@@ -100,6 +117,11 @@ namespace stiction
   Eigen::MatrixXd
   MumpsSolver::compliance(const Trace &trace)
   {
+    // With nothing but prescribed unknowns to eliminate MUMPS aborts on several
+    // ranks; such a body is one cell thick.
+    if (!has_interior(elasticity_, trace))
+      return StiffnessSolver::compliance(trace);
+
     factorization_.reset(); // before the new one: it may be large
     factorization_ = std::make_unique<MumpsFactorization>(
       elasticity_.constrained_stiffness(), dofs_per_node, trace.dofs());
