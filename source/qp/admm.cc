@@ -14,11 +14,11 @@ namespace stiction::qp
     // Ten fits the reference brick at every level from the first iteration on.
     constexpr double first_factor = 10.;
 
-    // The factor is looked at every so many iterations, and changed when the
-    // two residuals differ by more than this.
-    constexpr unsigned int adaptation_interval = 10;
-    constexpr double adaptation_threshold      = 2.;
-    constexpr unsigned int max_adaptations     = 3;
+    // The factor is looked at after so many iterations, and changed when the
+    // two residuals differ by more than this. Each change doubles the wait for
+    // the next, because it costs a factorisation.
+    constexpr unsigned int first_wait     = 10;
+    constexpr double adaptation_threshold = 2.;
   } // namespace
 
 
@@ -82,6 +82,7 @@ namespace stiction::qp
     project(z);
     Eigen::VectorXd u = -gradient.cwiseQuotient(factor_ * pull_);
 
+    unsigned int wait = first_wait, waited = 0;
     statistics.residual = natural_residual();
     while (true)
       {
@@ -119,8 +120,7 @@ namespace stiction::qp
         statistics.residual = natural_residual();
         observer(statistics.residual);
 
-        if (statistics.iterations % adaptation_interval == 0 &&
-            n_factorizations_ <= max_adaptations)
+        if (++waited >= wait)
           {
             // relative, in the norms of energies
             const Eigen::VectorXd root = D.cwiseSqrt();
@@ -133,6 +133,8 @@ namespace stiction::qp
               {
                 const double change = std::sqrt(ratio);
                 factorize(factor_ * change);
+                wait *= 2;
+                waited = 0;
                 u /= change;
               }
           }

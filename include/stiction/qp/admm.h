@@ -30,11 +30,11 @@ namespace stiction::qp
   /// the nearest admissible forces, and u sums up what separates them.
   ///
   /// The pull is that of the nodal compliances (another force a node), times a
-  /// factor that is doubled or more when x and z disagree by more than z moves
-  /// and vice versa, at most three times, because each asks for a new Cholesky
-  /// factor of Q + D. Over-relaxed by 1.7. With Coulomb friction the disc of a
-  /// node has the radius F z_ν of the same iteration. Converges for given
-  /// friction (Boyd et al. 2011) whatever the factor.
+  /// factor that grows when x and z disagree by more than z moves and shrinks
+  /// when it is the other way round, less and less often, because each change
+  /// asks for a new Cholesky factor of Q + D. Over-relaxed by 1.7. With Coulomb
+  /// friction the disc of a node has the radius F z_ν of the same iteration.
+  /// Converges for given friction (Boyd et al. 2011) whatever the factor.
   class Admm
   {
   public:
