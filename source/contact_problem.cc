@@ -84,10 +84,10 @@ namespace stiction
       measure_one_elastic_solve();
       measure_factorizations();
       output_results();
-      export_problem();
     }
     summarize();
     report();
+    export_problem();
     return solution_->converged;
   }
 

@@ -16,10 +16,50 @@
 
 #include <nlohmann/json.hpp>
 
+#include <Eigen/Cholesky>
+
 #include <utility>
 
 namespace stiction
 {
+  namespace
+  {
+    // Throws InputError for numbers whose products leave the range of a
+    // double, and for a Q that is indefinite by more than rounding.
+    void
+    require_solvable(const DualProblem &problem, const std::string &path)
+    {
+      constexpr double smallest = 1e-50, largest = 1e50;
+      const auto require_size = [&](const Eigen::VectorXd &v,
+                                    const char *name) {
+        const double size = v.cwiseAbs().maxCoeff();
+        if (size != 0. && !(size >= smallest && size <= largest))
+          throw InputError(path + ": the largest entry of " + name + " is " +
+                           format("%g", size) +
+                           ", must be 0 or from 1e-50 to 1e50 in size: choose "
+                           "other units.");
+      };
+      require_size(problem.Q.diagonal(), "the diagonal of Q");
+      require_size(problem.h, "h");
+      require_size(problem.slip_bound.data(), "the friction data");
+      if (problem.areas.size() > 0 &&
+          problem.areas.maxCoeff() > 1e10 * problem.areas.minCoeff())
+        throw InputError(path + ": the largest area is " +
+                         format("%g", problem.areas.maxCoeff()) +
+                         ", must be at most 1e10 times the smallest.");
+
+      // singular is allowed, if only just
+      Eigen::MatrixXd shifted = problem.Q;
+      shifted.diagonal() *= 1. + 1e-10;
+      if (Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(shifted).info() !=
+          Eigen::Success)
+        throw InputError(path + ": Q has a negative eigenvalue, must be "
+                                "positive definite.");
+    }
+  } // namespace
+
+
+
   DualContactProblem::DualContactProblem(std::string path,
                                          const Parameters &parameters,
                                          MPI_Comm communicator)
@@ -59,6 +99,7 @@ namespace stiction
     const auto phase = phases_.scope("dual_operator");
     problem_         = import_problem(path_);
     parameters_.check_method(problem_.slip_bound.is_coulomb());
+    require_solvable(problem_, path_);
     Q_       = std::make_unique<DenseDualOperator>(std::move(problem_.Q),
                                              std::move(problem_.h));
     history_ = std::make_unique<ConvergenceHistory>(

@@ -27,8 +27,8 @@ namespace
 
   struct CommandLine
   {
-    std::string file, problem;
-    std::optional<std::string> output, export_directory;
+    std::string file;
+    std::optional<std::string> output, export_directory, problem;
     std::vector<std::string> settings;
     bool validate = false, print_parameters = false;
   };
@@ -46,18 +46,21 @@ namespace
   run(Program &program, const CommandLine &arguments)
   {
     using namespace stiction;
-    if (arguments.file.empty() && arguments.problem.empty())
+    if (arguments.problem && arguments.problem->empty())
+      throw InputError("--problem = '', must name a file or a directory.");
+    if (arguments.file.empty() && !arguments.problem)
       throw InputError("FILE.prm is missing, 'stiction --help' shows how to "
                        "call the program and 'stiction --print-parameters' "
                        "prints a complete parameter file.");
     program.parameters.read(arguments.file,
                             arguments.settings,
                             arguments.output,
-                            arguments.export_directory);
-    if (!arguments.problem.empty())
+                            arguments.export_directory,
+                            !arguments.problem);
+    if (arguments.problem)
       {
         program.dual_problem = std::make_unique<DualContactProblem>(
-          arguments.problem, program.parameters, MPI_COMM_WORLD);
+          *arguments.problem, program.parameters, MPI_COMM_WORLD);
         return program.dual_problem->run() ? certified : not_converged;
       }
     program.problem =
@@ -115,7 +118,8 @@ main(int argc, char *argv[])
   auto *const problem = app.add_option(
     "--problem",
     arguments.problem,
-    "Solve the discrete problem of an FCLIB file (*.hdf5), a Matrix Market "
+    "Solve the discrete problem of an FCLIB file (*.hdf5, *.h5), a Matrix "
+    "Market "
     "file (*.mtx) or an exported directory instead of a body; FILE may be left "
     "out");
   app

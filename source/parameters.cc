@@ -330,7 +330,8 @@ namespace stiction
   Parameters::read(const std::string &file,
                    const std::vector<std::string> &settings,
                    const std::optional<std::string> &output,
-                   const std::optional<std::string> &export_directory)
+                   const std::optional<std::string> &export_directory,
+                   const bool has_body)
   {
     dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
     source.read(file, settings, prm);
@@ -339,8 +340,18 @@ namespace stiction
     if (export_directory)
       source.assign(
         "--export", "Output", "Export directory", *export_directory, prm);
-    apply_table_1_level();
-    check();
+    if (has_body)
+      {
+        apply_table_1_level();
+        check_body();
+      }
+    require(!dealii::Utilities::trim(this->output.directory).empty(),
+            "Output/Directory",
+            "must name a directory");
+    require(this->output.export_directory.empty() ||
+              !dealii::Utilities::trim(this->output.export_directory).empty(),
+            "Output/Export directory",
+            "must name a directory or be empty");
 
     std::ostringstream out;
     prm.print_parameters(out,
@@ -388,15 +399,19 @@ namespace stiction
 
 
   void
-  Parameters::check() const
+  Parameters::require(const bool condition,
+                      const std::string &entry,
+                      const std::string &allowed) const
   {
-    const auto require = [&](const bool condition,
-                             const std::string &entry,
-                             const std::string &allowed) {
-      if (!condition)
-        throw InputError(source.describe(entry) + ", " + allowed + ".");
-    };
+    if (!condition)
+      throw InputError(source.describe(entry) + ", " + allowed + ".");
+  }
 
+
+
+  void
+  Parameters::check_body() const
+  {
     // Numbers near the ends of the range of a double would overflow in their
     // products; no unit system needs them.
     const auto is_sane = [](const double value) {
@@ -449,10 +464,6 @@ namespace stiction
               dual_operator.form == "assembled",
             "Output/Export directory",
             "writes the matrix Q, so 'Dual operator/Form' must be 'assembled'");
-
-    require(!dealii::Utilities::trim(output.directory).empty(),
-            "Output/Directory",
-            "must name a directory");
   }
 
 

@@ -142,13 +142,16 @@ namespace stiction
     /// @param file may be empty: all defaults.
     /// @param output, export_directory the arguments of --output and --export,
     ///   which go before all else.
+    /// @param has_body whether the values that describe a body count, and are
+    ///   checked.
     ///
-    /// Throws InputError: see ParameterFile::read() and check().
+    /// Throws InputError: see ParameterFile::read() and check_body().
     void
     read(const std::string &file,
          const std::vector<std::string> &settings           = {},
          const std::optional<std::string> &output           = std::nullopt,
-         const std::optional<std::string> &export_directory = std::nullopt);
+         const std::optional<std::string> &export_directory = std::nullopt,
+         bool has_body                                      = true);
 
     /// Throws InputError if the method cannot solve a problem with this law.
     void
@@ -182,7 +185,13 @@ namespace stiction
     /// What a pattern alone cannot see: open ranges, entries that need each
     /// other. Throws InputError.
     void
-    check() const;
+    check_body() const;
+
+    /// Throws InputError about the entry unless the condition holds.
+    void
+    require(bool condition,
+            const std::string &entry,
+            const std::string &allowed) const;
 
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table
     /// in place of the given ones when Table 1 level is not 0.

@@ -17,6 +17,9 @@ namespace stiction
     // judge measures in scales of the next iterate.
     constexpr double safety = 0.5;
 
+    // Where a method stops at a residual below this one, it is rounding.
+    constexpr double rounding_residual = 1e-6;
+
     // Judgements without a new smallest residual before giving up.
     constexpr unsigned int max_idle_judgements = 3;
 
@@ -34,11 +37,14 @@ namespace stiction
     }
 
 
-    // The judge's scales, unless they are rounding: a body that is only moved
-    // has neither load nor strain as long as there are no contact forces. Then
-    // those of the forces count that would undo h node by node.
+    // The judge's scales, unless they are rounding or a convention: a body that
+    // is only moved has neither load nor strain as long as there are no contact
+    // forces. Then those of the forces count that would undo h node by node,
+    // and always where no contact forces at all are to be the answer.
     qp::Scaling
-    usable_scaling(const ContactConditions &conditions, const DualOperator &Q)
+    usable_scaling(const ContactConditions &conditions,
+                   const DualOperator &Q,
+                   const double tolerance)
     {
       constexpr double rounding = 1e-6;
 
@@ -55,7 +61,9 @@ namespace stiction
           work += gap * gap / nodal(i);
         }
       const double total = scaling.force.sum();
-      if (total < rounding * undoing)
+      const bool is_answer =
+        conditions.lambda().isZero(0.) && conditions.converged(tolerance);
+      if (undoing > 0. && (is_answer || total < rounding * undoing))
         {
           scaling.force *= undoing / total;
           scaling.displacement = work / undoing;
@@ -86,8 +94,19 @@ namespace stiction
     double target           = std::max(coarse_residual, 0.5 * tolerance);
     double smallest         = row.residual;
     unsigned int iterations = 0, idle = 0;
-    qp::Scaling scaling = usable_scaling(*conditions, Q);
-    while (!conditions->converged(tolerance))
+    qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
+
+    // in both scales: no contact forces at all must be right in those of the
+    // problem, too
+    const auto is_content = [&]() {
+      return conditions->converged(tolerance) &&
+             ContactConditions(solution.lambda,
+                               conditions->gradient(),
+                               slip_bound.at(solution.lambda),
+                               scaling)
+               .converged(tolerance);
+    };
+    while (!is_content())
       {
         StoppingRule rule;
         rule.residual           = target;
@@ -113,8 +132,8 @@ namespace stiction
         solution.lambda  = iterate.lambda;
         conditions       = &judge.judge(solution.lambda);
         iterate.gradient = conditions->gradient();
-        scaling          = usable_scaling(*conditions, Q);
-        if (conditions->converged(tolerance))
+        scaling          = usable_scaling(*conditions, Q, tolerance);
+        if (is_content())
           break;
 
         const double residual = conditions->contact_figures().kkt_residual;
@@ -132,8 +151,11 @@ namespace stiction
         else if (result.stagnated || idle >= max_idle_judgements ||
                  !std::isfinite(residual))
           solution.reason =
-            "rounding or the accuracy of the linear solver prevents a smaller "
-            "one, raise 'Contact solver/Tolerance'";
+            residual < rounding_residual
+              ? "rounding or the accuracy of the linear solver prevents a "
+                "smaller one, raise 'Contact solver/Tolerance'"
+              : "the method makes no further progress, choose another 'Contact "
+                "solver/Method' (newton stands still most rarely)";
         if (!solution.reason.empty())
           return solution;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -91,6 +92,12 @@ namespace stiction
                        lambda_t.dot(slip)) *
               180. / M_PI);
       }
+    if (!lambda_.allFinite() || !slip_bound_.allFinite())
+      {
+        contact_figures_.kkt_residual =
+          std::numeric_limits<double>::quiet_NaN(); // no set has such a radius
+        return;
+      }
     contact_figures_.kkt_residual =
       qp::HalfLinesTimesDiscs(slip_bound_)
         .natural_residual(lambda_, gradient_, scaling_);
@@ -125,7 +132,7 @@ namespace stiction
   {
     std::pair<std::string, double> worst{"", -1.};
     for (const auto &figure : deciding_figures())
-      if (!(figure.second <= worst.second))
+      if (!std::isnan(worst.second) && !(figure.second <= worst.second))
         worst = figure;
     std::ostringstream out;
     out.precision(3);

@@ -53,13 +53,13 @@ namespace stiction
                            const StoppingRule &rule,
                            const Observer &observer)
   {
-    const auto natural_residual = [&]() {
-      return qp::HalfLinesTimesDiscs(slip_bound.at(iterate.lambda))
-        .natural_residual(iterate.lambda, iterate.gradient, scaling);
+    const auto residual = [&]() {
+      return qp::natural_residual(
+        iterate.lambda, iterate.gradient, slip_bound, scaling);
     };
 
     DualMethodResult result;
-    result.residual = natural_residual();
+    result.residual = residual();
     result.change   = std::numeric_limits<double>::infinity();
     if (result.residual <= rule.residual)
       result.change = 0.; // nothing to do
@@ -97,7 +97,7 @@ namespace stiction
         const double norm = iterate.lambda.norm();
         result.change =
           norm > 0. ? (iterate.lambda - before.lambda).norm() / norm : 0.;
-        result.residual = natural_residual();
+        result.residual = residual();
         observer({approximation.iterations, result.residual, result.change});
 
         if (is_extrapolated && !(result.residual < residual_before))
@@ -134,7 +134,10 @@ namespace stiction
         if ((approximation.iterations == 0 && result.change == 0. &&
              !is_extrapolated) ||
             approximation.stagnated || !std::isfinite(result.residual))
-          result.stagnated = true;
+          {
+            result.stagnated = true;
+            result.reason    = approximation.reason;
+          }
         else if (idle_steps >= max_idle_steps)
           {
             result.stagnated = true;
@@ -142,10 +145,8 @@ namespace stiction
             if (result.residual > 1e-6)
               result.reason =
                 "the successive approximations of Coulomb friction do not "
-                "contract (factor " +
-                std::to_string(contraction_) +
-                " a step), lower 'Friction/Coefficient' or choose 'Contact "
-                "solver/Coulomb iteration = direct'";
+                "contract, lower the friction coefficient or choose 'Contact "
+                "solver/Method = newton' with 'Coulomb iteration = direct'";
           }
       }
     return result;

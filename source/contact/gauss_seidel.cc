@@ -52,8 +52,8 @@ namespace stiction
                      const Observer &observer)
   {
     const auto residual = [&]() {
-      return qp::HalfLinesTimesDiscs(slip_bound.at(iterate.lambda))
-        .natural_residual(iterate.lambda, iterate.gradient, scaling);
+      return qp::natural_residual(
+        iterate.lambda, iterate.gradient, slip_bound, scaling);
     };
 
     DualMethodResult result;

@@ -194,10 +194,11 @@ namespace stiction
         contraction.get<double>() > worrying_contraction)
       {
         log.line();
-        log.line(format("WARNING: the successive approximations contract by "
-                        "%.3f a step only; near 1 the answer may not be the "
-                        "only one. 'Contact solver/Method = newton' with "
-                        "'Coulomb iteration = direct' does without them.",
+        log.line(format("WARNING: the successive approximations change the "
+                        "residual by a factor of %.3f a step; near 1 the "
+                        "answer may not be the only one. 'Contact "
+                        "solver/Method = newton' with 'Coulomb iteration = "
+                        "direct' does without them.",
                         contraction.get<double>()));
       }
 

@@ -13,6 +13,10 @@ namespace stiction::qp
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+    // Without a new smallest residual in so many products, steps move the last
+    // digits to and fro.
+    constexpr unsigned int max_idle_multiplications = 2000;
+
 
 
     // Asserts that a step does not raise the energy. Empty without assertions.
@@ -110,6 +114,8 @@ namespace stiction::qp
     // nothing either, rounding is all that is left.
     bool idle = false;
     EnergyWatch energy;
+    double smallest          = std::numeric_limits<double>::infinity();
+    unsigned int at_smallest = 0;
     while (true)
       {
         statistics.multiplications = static_cast<unsigned int>(
@@ -118,8 +124,14 @@ namespace stiction::qp
         statistics.converged = statistics.residual <= tolerance;
         if (observer_)
           observer_(statistics.multiplications, x_, statistics.residual);
+        if (statistics.residual < 0.99 * smallest)
+          {
+            smallest    = statistics.residual;
+            at_smallest = statistics.multiplications;
+          }
         if (statistics.converged || std::isnan(statistics.residual) ||
-            statistics.multiplications >= max_multiplications)
+            statistics.multiplications >= max_multiplications ||
+            statistics.multiplications > at_smallest + max_idle_multiplications)
           break;
 
         const Eigen::VectorXd before = x_;

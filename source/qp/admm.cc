@@ -59,11 +59,12 @@ namespace stiction::qp
               const Observer &observer)
   {
     const unsigned int factorizations_before = n_factorizations_;
-    const auto natural_residual              = [&]() {
-      return HalfLinesTimesDiscs(slip_bound.at(x))
-        .natural_residual(x, gradient, scaling);
+    const auto residual_of_x                 = [&]() {
+      return natural_residual(x, gradient, slip_bound, scaling);
     };
     const auto project = [&](Eigen::VectorXd &v) {
+      if (!v.allFinite())
+        return;
       const Eigen::VectorXd bound = slip_bound.at(v);
       HalfLinesTimesDiscs(bound).project(v);
     };
@@ -83,7 +84,7 @@ namespace stiction::qp
     Eigen::VectorXd u = -gradient.cwiseQuotient(factor_ * pull_);
 
     unsigned int wait = first_wait, waited = 0;
-    statistics.residual = natural_residual();
+    statistics.residual = residual_of_x();
     while (true)
       {
         if (statistics.residual <= tolerance)
@@ -99,7 +100,7 @@ namespace stiction::qp
                 x += d;
                 gradient += Qd;
               }
-            statistics.residual  = natural_residual();
+            statistics.residual  = residual_of_x();
             statistics.converged = statistics.residual <= tolerance;
           }
         if (statistics.converged || statistics.iterations >= max_iterations ||
@@ -117,7 +118,7 @@ namespace stiction::qp
         u += relaxed - z;
         ++statistics.iterations;
 
-        statistics.residual = natural_residual();
+        statistics.residual = residual_of_x();
         observer(statistics.residual);
 
         if (++waited >= wait)
@@ -139,12 +140,12 @@ namespace stiction::qp
               }
           }
       }
-    if (!statistics.converged)
+    if (!statistics.converged && z.allFinite())
       {
         x = z;
         Q_.vmult(gradient, x);
         gradient -= h;
-        statistics.residual = natural_residual();
+        statistics.residual = residual_of_x();
       }
     statistics.factorizations = n_factorizations_ - factorizations_before;
     return statistics;

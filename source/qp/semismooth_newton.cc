@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <memory>
 #include <utility>
 
 namespace stiction::qp
@@ -59,17 +58,16 @@ namespace stiction::qp
                           const unsigned int max_steps,
                           const Observer &observer)
   {
-    const auto feasible_set = [&]() -> std::unique_ptr<FeasibleSet> {
-      if (x.size() == 2 * slip_bound.n_nodes())
-        return std::make_unique<Discs>(slip_bound.at(x));
-      return std::make_unique<HalfLinesTimesDiscs>(slip_bound.at(x));
-    };
-    const auto natural_residual = [&]() {
-      return feasible_set()->natural_residual(x, gradient, scaling);
+    const auto residual_of_x = [&]() {
+      return natural_residual(x, gradient, slip_bound, scaling);
     };
     const auto make_feasible = [&]() {
-      Eigen::VectorXd projected = x;
-      feasible_set()->project(projected);
+      const Eigen::VectorXd bound = slip_bound.at(x);
+      Eigen::VectorXd projected   = x;
+      if (x.size() == 2 * bound.size())
+        Discs(bound).project(projected);
+      else
+        HalfLinesTimesDiscs(bound).project(projected);
       const Eigen::VectorXd d = projected - x;
       if (d.isZero(0.))
         return;
@@ -82,7 +80,7 @@ namespace stiction::qp
     NewtonStatistics statistics;
     double reduction = first_reduction;
     std::deque<double> history;
-    statistics.residual    = natural_residual();
+    statistics.residual    = residual_of_x();
     double smallest        = statistics.residual;
     Eigen::VectorXd best_x = x, best_gradient = gradient;
     unsigned int idle_steps = 0;
@@ -93,7 +91,7 @@ namespace stiction::qp
             // up to here x was feasible up to the tolerance only
             if (ends_feasible_)
               make_feasible();
-            statistics.residual  = natural_residual();
+            statistics.residual  = residual_of_x();
             statistics.converged = statistics.residual <= tolerance;
             if (statistics.converged)
               break;
@@ -107,8 +105,14 @@ namespace stiction::qp
           step(x, gradient, rho, slip_bound, reduction);
         ++statistics.steps;
 
-        statistics.residual = natural_residual();
+        statistics.residual = residual_of_x();
         observer(statistics.steps, statistics.residual);
+
+        if (!std::isfinite(statistics.residual))
+          {
+            statistics.stagnated = true;
+            break;
+          }
 
         history.push_back(
           ContactLinearization(x, gradient, rho, slip_bound).residual() / c_);
@@ -128,15 +132,14 @@ namespace stiction::qp
             best_x        = x;
             best_gradient = gradient;
           }
-        statistics.stagnated =
-          idle_steps >= max_idle_steps || !std::isfinite(statistics.residual);
+        statistics.stagnated = idle_steps >= max_idle_steps;
       }
     if (!statistics.converged)
       {
         x        = best_x;
         gradient = best_gradient;
         make_feasible();
-        statistics.residual = natural_residual();
+        statistics.residual = residual_of_x();
       }
     return statistics;
   }

@@ -1,5 +1,7 @@
+#include <stiction/qp/feasible_set.h>
 #include <stiction/qp/slip_bound.h>
 
+#include <limits>
 #include <utility>
 
 namespace stiction::qp
@@ -34,5 +36,21 @@ namespace stiction::qp
     if (!is_coulomb_)
       return data_;
     return data_.cwiseProduct(lambda.head(n_nodes()).cwiseMax(0.));
+  }
+
+
+
+  double
+  natural_residual(const Eigen::VectorXd &x,
+                   const Eigen::VectorXd &gradient,
+                   const SlipBound &slip_bound,
+                   const Scaling &scaling)
+  {
+    const Eigen::VectorXd bound = slip_bound.at(x);
+    if (!x.allFinite() || !bound.allFinite()) // no set has such radii
+      return std::numeric_limits<double>::quiet_NaN();
+    if (x.size() == 2 * slip_bound.n_nodes())
+      return Discs(bound).natural_residual(x, gradient, scaling);
+    return HalfLinesTimesDiscs(bound).natural_residual(x, gradient, scaling);
   }
 } // namespace stiction::qp

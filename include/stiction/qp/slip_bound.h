@@ -5,6 +5,8 @@
 
 namespace stiction::qp
 {
+  struct Scaling;
+
   /// The slip bound g as a function of the contact forces: fixed (given
   /// friction, and none with g = 0) or F λ_ν (Coulomb friction).
   class SlipBound
@@ -52,6 +54,16 @@ namespace stiction::qp
     Eigen::VectorXd data_;
     bool is_coulomb_ = false;
   };
+
+
+  /// The natural residual (FeasibleSet::natural_residual()) of contact forces
+  /// with the slip bound that they themselves ask for, entries (ν; t1; t2), or
+  /// (t1; t2) for given friction on discs alone; NaN where an entry is none.
+  double
+  natural_residual(const Eigen::VectorXd &x,
+                   const Eigen::VectorXd &gradient,
+                   const SlipBound &slip_bound,
+                   const Scaling &scaling);
 } // namespace stiction::qp
 
 #endif
