@@ -48,25 +48,15 @@ namespace stiction
     {
       constexpr double rounding = 1e-6;
 
-      qp::Scaling scaling         = conditions.scaling();
-      const Eigen::Index m        = Q.n_nodes();
-      const Eigen::VectorXd &h    = Q.right_hand_side();
-      const Eigen::VectorXd nodal = Q.nodal_compliance();
-      double undoing = 0., work = 0.;
-      for (Eigen::Index i = 0; i < m; ++i)
-        {
-          const double gap =
-            Eigen::Vector3d(h(i), h(i + m), h(i + 2 * m)).norm();
-          undoing += gap / nodal(i);
-          work += gap * gap / nodal(i);
-        }
-      const double total = scaling.force.sum();
+      qp::Scaling scaling      = conditions.scaling();
+      const auto [force, work] = undoing(Q);
+      const double total       = scaling.force.sum();
       const bool is_answer =
         conditions.lambda().isZero(0.) && conditions.converged(tolerance);
-      if (undoing > 0. && (is_answer || total < rounding * undoing))
+      if (force > 0. && (is_answer || total < rounding * force))
         {
-          scaling.force *= undoing / total;
-          scaling.displacement = work / undoing;
+          scaling.force *= force / total;
+          scaling.displacement = work / force;
         }
       return scaling;
     }

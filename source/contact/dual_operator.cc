@@ -66,6 +66,35 @@ namespace stiction
 
 
 
+  const Eigen::VectorXd &
+  DualOperator::nodal_compliance() const
+  {
+    if (nodal_compliance_.size() == 0)
+      nodal_compliance_ = compute_nodal_compliance();
+    return nodal_compliance_;
+  }
+
+
+
+  Undoing
+  undoing(const DualOperator &Q)
+  {
+    const Eigen::Index m     = Q.n_nodes();
+    const Eigen::VectorXd &h = Q.right_hand_side();
+    const Eigen::VectorXd &c = Q.nodal_compliance();
+    Undoing result;
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const double size =
+          Eigen::Vector3d(h(i), h(i + m), h(i + 2 * m)).norm();
+        result.force += size / c(i);
+        result.work += size * size / c(i);
+      }
+    return result;
+  }
+
+
+
   // ---------------------------------------------------- DenseDualOperator
 
   DenseDualOperator::DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h)
@@ -79,7 +108,7 @@ namespace stiction
 
 
   Eigen::VectorXd
-  DenseDualOperator::nodal_compliance() const
+  DenseDualOperator::compute_nodal_compliance() const
   {
     const Eigen::Index m = n_nodes();
     return (Q_.diagonal().head(m) + Q_.diagonal().segment(m, m) +

@@ -59,20 +59,16 @@ namespace stiction
     Eigen::VectorXd Q_lambda;
     Q_.vmult(DualBlock::all, DualBlock::all, Q_lambda, lambda);
 
-    const auto sum_of_norms = [&](const Eigen::VectorXd &v) {
-      double sum = 0.;
-      for (Eigen::Index i = 0; i < m; ++i)
-        sum += Eigen::Vector3d(v(i), v(i + m), v(i + 2 * m)).norm();
-      return sum;
-    };
-    double force = sum_of_norms(lambda);
-    double work  = lambda.dot(Q_lambda);
-    if (force == 0.) // what it takes to undo h, node by node
+    double force = 0.;
+    for (Eigen::Index i = 0; i < m; ++i)
+      force +=
+        Eigen::Vector3d(lambda(i), lambda(i + m), lambda(i + 2 * m)).norm();
+    double work = lambda.dot(Q_lambda);
+    if (force == 0.)
       {
-        const Eigen::VectorXd undo = Q_.right_hand_side().cwiseQuotient(
-          Q_.nodal_compliance().replicate(3, 1));
-        force = sum_of_norms(undo);
-        work  = undo.dot(Q_.right_hand_side());
+        const Undoing scales = undoing(Q_);
+        force                = scales.force;
+        work                 = scales.work;
       }
     qp::Scaling scaling;
     scaling.force        = share_ * (force > 0. ? force : 1.);

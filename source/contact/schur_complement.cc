@@ -58,7 +58,7 @@ namespace stiction
 
 
   Eigen::VectorXd
-  SchurComplement::nodal_compliance() const
+  SchurComplement::compute_nodal_compliance() const
   {
     const Eigen::Index m = n_nodes();
     const Eigen::VectorXd stiffness =

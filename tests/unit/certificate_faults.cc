@@ -39,7 +39,7 @@ namespace
     }
 
     Eigen::VectorXd
-    nodal_compliance() const override
+    compute_nodal_compliance() const override
     {
       return right_->nodal_compliance();
     }

@@ -57,9 +57,10 @@ namespace stiction
     }
 
     /// tr(Q_ii)/3 at every node, or an estimate of it: how much a node gives
-    /// way to its own force. Length m, > 0. Collective.
-    virtual Eigen::VectorXd
-    nodal_compliance() const = 0;
+    /// way to its own force. Length m, > 0. Computed when first asked for;
+    /// collective.
+    const Eigen::VectorXd &
+    nodal_compliance() const;
 
     /// Q itself, or nullptr if it is known by its action only.
     virtual const Eigen::MatrixXd *
@@ -73,6 +74,10 @@ namespace stiction
 
     void
     set_right_hand_side(Eigen::VectorXd h);
+
+    /// Computes what nodal_compliance() returns. Collective.
+    virtual Eigen::VectorXd
+    compute_nodal_compliance() const = 0;
 
     virtual void
     apply(DualBlock rows,
@@ -89,6 +94,7 @@ namespace stiction
   private:
     Eigen::Index n_nodes_;
     Eigen::VectorXd h_;
+    mutable Eigen::VectorXd nodal_compliance_;
     mutable unsigned long n_ninths_ = 0;
   };
 
@@ -101,9 +107,6 @@ namespace stiction
     /// @param Q symmetric positive definite, 3m × 3m; @param h length 3m.
     DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h);
 
-    Eigen::VectorXd
-    nodal_compliance() const override;
-
     const Eigen::MatrixXd *
     matrix() const override
     {
@@ -111,6 +114,9 @@ namespace stiction
     }
 
   protected:
+    Eigen::VectorXd
+    compute_nodal_compliance() const override;
+
     void
     apply(DualBlock rows,
           DualBlock columns,
@@ -120,6 +126,20 @@ namespace stiction
   private:
     Eigen::MatrixXd Q_;
   };
+
+
+
+  /// What it would take to undo h node by node, with c the nodal compliance:
+  /// a scale of forces and of work that does not depend on any solution.
+  struct Undoing
+  {
+    double force = 0.; ///< Σ‖h_i‖/c_i, N
+    double work  = 0.; ///< Σ‖h_i‖²/c_i, Nm
+  };
+
+  /// Collective.
+  Undoing
+  undoing(const DualOperator &Q);
 
 
 

@@ -32,12 +32,12 @@ namespace stiction
                     const ContactSurface &surface,
                     StiffnessSolver &solver);
 
+  protected:
     /// Estimated: a node gives way in proportion to the inverse of its own
     /// diagonal entries of K; the factor is that of one product with Q.
     Eigen::VectorXd
-    nodal_compliance() const override;
+    compute_nodal_compliance() const override;
 
-  protected:
     void
     apply(DualBlock rows,
           DualBlock columns,
