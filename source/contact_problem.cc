@@ -26,7 +26,7 @@
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <nlohmann/json.hpp>
 
@@ -177,7 +177,7 @@ namespace stiction
   {
     const auto phase  = phases_.scope("stiffness_setup");
     stiffness_solver_ = StiffnessSolver::create(
-      parameters_.stiffness_solver,
+      parameters_.stiffness_solver_type(),
       *elasticity_,
       linear_solver_safety * parameters_.contact_solver.tolerance);
   }
@@ -190,7 +190,7 @@ namespace stiction
     const auto phase = phases_.scope("dual_operator");
     if (parameters_.output.print_progress)
       log_->line("Dual operator: " + parameters_.dual_operator.form + ", " +
-                 parameters_.stiffness_solver.type);
+                 parameters_.stiffness_solver_type());
     schur_ = SchurComplement::create(parameters_.dual_operator.form,
                                      *elasticity_,
                                      *surface_,

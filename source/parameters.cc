@@ -180,19 +180,21 @@ namespace stiction
   ContactSolverParameters::ContactSolverParameters()
     : ParameterAcceptor("Contact solver")
   {
-    add_parameter("Method",
-                  method,
-                  "gauss seidel: the paper's ALGORITHM GS, alternating between "
-                  "the normal forces (half-lines) and the tangential forces "
-                  "(discs, ALGORITHM QPQ). squares: the paper's predecessors "
-                  "ALG_2 and ALG_4, discs replaced by 'Squares' rotated "
-                  "squares; another problem, so never certified unless nothing "
-                  "slips. mpgp: conjugate gradients with projections on "
-                  "half-lines times discs at once. newton: semismooth Newton "
-                  "on the dual problem, the fastest. admm: alternating "
-                  "directions with dense factorisations of Q.",
-                  prm,
-                  Patterns::Selection("gauss seidel|squares|mpgp|newton|admm"));
+    add_parameter(
+      "Method",
+      method,
+      "gauss seidel: the paper's ALGORITHM GS, alternating between "
+      "the normal forces (half-lines) and the tangential forces "
+      "(discs, ALGORITHM QPQ). squares: the paper's predecessors "
+      "ALG_2 and ALG_4, discs replaced by 'Squares' rotated "
+      "squares; another problem, so never certified unless nothing "
+      "slips. mpgp: conjugate gradients with projections on "
+      "half-lines times discs at once. newton: semismooth Newton "
+      "on the dual problem, the fastest. admm: alternating "
+      "directions with dense factorisations of Q.",
+      prm,
+      Patterns::Selection("gauss seidel|squares|mpgp|newton|admm|newton "
+                          "multigrid"));
     add_parameter("Tolerance",
                   tolerance,
                   "What every error figure of the certificate has to reach; "
@@ -253,11 +255,15 @@ namespace stiction
     add_parameter("Type",
                   type,
                   "How systems with the stiffness matrix are solved. mumps: "
-                  "one sparse factorisation, then cheap solves; amg: conjugate "
-                  "gradients with algebraic multigrid, for bodies whose "
-                  "factorisation does not fit into memory.",
+                  "one sparse factorisation, then cheap solves; multigrid: "
+                  "conjugate gradients with geometric multigrid on the levels "
+                  "of 'Geometry/Global refinement', without a matrix, for "
+                  "large bodies; amg: with algebraic multigrid on the matrix, "
+                  "for large bodies without levels. automatic: multigrid, or "
+                  "amg without levels, for 'Contact solver/Method = newton "
+                  "multigrid', otherwise mumps.",
                   prm,
-                  Patterns::Selection("mumps|amg"));
+                  Patterns::Selection("automatic|mumps|amg|multigrid"));
   }
 
 
@@ -358,6 +364,26 @@ namespace stiction
                          dealii::ParameterHandler::ShortPRM |
                            dealii::ParameterHandler::KeepDeclarationOrder);
     used_file_ = out.str();
+  }
+
+
+
+  std::string
+  Parameters::stiffness_solver_type() const
+  {
+    if (stiffness_solver.type != "automatic")
+      return stiffness_solver.type;
+    if (contact_solver.method != "newton multigrid")
+      return "mumps";
+    return geometry.global_refinement > 0 ? "multigrid" : "amg";
+  }
+
+
+
+  bool
+  Parameters::is_matrix_free() const
+  {
+    return stiffness_solver_type() == "multigrid";
   }
 
 

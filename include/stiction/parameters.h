@@ -92,7 +92,7 @@ namespace stiction
   {
     StiffnessSolverParameters();
 
-    std::string type = "mumps";
+    std::string type = "automatic";
   };
 
   struct DualOperatorParameters : dealii::ParameterAcceptor
@@ -156,6 +156,14 @@ namespace stiction
     /// Throws InputError if the method cannot solve a problem with this law.
     void
     check_method(bool is_coulomb) const;
+
+    /// 'Stiffness solver/Type', with automatic replaced by what it stands for.
+    std::string
+    stiffness_solver_type() const;
+
+    /// Whether no stiffness matrix has to be assembled.
+    bool
+    is_matrix_free() const;
 
     /// The complete commented default file, in declaration order.
     static std::string

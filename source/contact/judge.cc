@@ -5,7 +5,7 @@
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/stiffness_solver.h>
 
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 namespace stiction
 {

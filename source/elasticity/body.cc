@@ -8,7 +8,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <map>
 
 namespace stiction
 {
@@ -52,6 +51,8 @@ namespace stiction
   Body::distribute_dofs()
   {
     dof_handler_.distribute_dofs(fe_);
+    if (triangulation_.n_global_levels() > 1)
+      dof_handler_.distribute_mg_dofs(); // cheap next to the mesh
     DoFTools::extract_locally_relevant_dofs(dof_handler_,
                                             locally_relevant_dofs_);
   }
@@ -61,24 +62,21 @@ namespace stiction
   void
   Body::collect_nodes()
   {
+    // three consecutive unknowns a node, a rank owns a range of them
     const IndexSet &owned = locally_owned_dofs();
-    std::map<types::global_dof_index, Node> nodes; // by their first unknown
-
+    nodes_.resize(owned.n_elements() / 3);
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
-          if (owned.is_element(cell->vertex_dof_index(v, 0)))
-            {
-              Node node;
-              for (unsigned int c = 0; c < 3; ++c)
-                node.dofs[c] = cell->vertex_dof_index(v, c);
-              node.position = cell->vertex(v);
-              nodes.emplace(node.dofs[0], node);
-            }
-
-    nodes_.reserve(nodes.size());
-    for (const auto &node : nodes)
-      nodes_.push_back(node.second);
+          {
+            const auto first = cell->vertex_dof_index(v, 0);
+            if (!owned.is_element(first))
+              continue;
+            Node &node = nodes_[owned.index_within_set(first) / 3];
+            for (unsigned int c = 0; c < 3; ++c)
+              node.dofs[c] = cell->vertex_dof_index(v, c);
+            node.position = cell->vertex(v);
+          }
   }
 
 

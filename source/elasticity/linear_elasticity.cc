@@ -1,7 +1,10 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/boundary_functions.h>
+#include <stiction/elasticity/element_stiffness.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/rigid_body_modes.h>
+#include <stiction/elasticity/stiffness_operator.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
@@ -9,11 +12,12 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
+
+#include <stdexcept>
 
 namespace stiction
 {
@@ -24,60 +28,6 @@ namespace stiction
     BoundaryFunctions displacement;
     BoundaryFunctions traction;
   };
-
-
-
-  namespace
-  {
-    // Whether a cell is the last one shifted: then its stiffness is the same.
-    // The shape is that of the cell before, and becomes that of this one.
-    bool
-    is_translation(const DoFHandler<3>::cell_iterator &cell,
-                   std::vector<Tensor<1, 3>> &shape)
-    {
-      const double tolerance = 1e-12 * cell->diameter();
-      bool is_same           = !shape.empty();
-      shape.resize(cell->n_vertices());
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          const Tensor<1, 3> edge = cell->vertex(v) - cell->vertex(0);
-          is_same  = is_same && (edge - shape[v]).norm() <= tolerance;
-          shape[v] = edge;
-        }
-      return is_same;
-    }
-
-
-
-    void
-    integrate_stiffness(const FEValues<3> &values,
-                        const double lame_lambda,
-                        const double shear_modulus,
-                        FullMatrix<double> &cell_matrix)
-    {
-      const FiniteElement<3> &fe = values.get_fe();
-      const unsigned int n       = fe.n_dofs_per_cell();
-      cell_matrix                = 0.;
-
-      // a(φ_i e_a, φ_j e_b) = ∫ λ ∂aφ_i ∂bφ_j + G (∂bφ_i ∂aφ_j
-      //                         + δ_ab ∇φ_i·∇φ_j)
-      for (const unsigned int q : values.quadrature_point_indices())
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const unsigned int a   = fe.system_to_component_index(i).first;
-            const Tensor<1, 3> &gi = values.shape_grad(i, q);
-            for (unsigned int j = 0; j < n; ++j)
-              {
-                const unsigned int b   = fe.system_to_component_index(j).first;
-                const Tensor<1, 3> &gj = values.shape_grad(j, q);
-                cell_matrix(i, j) +=
-                  (lame_lambda * gi[a] * gj[b] +
-                   shear_modulus * (gi[b] * gj[a] + (a == b ? gi * gj : 0.))) *
-                  values.JxW(q);
-              }
-          }
-    }
-  } // namespace
 
 
 
@@ -92,7 +42,13 @@ namespace stiction
                      (2. * (1. + parameters.material.poisson_ratio)))
   {
     read_boundary_conditions(parameters);
-    assemble();
+    mesh_      = std::make_unique<MeshLevel>(body);
+    stiffness_ = std::make_unique<StiffnessOperator<double>>(
+      *mesh_, lame_lambda_, shear_modulus_);
+    assemble_load();
+    constrain_load();
+    if (!parameters.is_matrix_free())
+      assemble_stiffness();
   }
 
 
@@ -104,6 +60,8 @@ namespace stiction
   const LA::SparseMatrix &
   LinearElasticity::constrained_stiffness() const
   {
+    if (!constrained_stiffness_)
+      throw std::logic_error("the stiffness matrix was not assembled");
     return *constrained_stiffness_;
   }
 
@@ -112,10 +70,11 @@ namespace stiction
   LA::Vector
   LinearElasticity::stiffness_diagonal() const
   {
-    LA::Vector diagonal = zero_vector();
-    for (const auto dof : body_.locally_owned_dofs())
-      diagonal(dof) = constrained_stiffness_->diag_element(dof);
-    diagonal.compress(VectorOperation::insert);
+    LA::Vector diagonal              = zero_vector();
+    const std::vector<double> blocks = stiffness_->diagonal_blocks();
+    for (std::size_t i = 0; i < blocks.size() / 9; ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        diagonal.local_element(3 * i + c) = blocks[9 * i + 4 * c];
     return diagonal;
   }
 
@@ -140,7 +99,7 @@ namespace stiction
   LA::Vector
   LinearElasticity::zero_vector() const
   {
-    return LA::Vector(body_.locally_owned_dofs(), body_.communicator());
+    return mesh_->zero_vector<double>();
   }
 
 
@@ -199,88 +158,91 @@ namespace stiction
 
 
   void
-  LinearElasticity::assemble()
+  LinearElasticity::assemble_load()
+  {
+    load_                      = std::make_unique<LA::Vector>(zero_vector());
+    const FiniteElement<3> &fe = body_.dof_handler().get_fe();
+    const QGauss<2> quadrature(fe.degree + 1);
+    FEFaceValues<3> values(body_.mapping(),
+                           fe,
+                           quadrature,
+                           update_values | update_quadrature_points |
+                             update_JxW_values);
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+
+    together(body_.communicator(), [&]() {
+      for (const auto &cell : body_.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() &&
+                boundary_->traction.count(face->boundary_id()) != 0)
+              {
+                const ParsedFunction &traction =
+                  *boundary_->traction.at(face->boundary_id());
+                values.reinit(cell, face);
+                cell->get_dof_indices(indices);
+                for (const unsigned int q : values.quadrature_point_indices())
+                  for (const unsigned int i : values.dof_indices())
+                    (*load_)(indices[i]) +=
+                      traction.value(values.quadrature_point(q),
+                                     fe.system_to_component_index(i).first) *
+                      values.shape_value(i, q) * values.JxW(q);
+              }
+    });
+    load_->compress(VectorOperation::add);
+  }
+
+
+
+  void
+  LinearElasticity::constrain_load()
+  {
+    LA::Vector prescribed = zero_vector();
+    bool is_moved         = false;
+    for (const auto dof : body_.locally_owned_dofs())
+      if (constraints_.is_constrained(dof))
+        {
+          prescribed(dof) = constraints_.get_inhomogeneity(dof);
+          is_moved        = is_moved || prescribed(dof) != 0.;
+        }
+    constrained_load_ = std::make_unique<LA::Vector>(*load_);
+    if (Utilities::MPI::max(is_moved ? 1 : 0, body_.communicator()) == 1)
+      *constrained_load_ -= internal_force(prescribed);
+
+    const LA::Vector diagonal = stiffness_diagonal();
+    for (const auto dof : body_.locally_owned_dofs())
+      if (constraints_.is_constrained(dof))
+        (*constrained_load_)(dof) = diagonal(dof) * prescribed(dof);
+  }
+
+
+
+  void
+  LinearElasticity::assemble_stiffness()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
     const IndexSet &owned            = body_.locally_owned_dofs();
     const IndexSet &relevant         = body_.locally_relevant_dofs();
     const MPI_Comm comm              = body_.communicator();
 
-    // one pattern for both matrices: the entries of constrained rows stay
     DynamicSparsityPattern pattern(relevant);
     DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints_, true);
     SparsityTools::distribute_sparsity_pattern(pattern, owned, comm, relevant);
-
-    stiffness_             = std::make_unique<LA::SparseMatrix>();
     constrained_stiffness_ = std::make_unique<LA::SparseMatrix>();
-    stiffness_->reinit(owned, owned, pattern, comm);
     constrained_stiffness_->reinit(owned, owned, pattern, comm);
-    load_             = std::make_unique<LA::Vector>(owned, comm);
-    constrained_load_ = std::make_unique<LA::Vector>(owned, comm);
 
-    const FiniteElement<3> &fe = dof_handler.get_fe();
-    const QGauss<3> cell_quadrature(fe.degree + 1);
-    const QGauss<2> face_quadrature(fe.degree + 1);
-    FEValues<3> cell_values(body_.mapping(),
-                            fe,
-                            cell_quadrature,
-                            update_gradients | update_JxW_values);
-    FEFaceValues<3> face_values(body_.mapping(),
-                                fe,
-                                face_quadrature,
-                                update_values | update_quadrature_points |
-                                  update_JxW_values);
-
-    const unsigned int n = fe.n_dofs_per_cell();
-    FullMatrix<double> cell_matrix(n, n);
-    Vector<double> cell_load(n);
-    std::vector<types::global_dof_index> indices(n);
-    std::vector<Tensor<1, 3>> last_shape;
-
-    together(comm, [&]() {
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            cell_load = 0.;
-            if (!is_translation(cell, last_shape))
-              {
-                cell_values.reinit(cell);
-                integrate_stiffness(
-                  cell_values, lame_lambda_, shear_modulus_, cell_matrix);
-              }
-
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary() &&
-                  boundary_->traction.count(face->boundary_id()) != 0)
-                {
-                  const ParsedFunction &traction =
-                    *boundary_->traction.at(face->boundary_id());
-                  face_values.reinit(cell, face);
-                  for (const unsigned int q :
-                       face_values.quadrature_point_indices())
-                    for (unsigned int i = 0; i < n; ++i)
-                      cell_load(i) +=
-                        traction.value(face_values.quadrature_point(q),
-                                       fe.system_to_component_index(i).first) *
-                        face_values.shape_value(i, q) * face_values.JxW(q);
-                }
-
-            cell->get_dof_indices(indices);
-            constraints_.distribute_local_to_global(cell_matrix,
-                                                    cell_load,
-                                                    indices,
-                                                    *constrained_stiffness_,
-                                                    *constrained_load_,
-                                                    true);
-            stiffness_->add(indices, cell_matrix);
-            load_->add(indices, cell_load);
-          }
+    ElementStiffness element_stiffness;
+    std::vector<types::global_dof_index> indices(24);
+    mesh_->for_each_cell([&](HexahedralCell cell) {
+      cell.lame_lambda   = lame_lambda_;
+      cell.shear_modulus = shear_modulus_;
+      for (unsigned int v = 0; v < 8; ++v)
+        for (unsigned int c = 0; c < 3; ++c)
+          indices[3 * v + c] = mesh_->first_dof(cell.nodes[v]) + c;
+      constraints_.distribute_local_to_global(
+        element_stiffness(cell), indices, *constrained_stiffness_);
     });
-
-    stiffness_->compress(VectorOperation::add);
     constrained_stiffness_->compress(VectorOperation::add);
-    load_->compress(VectorOperation::add);
-    constrained_load_->compress(VectorOperation::add);
   }
 
 

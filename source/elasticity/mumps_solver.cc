@@ -1,5 +1,6 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/dense_cholesky.h>
+#include <stiction/elasticity/host_vector.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mumps_factorization.h>
 #include <stiction/elasticity/mumps_solver.h>
@@ -8,7 +9,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <vector>
 
@@ -30,59 +31,6 @@ namespace stiction
                   0,
                   communicator);
     }
-
-    // Passage between a distributed vector, of which every rank owns a range,
-    // and the whole on rank 0.
-    class HostVector
-    {
-    public:
-      explicit HostVector(const LA::Vector &v)
-        : communicator_(v.get_mpi_communicator())
-        , is_host_(dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-        , local_size_(static_cast<int>(v.locally_owned_size()))
-        , counts_(dealii::Utilities::MPI::gather(communicator_, local_size_, 0))
-        , offsets_(counts_.size(), 0)
-      {
-        for (std::size_t r = 1; r < counts_.size(); ++r)
-          offsets_[r] = offsets_[r - 1] + counts_[r - 1];
-      }
-
-      Eigen::VectorXd
-      gather(const LA::Vector &v) const
-      {
-        Eigen::VectorXd whole(is_host_ ? v.size() : 0);
-        MPI_Gatherv(v.begin(),
-                    local_size_,
-                    MPI_DOUBLE,
-                    whole.data(),
-                    counts_.data(),
-                    offsets_.data(),
-                    MPI_DOUBLE,
-                    0,
-                    communicator_);
-        return whole;
-      }
-
-      void
-      scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
-      {
-        MPI_Scatterv(whole.data(),
-                     counts_.data(),
-                     offsets_.data(),
-                     MPI_DOUBLE,
-                     v.begin(),
-                     local_size_,
-                     MPI_DOUBLE,
-                     0,
-                     communicator_);
-      }
-
-    private:
-      MPI_Comm communicator_;
-      bool is_host_;
-      int local_size_;
-      std::vector<int> counts_, offsets_;
-    };
 
     // Whether an unknown is neither prescribed nor in the trace. Collective.
     bool

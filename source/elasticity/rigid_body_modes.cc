@@ -14,25 +14,34 @@ namespace stiction
   std::vector<std::vector<double>>
   rigid_body_modes(const Body &body)
   {
+    // the nodes are in the order of their unknowns
+    std::vector<Point<3>> positions;
+    positions.reserve(body.locally_owned_nodes().size());
+    for (const Body::Node &node : body.locally_owned_nodes())
+      positions.push_back(node.position);
+    return rigid_body_modes(body, positions);
+  }
+
+
+
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Body &body, const std::vector<Point<3>> &positions)
+  {
     const auto &corners   = body.bounding_box().get_boundary_points();
     const Point<3> centre = body.bounding_box().center();
     const double radius   = corners.first.distance(corners.second) / 2.;
-    const IndexSet &owned = body.locally_owned_dofs();
 
     std::vector<std::vector<double>> modes(
-      6, std::vector<double>(owned.n_elements()));
-    for (const Body::Node &node : body.locally_owned_nodes())
+      6, std::vector<double>(3 * positions.size()));
+    for (std::size_t i = 0; i < positions.size(); ++i)
       {
-        const Tensor<1, 3> x = (node.position - centre) / radius;
+        const Tensor<1, 3> x = (positions[i] - centre) / radius;
         for (unsigned int a = 0; a < 3; ++a)
           {
-            const auto index = [&](const unsigned int component) {
-              return owned.index_within_set(node.dofs[component % 3]);
-            };
-            modes[a][index(a)] = 1.;
+            modes[a][3 * i + a] = 1.;
             // e_a × x is -x_{a+2} along a+1 and x_{a+1} along a+2
-            modes[3 + a][index(a + 1)] = -x[(a + 2) % 3];
-            modes[3 + a][index(a + 2)] = x[(a + 1) % 3];
+            modes[3 + a][3 * i + (a + 1) % 3] = -x[(a + 2) % 3];
+            modes[3 + a][3 * i + (a + 2) % 3] = x[(a + 1) % 3];
           }
       }
     return modes;

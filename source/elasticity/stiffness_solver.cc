@@ -1,11 +1,11 @@
 #include <stiction/elasticity/amg_solver.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/mumps_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/elasticity/trace.h>
-#include <stiction/parameters.h>
 
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 namespace stiction
 {
@@ -17,12 +17,14 @@ namespace stiction
 
 
   std::unique_ptr<StiffnessSolver>
-  StiffnessSolver::create(const StiffnessSolverParameters &parameters,
+  StiffnessSolver::create(const std::string &type,
                           const LinearElasticity &elasticity,
                           const double relative_residual)
   {
-    if (parameters.type == "amg")
+    if (type == "amg")
       return std::make_unique<AmgSolver>(elasticity, relative_residual);
+    if (type == "multigrid")
+      return std::make_unique<MultigridSolver>(elasticity, relative_residual);
     return std::make_unique<MumpsSolver>(elasticity);
   }
 

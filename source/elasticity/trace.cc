@@ -1,7 +1,7 @@
 #include <stiction/elasticity/trace.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <utility>
 

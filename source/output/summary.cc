@@ -8,7 +8,7 @@
 #include <stiction/parameters.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <nlohmann/json.hpp>
 

@@ -9,7 +9,7 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -274,6 +274,7 @@ namespace stiction
                            body.locally_relevant_dofs(),
                            body.communicator());
     with_ghosts = u;
+    with_ghosts.update_ghost_values();
 
     const Stress stress(elasticity.lame_lambda(), elasticity.shear_modulus());
     const VonMisesStress von_mises(stress);

@@ -14,7 +14,7 @@
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <cmath>
 #include <functional>
@@ -80,8 +80,7 @@ main(int argc, char *argv[])
   const LA::Vector u           = run.problem->displacement();
   const Eigen::Index m         = surface.n_nodes();
 
-  StiffnessSolverParameters mumps;
-  const auto solver       = StiffnessSolver::create(mumps, elasticity, 1e-14);
+  const auto solver       = StiffnessSolver::create("mumps", elasticity, 1e-14);
   const auto displacement = [&](const Eigen::VectorXd &forces,
                                 StiffnessSolver &with) {
     LA::Vector load = elasticity.constrained_load();

@@ -7,7 +7,7 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <cmath>
 

@@ -36,8 +36,7 @@ main(int argc, char *argv[])
   const Body body(parameters.geometry, MPI_COMM_WORLD);
   const LinearElasticity elasticity(body, parameters);
   const ContactSurface surface(elasticity, parameters);
-  const auto solver =
-    StiffnessSolver::create(parameters.stiffness_solver, elasticity, 1e-13);
+  const auto solver = StiffnessSolver::create("mumps", elasticity, 1e-13);
   const auto Q =
     SchurComplement::create("assembled", elasticity, surface, *solver);
   const auto by_solves =

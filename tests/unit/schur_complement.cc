@@ -11,7 +11,7 @@
 #include <stiction/elasticity/stiffness_solver.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <Eigen/Cholesky>
 
@@ -105,9 +105,7 @@ main(int argc, char *argv[])
   for (const std::string type : {"mumps", "amg"})
     for (const std::string form : {"assembled", "by solves"})
       {
-        parameters.stiffness_solver.type = type;
-        const auto solver                = StiffnessSolver::create(
-          parameters.stiffness_solver, elasticity, 1e-13);
+        const auto solver = StiffnessSolver::create(type, elasticity, 1e-13);
         const auto schur =
           SchurComplement::create(form, elasticity, surface, *solver);
 

@@ -5,6 +5,8 @@
 
 namespace stiction
 {
+  class AmgPreconditioner;
+
   /// K⁻¹ by conjugate gradients, preconditioned with smoothed-aggregation
   /// algebraic multigrid (Trilinos ML) that is told the six rigid-body modes.
   class AmgSolver : public StiffnessSolver
@@ -19,8 +21,7 @@ namespace stiction
     do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
-    struct Hierarchy;
-    std::unique_ptr<Hierarchy> hierarchy_;
+    std::unique_ptr<AmgPreconditioner> amg_;
     const double relative_residual_;
   };
 } // namespace stiction

@@ -12,17 +12,22 @@
 namespace stiction
 {
   class Body;
+  class MeshLevel;
   class Parameters;
+  template<typename Number>
+  class StiffnessOperator;
 
   /// The elastic body under its loads, without contact: K u = f.
   ///
-  /// Kept twice: with the prescribed displacements eliminated, for solving,
-  /// and as assembled, for the reactions at the supports, the strain energy
-  /// and the certificate.
+  /// Products with K as it is, for the reactions at the supports, the strain
+  /// energy and the certificate, are made cell by cell without a matrix. K with
+  /// the prescribed displacements eliminated is assembled for the solvers that
+  /// need a matrix.
   class LinearElasticity
   {
   public:
-    /// Assembles stiffness and loads.
+    /// Assembles the loads, and the stiffness matrix unless the solver chosen
+    /// in the parameters works without one.
     ///
     /// Throws InputError for boundary conditions that cannot be read, on
     /// boundaries the mesh does not have, or that contradict each other.
@@ -55,11 +60,12 @@ namespace stiction
     }
 
     /// K with prescribed displacements eliminated symmetrically: positive
-    /// definite if the body is held. Unit: N/m.
+    /// definite if the body is held. Unit: N/m. Throws std::logic_error if it
+    /// was not assembled.
     const LA::SparseMatrix &
     constrained_stiffness() const;
 
-    /// Its diagonal. Collective.
+    /// The diagonal of K. Collective.
     LA::Vector
     stiffness_diagonal() const;
 
@@ -77,9 +83,22 @@ namespace stiction
     LA::Vector
     zero_vector() const;
 
-    /// K u with K as assembled. Unit: N.
+    /// K u, prescribed displacements being displacements like any. Unit: N.
+    /// Collective.
     LA::Vector
     internal_force(const LA::Vector &u) const;
+
+    /// The nodes of the mesh, and K on them without a matrix.
+    const MeshLevel &
+    mesh() const
+    {
+      return *mesh_;
+    }
+    const StiffnessOperator<double> &
+    stiffness() const
+    {
+      return *stiffness_;
+    }
 
     /// Throws InputError, naming the free rigid-body motions, if the
     /// prescribed displacements do not hold the body.
@@ -91,7 +110,14 @@ namespace stiction
     read_boundary_conditions(const Parameters &parameters);
 
     void
-    assemble();
+    assemble_load();
+
+    void
+    assemble_stiffness();
+
+    /// The right-hand side with prescribed displacements eliminated.
+    void
+    constrain_load();
 
     const Body &body_;
     const double lame_lambda_, shear_modulus_;
@@ -100,7 +126,9 @@ namespace stiction
     std::unique_ptr<BoundaryData> boundary_;
 
     dealii::AffineConstraints<double> constraints_;
-    std::unique_ptr<LA::SparseMatrix> constrained_stiffness_, stiffness_;
+    std::unique_ptr<MeshLevel> mesh_;
+    std::unique_ptr<StiffnessOperator<double>> stiffness_;
+    std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;
     std::unique_ptr<LA::Vector> constrained_load_, load_;
     std::string support_location_;
   };

@@ -3,6 +3,7 @@
 
 #include <stiction/elasticity/linear_algebra.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <string>
@@ -18,6 +19,11 @@ namespace stiction
   /// by half its diagonal so that all six are of size one.
   std::vector<std::vector<double>>
   rigid_body_modes(const Body &body);
+
+  /// The same for any nodes, three entries each.
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Body &body,
+                   const std::vector<dealii::Point<3>> &positions);
 
   /// The rigid-body motions that the constraints leave free, in words; empty
   /// if the body is held. Collective.

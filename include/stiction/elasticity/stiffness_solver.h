@@ -6,12 +6,12 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <string>
 
 namespace stiction
 {
   class LinearElasticity;
   class Trace;
-  struct StiffnessSolverParameters;
 
   /// K⁻¹ for the stiffness matrix with prescribed displacements eliminated.
   /// Counts what it does.
@@ -20,13 +20,13 @@ namespace stiction
   public:
     virtual ~StiffnessSolver() = default;
 
-    /// The solver chosen in the parameter file.
+    /// A solver by its name in the parameter file: mumps, amg, multigrid.
     ///
     /// @param relative_residual what an iterative solver has to reach,
     ///   ‖b − Kx‖ ≤ relative_residual ‖b‖; a factorisation goes as far as
     ///   rounding lets it.
     static std::unique_ptr<StiffnessSolver>
-    create(const StiffnessSolverParameters &parameters,
+    create(const std::string &type,
            const LinearElasticity &elasticity,
            double relative_residual);
 

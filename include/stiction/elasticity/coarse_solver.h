@@ -1,0 +1,72 @@
+#ifndef stiction_elasticity_coarse_solver_h
+#define stiction_elasticity_coarse_solver_h
+
+#include <stiction/elasticity/linear_algebra.h>
+#include <stiction/elasticity/nodal_support.h>
+
+#include <deal.II/base/types.h>
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace stiction
+{
+  class AmgPreconditioner;
+  class HostVector;
+  class LinearElasticity;
+  class MeshLevel;
+  class MumpsFactorization;
+
+  /// The end of a multigrid cycle: the stiffness matrix of one level of the
+  /// mesh with its supports, assembled, and solved with MUMPS if it is small,
+  /// otherwise with a V-cycle of algebraic multigrid.
+  class CoarseSolver
+  {
+  public:
+    /// @param fixed one at unknowns with prescribed displacement, zero
+    ///   elsewhere.
+    /// @param supported_nodes the first unknowns, on this level, of the nodes
+    ///   that supports may hold; the same on all ranks. Collective.
+    CoarseSolver(
+      const LinearElasticity &elasticity,
+      const MeshLevel &level,
+      const LA::Vector &fixed,
+      const std::vector<dealii::types::global_dof_index> &supported_nodes);
+    ~CoarseSolver();
+
+    /// Takes supports for the nodes of the list, the same on all ranks.
+    /// Collective.
+    void
+    set_supports(const NodalSupports &supports);
+
+    /// An approximation of dst = K⁻¹ src, symmetric; src and dst are zero in
+    /// the directions that are held. Collective.
+    void
+    vmult(LA::Vector &dst, const LA::Vector &src) const;
+
+  private:
+    void
+    make_pattern();
+
+    void
+    assemble(const NodalSupports &supports);
+
+    /// The rigid-body modes, without the directions that are held.
+    std::vector<std::vector<double>>
+    held_modes(const NodalSupports &supports) const;
+
+    const LinearElasticity &elasticity_;
+    const MeshLevel &level_;
+    std::unique_ptr<LA::Vector> fixed_;
+    std::vector<dealii::types::global_dof_index> supported_nodes_;
+    /// Place in the list by local node.
+    std::unordered_map<unsigned int, std::size_t> support_of_;
+    std::unique_ptr<LA::SparseMatrix> matrix_;
+    std::unique_ptr<HostVector> host_;
+    std::unique_ptr<MumpsFactorization> direct_;
+    std::unique_ptr<AmgPreconditioner> amg_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,60 @@
+#ifndef stiction_elasticity_multigrid_h
+#define stiction_elasticity_multigrid_h
+
+#include <stiction/elasticity/stiffness_preconditioner.h>
+
+#include <memory>
+#include <vector>
+
+namespace stiction
+{
+  class LinearElasticity;
+  class MeshHierarchy;
+  class TraceHierarchy;
+
+  /// A geometric multigrid V-cycle without matrices, in single precision.
+  ///
+  /// Smoother: Chebyshev polynomials of the fourth kind (J. Lottes, Optimal
+  /// polynomial smoothers for multigrid V-cycles, 2022), which need the largest
+  /// eigenvalue only, on the nodal diagonal. Supports are projections and
+  /// springs at single nodes, so that a changed contact set costs no set-up on
+  /// any level but the coarsest.
+  ///
+  /// How supports get to a coarser level: a coarse node is projected like the
+  /// fine node at its place, and its spring is the sum of the fine springs
+  /// weighted with its own trilinear function, the lumped Galerkin matrix,
+  /// within what is left free.
+  ///
+  /// With a single level the coarse solver is all there is: algebraic multigrid
+  /// where there is no hierarchy.
+  class Multigrid : public StiffnessPreconditioner
+  {
+  public:
+    /// @param supported_nodes the nodes that supports may hold. All arguments
+    ///   must outlive the object. Collective.
+    Multigrid(const LinearElasticity &elasticity,
+              const MeshHierarchy &hierarchy,
+              const TraceHierarchy &supported_nodes);
+    ~Multigrid() override;
+
+    void
+    set_supports(unsigned int level, const NodalSupports &supports) override;
+
+    void
+    vmult(unsigned int level, LA::Vector &dst, const LA::Vector &src) override;
+
+  private:
+    class Level;
+
+    void
+    cycle(unsigned int level);
+
+    const MeshHierarchy &hierarchy_;
+    const TraceHierarchy &supported_nodes_;
+    std::vector<std::unique_ptr<Level>> levels_; ///< without the coarsest
+    struct Coarse;
+    std::unique_ptr<Coarse> coarse_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef stiction_elasticity_stiffness_preconditioner_h
+#define stiction_elasticity_stiffness_preconditioner_h
+
+#include <stiction/elasticity/linear_algebra.h>
+#include <stiction/elasticity/nodal_support.h>
+
+namespace stiction
+{
+  /// An approximate inverse of the stiffness matrix whose nodes on a list are
+  /// held by supports that change: of P K P + S on the range of P, with P the
+  /// projections (prescribed displacements included) and S the springs. On each
+  /// level of the mesh; the last level is the mesh itself.
+  class StiffnessPreconditioner
+  {
+  public:
+    virtual ~StiffnessPreconditioner() = default;
+
+    /// Takes new supports on a level and carries them to the coarser ones.
+    /// Collective.
+    ///
+    /// @param supports for the nodes of the list on this level, in its order;
+    ///   the same on all ranks.
+    virtual void
+    set_supports(unsigned int level, const NodalSupports &supports) = 0;
+
+    /// dst = approximate inverse times src, a symmetric linear map. What src
+    /// has in held directions is ignored, dst is zero there. Collective.
+    virtual void
+    vmult(unsigned int level, LA::Vector &dst, const LA::Vector &src) = 0;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,207 @@
+#include <stiction/elasticity/amg_preconditioner.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/coarse_solver.h>
+#include <stiction/elasticity/element_stiffness.h>
+#include <stiction/elasticity/host_vector.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh_level.h>
+#include <stiction/elasticity/mumps_factorization.h>
+#include <stiction/elasticity/rigid_body_modes.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <array>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Above this order a V-cycle of algebraic multigrid is set up faster than
+    // MUMPS factorises.
+    constexpr types::global_dof_index max_direct = 4000;
+
+    using Indices = std::vector<types::global_dof_index>;
+
+    Indices
+    indices_of(const MeshLevel &level, const HexahedralCell &cell)
+    {
+      Indices indices(24);
+      for (unsigned int v = 0; v < 8; ++v)
+        for (unsigned int c = 0; c < 3; ++c)
+          indices[3 * v + c] = level.first_dof(cell.nodes[v]) + c;
+      return indices;
+    }
+  } // namespace
+
+
+
+  CoarseSolver::CoarseSolver(const LinearElasticity &elasticity,
+                             const MeshLevel &level,
+                             const LA::Vector &fixed,
+                             const Indices &supported_nodes)
+    : elasticity_(elasticity)
+    , level_(level)
+    , fixed_(std::make_unique<LA::Vector>(fixed))
+    , supported_nodes_(supported_nodes)
+    , host_(std::make_unique<HostVector>(fixed))
+  {
+    fixed_->update_ghost_values();
+    for (std::size_t i = 0; i < supported_nodes.size(); ++i)
+      {
+        const auto dof = supported_nodes[i];
+        if (level.partitioner()->in_local_range(dof) ||
+            level.partitioner()->is_ghost_entry(dof))
+          support_of_[level.local_node(dof)] = i;
+      }
+    make_pattern();
+    set_supports(NodalSupports(supported_nodes.size()));
+  }
+
+
+
+  CoarseSolver::~CoarseSolver() = default;
+
+
+
+  void
+  CoarseSolver::make_pattern()
+  {
+    const IndexSet &owned = level_.partitioner()->locally_owned_range();
+    IndexSet relevant     = owned;
+    relevant.add_indices(level_.partitioner()->ghost_indices());
+
+    DynamicSparsityPattern pattern(relevant);
+    level_.for_each_cell([&](const HexahedralCell &cell) {
+      const Indices indices = indices_of(level_, cell);
+      for (const auto row : indices)
+        pattern.add_entries(row, indices.begin(), indices.end());
+    });
+    SparsityTools::distribute_sparsity_pattern(
+      pattern, owned, level_.communicator(), relevant);
+    matrix_ = std::make_unique<LA::SparseMatrix>();
+    matrix_->reinit(owned, owned, pattern, level_.communicator());
+  }
+
+
+
+  void
+  CoarseSolver::set_supports(const NodalSupports &supports)
+  {
+    assemble(supports);
+    direct_.reset(); // before the new one
+    amg_.reset();
+    if (level_.n_dofs() <= max_direct)
+      direct_ = std::make_unique<MumpsFactorization>(*matrix_, 3);
+    else
+      amg_ =
+        std::make_unique<AmgPreconditioner>(*matrix_, held_modes(supports));
+  }
+
+
+
+  void
+  CoarseSolver::assemble(const NodalSupports &supports)
+  {
+    *matrix_ = 0.;
+    ElementStiffness element_stiffness;
+    FullMatrix<double> held(24, 24);
+    level_.for_each_cell([&](HexahedralCell cell) {
+      cell.lame_lambda               = elasticity_.lame_lambda();
+      cell.shear_modulus             = elasticity_.shear_modulus();
+      const FullMatrix<double> &free = element_stiffness(cell);
+      held                           = free;
+
+      std::array<Eigen::Matrix3d, 8> P;
+      bool is_held = false;
+      for (unsigned int v = 0; v < 8; ++v)
+        {
+          const auto support = support_of_.find(cell.nodes[v]);
+          P[v]               = support == support_of_.end()
+                                 ? Eigen::Matrix3d::Identity()
+                                 : supports[support->second].projection;
+          for (unsigned int c = 0; c < 3; ++c)
+            if (fixed_->local_element(3 * cell.nodes[v] + c) != 0.)
+              {
+                P[v].row(c).setZero();
+                P[v].col(c).setZero();
+              }
+          is_held = is_held || P[v] != Eigen::Matrix3d::Identity();
+        }
+      for (unsigned int i = 0; is_held && i < 8; ++i)
+        for (unsigned int j = 0; j < 8; ++j)
+          {
+            Eigen::Matrix3d block;
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int b = 0; b < 3; ++b)
+                block(a, b) = free(3 * i + a, 3 * j + b);
+            block = (P[i] * block * P[j]).eval();
+            // held directions keep a diagonal of the size of the others
+            if (i == j)
+              block +=
+                free(3 * i, 3 * i) * (Eigen::Matrix3d::Identity() - P[i]);
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int b = 0; b < 3; ++b)
+                held(3 * i + a, 3 * j + b) = block(a, b);
+          }
+      matrix_->add(indices_of(level_, cell), held);
+    });
+    for (std::size_t i = 0; i < supports.size(); ++i)
+      {
+        const auto dof = supported_nodes_[i];
+        if (level_.partitioner()->in_local_range(dof))
+          for (unsigned int a = 0; a < 3; ++a)
+            for (unsigned int b = 0; b < 3; ++b)
+              matrix_->add(dof + a, dof + b, supports[i].spring(a, b));
+      }
+    matrix_->compress(VectorOperation::add);
+  }
+
+
+
+  std::vector<std::vector<double>>
+  CoarseSolver::held_modes(const NodalSupports &supports) const
+  {
+    std::vector<Point<3>> positions(level_.n_owned_nodes());
+    level_.for_each_cell([&](const HexahedralCell &cell) {
+      for (unsigned int v = 0; v < 8; ++v)
+        if (cell.nodes[v] < positions.size())
+          for (unsigned int c = 0; c < 3; ++c)
+            positions[cell.nodes[v]][c] = cell.vertices[v][c];
+    });
+    auto modes = rigid_body_modes(elasticity_.body(), positions);
+    for (std::vector<double> &mode : modes)
+      {
+        for (const auto &support : support_of_)
+          if (support.first < positions.size())
+            {
+              Eigen::Map<Eigen::Vector3d> at_node(&mode[3 * support.first]);
+              at_node = (supports[support.second].projection * at_node).eval();
+            }
+        for (std::size_t k = 0; k < mode.size(); ++k)
+          if (fixed_->local_element(static_cast<unsigned int>(k)) != 0.)
+            mode[k] = 0.;
+      }
+    return modes;
+  }
+
+
+
+  void
+  CoarseSolver::vmult(LA::Vector &dst, const LA::Vector &src) const
+  {
+    if (amg_)
+      {
+        amg_->vmult(dst, src);
+        return;
+      }
+    Eigen::VectorXd x = host_->gather(src);
+    direct_->solve(x);
+    host_->scatter(x, dst);
+  }
+} // namespace stiction

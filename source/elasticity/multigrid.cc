@@ -1,0 +1,201 @@
+#include "multigrid_level.h"
+
+#include <stiction/elasticity/coarse_solver.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh_hierarchy.h>
+#include <stiction/elasticity/trace_hierarchy.h>
+
+#include <deal.II/base/partitioner.h>
+
+#include <utility>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The largest eigenvalue is a local matter, the same on all fine levels: it
+    // is estimated up to this size.
+    constexpr types::global_dof_index max_estimated = 300000;
+
+    template<typename To, typename From>
+    void
+    copy(To &to, const From &from)
+    {
+      for (unsigned int k = 0; k < from.locally_owned_size(); ++k)
+        to.local_element(k) =
+          static_cast<typename To::value_type>(from.local_element(k));
+    }
+  } // namespace
+
+
+
+  // The coarsest level, in double precision like its solver.
+  struct Multigrid::Coarse
+  {
+    Coarse(const LinearElasticity &elasticity,
+           const MeshLevel &mesh,
+           const LA::Vector &fixed,
+           const std::vector<types::global_dof_index> &first_dofs)
+      : solver(elasticity, mesh, fixed, first_dofs)
+      , fixed(fixed)
+      , b(fixed)
+      , x(fixed)
+      , transferred(mesh.zero_vector<float>())
+    {
+      for (std::size_t i = 0; i < first_dofs.size(); ++i)
+        if (mesh.partitioner()->in_local_range(first_dofs[i]))
+          nodes.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
+      set_supports(NodalSupports(first_dofs.size()));
+    }
+
+    void
+    set_supports(const NodalSupports &new_supports)
+    {
+      supports = new_supports;
+      solver.set_supports(supports);
+    }
+
+    void
+    project(LA::Vector &v) const
+    {
+      for (unsigned int k = 0; k < v.locally_owned_size(); ++k)
+        if (fixed.local_element(k) != 0.)
+          v.local_element(k) = 0.;
+      for (const auto &node : nodes)
+        {
+          Eigen::Map<Eigen::Vector3d> at_node(v.begin() + node.first);
+          at_node = (supports[node.second].projection * at_node).eval();
+        }
+    }
+
+    CoarseSolver solver;
+    LA::Vector fixed, b, x;
+    Level::Vector transferred;
+    std::vector<std::pair<unsigned int, std::size_t>> nodes; // unknown, place
+    NodalSupports supports;
+  };
+
+
+
+  Multigrid::Multigrid(const LinearElasticity &elasticity,
+                       const MeshHierarchy &hierarchy,
+                       const TraceHierarchy &supported_nodes)
+    : hierarchy_(hierarchy)
+    , supported_nodes_(supported_nodes)
+    , levels_(hierarchy.n_levels() - 1)
+  {
+    LA::Vector fixed = elasticity.zero_vector();
+    for (const auto dof : fixed.locally_owned_elements())
+      if (elasticity.constraints().is_constrained(dof))
+        fixed(dof) = 1.;
+    for (unsigned int l = hierarchy.n_levels() - 1; l > 0; --l)
+      {
+        levels_[l - 1] = std::make_unique<Level>(
+          elasticity, hierarchy.level(l), fixed, supported_nodes.first_dofs(l));
+        LA::Vector coarse = hierarchy.level(l - 1).zero_vector<double>();
+        hierarchy.transfer(l).inject(coarse, fixed);
+        fixed = coarse;
+      }
+    coarse_ = std::make_unique<Coarse>(
+      elasticity, hierarchy.level(0), fixed, supported_nodes.first_dofs(0));
+
+    float eigenvalue = 0.f;
+    for (unsigned int l = 1; l < hierarchy.n_levels(); ++l)
+      {
+        if (l == 1 || hierarchy.level(l).n_dofs() <= max_estimated)
+          eigenvalue = levels_[l - 1]->estimate_largest_eigenvalue();
+        levels_[l - 1]->set_largest_eigenvalue(eigenvalue);
+      }
+  }
+
+
+
+  Multigrid::~Multigrid() = default;
+
+
+
+  void
+  Multigrid::set_supports(const unsigned int level,
+                          const NodalSupports &supports)
+  {
+    if (level == 0)
+      {
+        coarse_->set_supports(supports);
+        return;
+      }
+    levels_[level - 1]->set_supports(supports);
+
+    const auto &on_finer = supported_nodes_.on_finer_level(level - 1);
+    NodalSupports coarse(on_finer.size());
+    for (std::size_t j = 0; j < coarse.size(); ++j)
+      coarse[j].projection = supports[on_finer[j]].projection;
+    const auto &prolongation = supported_nodes_.prolongation(level);
+    for (Eigen::Index j = 0; j < prolongation.outerSize(); ++j)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(prolongation, j);
+           entry;
+           ++entry)
+        coarse[j].spring += entry.value() * supports[entry.row()].spring;
+    for (NodalSupport &support : coarse)
+      support.spring =
+        (support.projection * support.spring * support.projection).eval();
+    set_supports(level - 1, coarse);
+  }
+
+
+
+  void
+  Multigrid::vmult(const unsigned int level,
+                   LA::Vector &dst,
+                   const LA::Vector &src)
+  {
+    if (level == 0)
+      {
+        copy(coarse_->b, src);
+        coarse_->project(coarse_->b);
+        coarse_->solver.vmult(dst, coarse_->b);
+        coarse_->project(dst);
+        return;
+      }
+    Level &finest = *levels_[level - 1];
+    copy(finest.b, src);
+    finest.project(finest.b);
+    cycle(level);
+    copy(dst, finest.x);
+  }
+
+
+
+  void
+  Multigrid::cycle(const unsigned int level)
+  {
+    Level &fine = *levels_[level - 1];
+    fine.smooth(fine.x, fine.b, true);
+
+    Level::Vector &r = fine.scratch();
+    fine.residual(r, fine.x, fine.b);
+    const LevelTransfer &transfer = hierarchy_.transfer(level);
+    if (level > 1)
+      {
+        Level &coarse = *levels_[level - 2];
+        transfer.restrict_to(coarse.b, r);
+        coarse.project(coarse.b);
+        cycle(level - 1);
+        transfer.prolongate(r, coarse.x);
+      }
+    else
+      {
+        Level::Vector &coarse = coarse_->transferred;
+        transfer.restrict_to(coarse, r);
+        copy(coarse_->b, coarse);
+        coarse_->project(coarse_->b);
+        coarse_->solver.vmult(coarse_->x, coarse_->b);
+        copy(coarse, coarse_->x);
+        transfer.prolongate(r, coarse);
+      }
+    fine.project(r);
+    fine.x += r;
+    fine.smooth(fine.x, fine.b, false);
+  }
+} // namespace stiction

@@ -1,0 +1,227 @@
+#include "multigrid_level.h"
+
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh_level.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace
+  {
+    using Vector = LA::VectorOf<float>;
+
+    // Products of the unknowns in a smoothing.
+    constexpr unsigned int smoother_degree = 2;
+
+    Eigen::Map<Eigen::Vector3f>
+    at(Vector &v, const unsigned int node)
+    {
+      return Eigen::Map<Eigen::Vector3f>(v.begin() + 3 * std::size_t(node));
+    }
+    Eigen::Map<const Eigen::Vector3f>
+    at(const Vector &v, const unsigned int node)
+    {
+      return Eigen::Map<const Eigen::Vector3f>(v.begin() +
+                                               3 * std::size_t(node));
+    }
+
+    // The inverse of a symmetric matrix ≥ 0 within its range.
+    Eigen::Matrix3f
+    pseudo_inverse(const Eigen::Matrix3f &A)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> eigen(A);
+      Eigen::Vector3f inverse;
+      for (unsigned int i = 0; i < 3; ++i)
+        inverse(i) = eigen.eigenvalues()(i) > 1e-4f * eigen.eigenvalues()(2)
+                       ? 1.f / eigen.eigenvalues()(i)
+                       : 0.f;
+      return eigen.eigenvectors() * inverse.asDiagonal() *
+             eigen.eigenvectors().transpose();
+    }
+  } // namespace
+
+
+
+  Multigrid::Level::Level(
+    const LinearElasticity &elasticity,
+    const MeshLevel &mesh,
+    const LA::Vector &fixed,
+    const std::vector<dealii::types::global_dof_index> &first_dofs)
+    : x(mesh.zero_vector<float>())
+    , b(mesh.zero_vector<float>())
+    , K_(mesh, elasticity.lame_lambda(), elasticity.shear_modulus())
+    , inverse_diagonal_(mesh.zero_vector<float>())
+    , product_(mesh.zero_vector<float>())
+    , direction_(mesh.zero_vector<float>())
+  {
+    const std::vector<float> blocks = K_.diagonal_blocks();
+    for (unsigned int i = 0; i < mesh.n_owned_nodes(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        inverse_diagonal_.local_element(3 * i + c) =
+          1.f / blocks[9 * std::size_t(i) + 4 * c];
+    for (unsigned int k = 0; k < 3 * mesh.n_owned_nodes(); ++k)
+      if (fixed.local_element(k) != 0.)
+        {
+          fixed_.push_back(k);
+          inverse_diagonal_.local_element(k) = 0.f;
+        }
+    for (std::size_t i = 0; i < first_dofs.size(); ++i)
+      if (mesh.partitioner()->in_local_range(first_dofs[i]))
+        {
+          Node node{};
+          node.local   = mesh.local_node(first_dofs[i]);
+          node.in_list = i;
+          node.block =
+            Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(
+              &blocks[9 * std::size_t(node.local)]);
+          nodes_.push_back(node);
+        }
+    set_supports(NodalSupports(first_dofs.size()));
+    largest_eigenvalue_ = 0.f;
+  }
+
+
+
+  float
+  Multigrid::Level::estimate_largest_eigenvalue()
+  {
+    // conjugate gradients are a Lanczos process
+    struct FreeOperator
+    {
+      const Level &level;
+      void
+      vmult(Vector &dst, const Vector &src) const
+      {
+        level.K_.vmult(dst, src);
+        level.project(dst);
+      }
+    };
+    Vector diagonal_inverse = inverse_diagonal_;
+    for (const Node &node : nodes_)
+      at(diagonal_inverse, node.local) = node.block.diagonal().cwiseInverse();
+    const dealii::DiagonalMatrix<Vector> preconditioner(diagonal_inverse);
+
+    // a right-hand side with parts in all eigenvectors
+    for (const auto i : b.locally_owned_elements())
+      b(i) = static_cast<float>(i % 11) - 5.f;
+    project(b);
+    double largest = 0.;
+    dealii::IterationNumberControl control(15, 1e-6 * b.l2_norm());
+    dealii::SolverCG<Vector> lanczos(control);
+    lanczos.connect_eigenvalues_slot([&](const std::vector<double> &values) {
+      for (const double value : values)
+        largest = std::max(largest, value);
+    });
+    x = 0.f;
+    lanczos.solve(FreeOperator{*this}, x, b, preconditioner);
+    // the process sees it from below
+    return static_cast<float>(1.1 * largest);
+  }
+
+
+
+  void
+  Multigrid::Level::set_supports(const NodalSupports &supports)
+  {
+    for (Node &node : nodes_)
+      {
+        node.projection = supports[node.in_list].projection.cast<float>();
+        node.spring     = supports[node.in_list].spring.cast<float>();
+        node.inverse    = pseudo_inverse(
+          node.projection * node.block * node.projection + node.spring);
+        at(inverse_diagonal_, node.local).setZero();
+      }
+  }
+
+
+
+  void
+  Multigrid::Level::project(Vector &v) const
+  {
+    for (const unsigned int k : fixed_)
+      v.local_element(k) = 0.f;
+    for (const Node &node : nodes_)
+      at(v, node.local) = (node.projection * at(v, node.local)).eval();
+  }
+
+
+
+  void
+  Multigrid::Level::smoothing_step(Vector &x,
+                                   const Vector &b,
+                                   const float keep,
+                                   const float take)
+  {
+    for (Node &node : nodes_)
+      node.step =
+        take * (node.inverse * (at(b, node.local) -
+                                node.projection * at(product_, node.local) -
+                                node.spring * at(x, node.local)));
+
+    const std::size_t n      = x.locally_owned_size();
+    float *const d           = direction_.begin();
+    float *const u           = x.begin();
+    const float *const rhs   = b.begin();
+    const float *const Ku    = product_.begin();
+    const float *const scale = inverse_diagonal_.begin();
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        d[k] = keep * d[k] + take * scale[k] * (rhs[k] - Ku[k]);
+        u[k] += d[k];
+      }
+    for (const Node &node : nodes_)
+      {
+        at(direction_, node.local) += node.step;
+        at(x, node.local) += node.step;
+      }
+  }
+
+
+
+  void
+  Multigrid::Level::smooth(Vector &x, const Vector &b, const bool x_is_zero)
+  {
+    const float unit = 1.f / largest_eigenvalue_;
+    for (unsigned int k = 0; k < smoother_degree; ++k)
+      {
+        if (k == 0 && x_is_zero)
+          {
+            x        = 0.f;
+            product_ = 0.f;
+          }
+        else
+          K_.vmult(product_, x);
+        if (k == 0)
+          direction_ = 0.f;
+        const auto j = static_cast<float>(k);
+        smoothing_step(x,
+                       b,
+                       (2.f * j - 1.f) / (2.f * j + 3.f),
+                       (8.f * j + 4.f) / (2.f * j + 3.f) * unit);
+      }
+  }
+
+
+
+  void
+  Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const
+  {
+    K_.vmult(r, x);
+    const std::size_t n    = x.locally_owned_size();
+    float *const dst       = r.begin();
+    const float *const rhs = b.begin();
+    for (std::size_t k = 0; k < n; ++k)
+      dst[k] = rhs[k] - dst[k];
+    for (const Node &node : nodes_)
+      at(r, node.local) -= node.spring * at(x, node.local);
+    project(r);
+  }
+} // namespace stiction

@@ -1,0 +1,90 @@
+#ifndef stiction_source_elasticity_multigrid_level_h
+#define stiction_source_elasticity_multigrid_level_h
+
+#include <stiction/elasticity/multigrid.h>
+#include <stiction/elasticity/stiffness_operator.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace stiction
+{
+  /// One level of the cycle: the operator with supports and its smoother, in
+  /// single precision. All vectors are zero in held directions, except for
+  /// arguments where it is said.
+  class Multigrid::Level
+  {
+  public:
+    using Vector = LA::VectorOf<float>;
+
+    /// @param fixed one at prescribed unknowns.
+    /// @param first_dofs of the nodes that supports may hold.
+    Level(const LinearElasticity &elasticity,
+          const MeshLevel &mesh,
+          const LA::Vector &fixed,
+          const std::vector<dealii::types::global_dof_index> &first_dofs);
+
+    void
+    set_supports(const NodalSupports &supports);
+
+    /// Sets to zero what v has in held directions.
+    void
+    project(Vector &v) const;
+
+    /// Replaces x by the smoothed approximation of the solution of A x = b.
+    void
+    smooth(Vector &x, const Vector &b, bool x_is_zero);
+
+    /// r = b − A x, held directions left out.
+    void
+    residual(Vector &r, const Vector &x, const Vector &b) const;
+
+    /// λmax of D⁻¹ K, D the diagonal, without supports. Collective.
+    float
+    estimate_largest_eigenvalue();
+
+    void
+    set_largest_eigenvalue(const float value)
+    {
+      largest_eigenvalue_ = value;
+    }
+
+    /// A vector for others to use between smoothings.
+    Vector &
+    scratch()
+    {
+      return direction_;
+    }
+
+    Vector x, b;
+
+  private:
+    /// A node of the list that this rank owns.
+    struct Node
+    {
+      unsigned int local;    ///< number of the node
+      std::size_t in_list;   ///< place in the list
+      Eigen::Matrix3f block; ///< of K on the diagonal
+      Eigen::Matrix3f projection, spring;
+      Eigen::Matrix3f inverse; ///< of P block P + S, within the range of P
+      Eigen::Vector3f step;    ///< scratch of a smoothing step
+    };
+
+    /// direction = keep × direction + take × D⁻¹ (b − Kx), x += direction, with
+    /// Kx in product_.
+    void
+    smoothing_step(Vector &x, const Vector &b, float keep, float take);
+
+    StiffnessOperator<float> K_;
+    std::vector<unsigned int> fixed_; ///< local unknowns
+    std::vector<Node> nodes_;
+    Vector inverse_diagonal_; ///< zero at fixed unknowns and listed nodes
+    Vector product_, direction_;
+    float largest_eigenvalue_ = 0.f;
+  };
+} // namespace stiction
+
+#endif

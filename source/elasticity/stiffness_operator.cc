@@ -1,0 +1,82 @@
+#include <stiction/elasticity/mesh_level.h>
+#include <stiction/elasticity/stiffness_operator.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace stiction
+{
+  namespace
+  {
+    template<typename Number>
+    CellStiffness<Number>
+    make_cells(const MeshLevel &level,
+               const double lame_lambda,
+               const double shear_modulus)
+    {
+      std::vector<HexahedralCell> cells;
+      level.for_each_cell([&](HexahedralCell cell) {
+        cell.lame_lambda   = lame_lambda;
+        cell.shear_modulus = shear_modulus;
+        cells.push_back(cell);
+      });
+      return CellStiffness<Number>(cells);
+    }
+  } // namespace
+
+
+
+  template<typename Number>
+  StiffnessOperator<Number>::StiffnessOperator(const MeshLevel &level,
+                                               const double lame_lambda,
+                                               const double shear_modulus)
+    : level_(level)
+    , cells_(make_cells<Number>(level, lame_lambda, shear_modulus))
+  {
+  }
+
+
+
+  template<typename Number>
+  void
+  StiffnessOperator<Number>::vmult(Vector &dst, const Vector &src) const
+  {
+    src.update_ghost_values();
+    dst = Number(0.);
+    cells_.add_product(dst.begin(), src.begin());
+    src.zero_out_ghost_values();
+    dst.compress(dealii::VectorOperation::add);
+  }
+
+
+
+  template<typename Number>
+  std::vector<Number>
+  StiffnessOperator<Number>::diagonal_blocks() const
+  {
+    std::vector<Number> local(9 *
+                              static_cast<std::size_t>(level_.n_local_nodes()));
+    cells_.add_diagonal_blocks(local.data());
+
+    // row by row through vectors, which know how to add up shares
+    const std::size_t n_owned = level_.n_owned_nodes();
+    Vector row                = level_.zero_vector<Number>();
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        row = Number(0.);
+        for (std::size_t i = 0; i < level_.n_local_nodes(); ++i)
+          for (unsigned int b = 0; b < 3; ++b)
+            row.begin()[3 * i + b] = local[9 * i + 3 * a + b];
+        row.compress(dealii::VectorOperation::add);
+        for (std::size_t i = 0; i < n_owned; ++i)
+          for (unsigned int b = 0; b < 3; ++b)
+            local[9 * i + 3 * a + b] = row.begin()[3 * i + b];
+      }
+    local.resize(9 * n_owned);
+    return local;
+  }
+
+
+
+  template class StiffnessOperator<float>;
+  template class StiffnessOperator<double>;
+} // namespace stiction
