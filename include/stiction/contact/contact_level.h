@@ -1,0 +1,164 @@
+#ifndef stiction_contact_contact_level_h
+#define stiction_contact_contact_level_h
+
+#include <stiction/elasticity/linear_algebra.h>
+#include <stiction/elasticity/nodal_support.h>
+#include <stiction/elasticity/trace.h>
+#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/slip_bound.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace stiction
+{
+  class ContactSurface;
+  class LinearElasticity;
+  class MeshHierarchy;
+  class MeshLevel;
+  class TraceHierarchy;
+  template<typename Number>
+  class StiffnessOperator;
+
+  /// The contact problem on one level of the mesh, in displacements: K without
+  /// a matrix, loads, contact nodes with their frames and data.
+  ///
+  /// On a coarser level it is the problem in the subspace of that level: loads,
+  /// areas and given slip bounds are restricted, gaps, frames and coefficients
+  /// taken at the vertices. Vectors over the contact nodes are replicated, by
+  /// blocks (ν; t1; t2).
+  class ContactLevel
+  {
+  public:
+    /// The problem itself. All arguments must outlive the object. Collective.
+    ContactLevel(const LinearElasticity &elasticity,
+                 const ContactSurface &surface);
+
+    /// The problem on level @p level, @p finer being the one on the next finer
+    /// level. Collective.
+    ContactLevel(const ContactLevel &finer,
+                 const LinearElasticity &elasticity,
+                 const MeshHierarchy &hierarchy,
+                 const TraceHierarchy &trace_hierarchy,
+                 unsigned int level);
+    ~ContactLevel();
+
+    Eigen::Index
+    n_nodes() const
+    {
+      return areas_.size();
+    }
+
+    const MeshLevel &
+    mesh() const;
+
+    const StiffnessOperator<double> &
+    stiffness() const
+    {
+      return *stiffness_;
+    }
+
+    const LA::Vector &
+    load() const
+    {
+      return *load_;
+    }
+
+    const qp::SlipBound &
+    slip_bound() const
+    {
+      return slip_bound_;
+    }
+
+    const Eigen::VectorXd &
+    areas() const
+    {
+      return areas_;
+    }
+
+    /// The mean diagonal entry of K at each contact node, N/m.
+    const Eigen::VectorXd &
+    nodal_stiffness() const
+    {
+      return nodal_stiffness_;
+    }
+
+    /// Gives u its prescribed values, and v zeros in their places.
+    void
+    prescribe(LA::Vector &u) const;
+    void
+    clear_prescribed(LA::Vector &v) const;
+
+    /// The entries of v at the prescribed unknowns this rank owns, and the way
+    /// back.
+    std::vector<double>
+    prescribed_entries(const LA::Vector &v) const;
+    void
+    set_prescribed_entries(const std::vector<double> &entries,
+                           LA::Vector &v) const;
+    void
+    add_prescribed_entries(double factor,
+                           const std::vector<double> &entries,
+                           LA::Vector &v) const;
+
+    /// B v, and w = Bu − (d; 0; 0). Collective.
+    Eigen::VectorXd
+    apply_B(const LA::Vector &v) const;
+    Eigen::VectorXd
+    penetration_and_slip(const LA::Vector &u) const;
+
+    /// dst += Bᵀ v.
+    void
+    add_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const;
+
+    /// Sets the entries of the contact nodes to Bᵀ v.
+    void
+    set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const;
+
+    /// A matrix in the frame of a node in Cartesian components.
+    Eigen::Matrix3d
+    to_cartesian(Eigen::Index node, const Eigen::Matrix3d &local) const;
+
+    /// The scales of the certificate for a displacement u with R = f − Ku and
+    /// λ = BR.
+    struct Scales
+    {
+      double force         = 1.; ///< S, N
+      qp::Scaling scaling;       ///< of the contact figures
+    };
+    Scales
+    scales(const LA::Vector &u,
+           const LA::Vector &R,
+           const Eigen::VectorXd &lambda) const;
+
+    /// Σ‖v_j‖ over the nodes, prescribed components left out. Collective.
+    double
+    sum_of_norms(const LA::Vector &v) const;
+
+  private:
+    void
+    set_frames_from(const ContactSurface &surface);
+
+    void
+    compute_nodal_stiffness();
+
+    std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
+    const StiffnessOperator<double> *stiffness_;
+    std::unique_ptr<LA::Vector> own_load_;
+    const LA::Vector *load_;
+    double load_sum_ = 0.; ///< Σ‖f_j‖
+
+    std::vector<unsigned int> fixed_; ///< local unknowns
+    std::vector<double> prescribed_;
+
+    Trace trace_;
+    std::vector<Eigen::Matrix3d> frames_; ///< rows n, t1, t2
+    Eigen::VectorXd gaps_, areas_, nodal_stiffness_;
+    double boundary_area_ = 0.;
+    qp::SlipBound slip_bound_;
+  };
+} // namespace stiction
+
+#endif

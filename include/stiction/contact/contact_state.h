@@ -1,0 +1,54 @@
+#ifndef stiction_contact_contact_state_h
+#define stiction_contact_contact_state_h
+
+#include <stiction/contact/contact_conditions.h>
+#include <stiction/contact/contact_level.h>
+#include <stiction/elasticity/linear_algebra.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <Eigen/Core>
+
+namespace stiction
+{
+  /// A displacement on a level of the mesh and what follows from it.
+  struct ContactState
+  {
+    /// Zero but for the prescribed displacements; λ and w of it.
+    explicit ContactState(const ContactLevel &problem);
+
+    LA::Vector u;           ///< m
+    LA::Vector R;           ///< f − Ku, N
+    Eigen::VectorXd lambda; ///< BR: the contact forces, N
+    Eigen::VectorXd w;      ///< Bu − (d; 0; 0), m
+
+    /// Sets R, λ and w from u by a product with K. Collective.
+    void
+    update(const ContactLevel &problem);
+  };
+
+
+
+  /// How far a state is from being the solution, in the figures and scales of
+  /// the certificate.
+  struct ContactResidual
+  {
+    /// Collective.
+    ContactResidual(const ContactLevel &problem, const ContactState &state);
+
+    double force_scale;           ///< S, N
+    ContactConditions conditions; ///< with their scales
+    double equilibrium;           ///< Σ‖R_j‖/S, contact and fixed nodes left out
+
+    /// The largest figure that decides.
+    double
+    value() const;
+
+  private:
+    ContactResidual(const ContactLevel &problem,
+                    const ContactState &state,
+                    const ContactLevel::Scales &scales);
+  };
+} // namespace stiction
+
+#endif

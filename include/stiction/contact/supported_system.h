@@ -1,0 +1,86 @@
+#ifndef stiction_contact_supported_system_h
+#define stiction_contact_supported_system_h
+
+#include <stiction/contact/contact_state.h>
+#include <stiction/contact/primal_linearization.h>
+#include <stiction/elasticity/linear_algebra.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace stiction
+{
+  class ContactLevel;
+  class StiffnessPreconditioner;
+
+  /// The linear system of a linearised contact problem in displacements,
+  /// (W K P + S) δ = W R − S w − c at the contact nodes and K δ = R elsewhere,
+  /// and its inexact solution by generalised conjugate residuals with a
+  /// multigrid preconditioner for the symmetric part P K P + S.
+  ///
+  /// The method minimises the residual like GMRES, and has the residual, the
+  /// contact forces and the slip at hand after every iteration: the caller
+  /// stops it as soon as another linearisation is worth more. After that the
+  /// state is updated without another product.
+  class SupportedSystem
+  {
+  public:
+    /// @param level the number of the problem's level for the preconditioner.
+    ///   All arguments must outlive the object.
+    SupportedSystem(const ContactLevel &problem,
+                    unsigned int level,
+                    StiffnessPreconditioner &preconditioner);
+
+    /// What is known after an iteration.
+    struct Progress
+    {
+      unsigned int iterations;
+      const LA::Vector &residual;             ///< of the linear system, N
+      const Eigen::VectorXd &contact_residual; ///< its part at contact nodes
+      const Eigen::VectorXd &lambda, &w;      ///< of the displacement so far
+      double reduction; ///< Euclidean norm over the one at the start
+    };
+
+    /// Takes the step of the linearisation as far as the caller wants. One
+    /// product with K and one cycle of the preconditioner an iteration, and one
+    /// product at the start. Collective.
+    ///
+    /// @param stop asked after each iteration.
+    /// @return the number of iterations.
+    unsigned int
+    solve(ContactState &state,
+          const PrimalLinearization &linearization,
+          const std::function<bool(const Progress &)> &stop);
+
+  private:
+    /// What an iteration adds: A d = v for the direction d, which is known as
+    /// preconditioned vectors z and coefficients, and at the contact nodes.
+    struct Direction
+    {
+      LA::VectorOf<float> z;
+      LA::Vector v;
+      Eigen::VectorXd displacement; ///< B d
+      Eigen::VectorXd force;        ///< B K d
+      std::vector<double> reaction; ///< K d at prescribed unknowns
+    };
+
+    void
+    set_supports(const PrimalLinearization &linearization);
+
+    /// v = W v + S z at the contact nodes, given B v and B z.
+    Eigen::VectorXd
+    contact_rows(const PrimalLinearization &linearization,
+                 const Eigen::VectorXd &force,
+                 const Eigen::VectorXd &displacement) const;
+
+    const ContactLevel &problem_;
+    const unsigned int level_;
+    StiffnessPreconditioner &preconditioner_;
+    std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,336 @@
+#include <stiction/contact/contact_level.h>
+#include <stiction/contact/contact_surface.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh_hierarchy.h>
+#include <stiction/elasticity/stiffness_operator.h>
+#include <stiction/elasticity/trace_hierarchy.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    nonzero(const double scale)
+    {
+      return scale == 0. ? 1. : scale;
+    }
+
+    // Unknown by unknown, like all vectors over the contact nodes.
+    Trace
+    trace_of(const std::vector<types::global_dof_index> &first_dofs)
+    {
+      const std::size_t m = first_dofs.size();
+      std::vector<types::global_dof_index> dofs(3 * m);
+      for (std::size_t i = 0; i < m; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          dofs[i + c * m] = first_dofs[i] + c;
+      return Trace(std::move(dofs));
+    }
+
+    Eigen::Vector3d
+    at(const Eigen::VectorXd &v, const Eigen::Index i)
+    {
+      const Eigen::Index m = v.size() / 3;
+      return {v(i), v(i + m), v(i + 2 * m)};
+    }
+
+    void
+    put(Eigen::VectorXd &v, const Eigen::Index i, const Eigen::Vector3d &x)
+    {
+      const Eigen::Index m = v.size() / 3;
+      v(i)                 = x(0);
+      v(i + m)             = x(1);
+      v(i + 2 * m)         = x(2);
+    }
+  } // namespace
+
+
+
+  ContactLevel::ContactLevel(const LinearElasticity &elasticity,
+                             const ContactSurface &surface)
+    : stiffness_(&elasticity.stiffness())
+    , load_(&elasticity.load())
+    , trace_(surface.trace())
+    , gaps_(surface.gaps())
+    , areas_(surface.areas())
+    , boundary_area_(surface.boundary_area())
+    , slip_bound_(surface.slip_bound())
+  {
+    for (const auto dof : load_->locally_owned_elements())
+      if (elasticity.constraints().is_constrained(dof))
+        {
+          fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
+          prescribed_.push_back(elasticity.constraints().get_inhomogeneity(dof));
+        }
+    set_frames_from(surface);
+    compute_nodal_stiffness();
+    load_sum_ = sum_of_norms(*load_);
+  }
+
+
+
+  ContactLevel::ContactLevel(const ContactLevel &finer,
+                             const LinearElasticity &elasticity,
+                             const MeshHierarchy &hierarchy,
+                             const TraceHierarchy &trace_hierarchy,
+                             const unsigned int level)
+    : own_stiffness_(std::make_unique<StiffnessOperator<double>>(
+        hierarchy.level(level),
+        elasticity.lame_lambda(),
+        elasticity.shear_modulus()))
+    , stiffness_(own_stiffness_.get())
+    , own_load_(std::make_unique<LA::Vector>(
+        hierarchy.level(level).zero_vector<double>()))
+    , load_(own_load_.get())
+    , trace_(trace_of(trace_hierarchy.first_dofs(level)))
+    , boundary_area_(finer.boundary_area_)
+  {
+    const LevelTransfer &transfer = hierarchy.transfer(level + 1);
+    transfer.restrict_to(*own_load_, *finer.load_);
+
+    // coarse vertices are fine nodes, with their prescribed values
+    LA::Vector is_fixed = finer.mesh().zero_vector<double>();
+    LA::Vector values   = is_fixed;
+    for (std::size_t k = 0; k < finer.fixed_.size(); ++k)
+      {
+        is_fixed.local_element(finer.fixed_[k]) = 1.;
+        values.local_element(finer.fixed_[k])   = finer.prescribed_[k];
+      }
+    LA::Vector coarse_is_fixed = mesh().zero_vector<double>();
+    LA::Vector coarse_values   = coarse_is_fixed;
+    transfer.inject(coarse_is_fixed, is_fixed);
+    transfer.inject(coarse_values, values);
+    for (unsigned int k = 0; k < coarse_is_fixed.locally_owned_size(); ++k)
+      if (coarse_is_fixed.local_element(k) != 0.)
+        {
+          fixed_.push_back(k);
+          prescribed_.push_back(coarse_values.local_element(k));
+        }
+
+    const auto &on_finer  = trace_hierarchy.on_finer_level(level);
+    const auto &weights   = trace_hierarchy.prolongation(level + 1);
+    const auto n_vertices = static_cast<Eigen::Index>(on_finer.size());
+    gaps_.resize(n_vertices);
+    Eigen::VectorXd bound(n_vertices);
+    for (Eigen::Index j = 0; j < n_vertices; ++j)
+      {
+        gaps_(j)  = finer.gaps_(on_finer[j]);
+        bound(j) = finer.slip_bound_.data()(on_finer[j]);
+        frames_.push_back(finer.frames_[on_finer[j]]);
+      }
+    areas_ = weights.transpose() * finer.areas_;
+    slip_bound_ =
+      finer.slip_bound_.is_coulomb()
+        ? qp::SlipBound::coulomb(bound)
+        : qp::SlipBound::given(weights.transpose() * finer.slip_bound_.data());
+    compute_nodal_stiffness();
+    load_sum_ = sum_of_norms(*load_);
+  }
+
+
+
+  ContactLevel::~ContactLevel() = default;
+
+
+
+  const MeshLevel &
+  ContactLevel::mesh() const
+  {
+    return stiffness_->level();
+  }
+
+
+
+  void
+  ContactLevel::set_frames_from(const ContactSurface &surface)
+  {
+    for (const ContactNode &node : surface.nodes())
+      {
+        Eigen::Matrix3d frame;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            frame(0, c) = node.normal[c];
+            frame(1, c) = node.tangent1[c];
+            frame(2, c) = node.tangent2[c];
+          }
+        frames_.push_back(frame);
+      }
+  }
+
+
+
+  void
+  ContactLevel::compute_nodal_stiffness()
+  {
+    const std::vector<double> blocks = stiffness_->diagonal_blocks();
+    LA::Vector trace                 = mesh().zero_vector<double>();
+    for (std::size_t i = 0; i < blocks.size() / 9; ++i)
+      trace.local_element(3 * i) =
+        (blocks[9 * i] + blocks[9 * i + 4] + blocks[9 * i + 8]) / 3.;
+    nodal_stiffness_ = trace_.restriction(trace).head(n_nodes());
+  }
+
+
+
+  void
+  ContactLevel::prescribe(LA::Vector &u) const
+  {
+    for (std::size_t k = 0; k < fixed_.size(); ++k)
+      u.local_element(fixed_[k]) = prescribed_[k];
+  }
+
+
+
+  void
+  ContactLevel::clear_prescribed(LA::Vector &v) const
+  {
+    for (const unsigned int k : fixed_)
+      v.local_element(k) = 0.;
+  }
+
+
+
+  std::vector<double>
+  ContactLevel::prescribed_entries(const LA::Vector &v) const
+  {
+    std::vector<double> entries;
+    entries.reserve(fixed_.size());
+    for (const unsigned int k : fixed_)
+      entries.push_back(v.local_element(k));
+    return entries;
+  }
+
+
+
+  void
+  ContactLevel::set_prescribed_entries(const std::vector<double> &entries,
+                                       LA::Vector &v) const
+  {
+    for (std::size_t k = 0; k < fixed_.size(); ++k)
+      v.local_element(fixed_[k]) = entries[k];
+  }
+
+
+
+  void
+  ContactLevel::add_prescribed_entries(const double factor,
+                                       const std::vector<double> &entries,
+                                       LA::Vector &v) const
+  {
+    for (std::size_t k = 0; k < fixed_.size(); ++k)
+      v.local_element(fixed_[k]) += factor * entries[k];
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::apply_B(const LA::Vector &v) const
+  {
+    Eigen::VectorXd local = trace_.restriction(v);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      put(local, i, frames_[i] * at(local, i));
+    return local;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::penetration_and_slip(const LA::Vector &u) const
+  {
+    Eigen::VectorXd w = apply_B(u);
+    w.head(n_nodes()) -= gaps_;
+    return w;
+  }
+
+
+
+  void
+  ContactLevel::add_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const
+  {
+    Eigen::VectorXd cartesian = v;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      put(cartesian, i, frames_[i].transpose() * at(v, i));
+    trace_.add_extension(cartesian, dst);
+  }
+
+
+
+  void
+  ContactLevel::set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const
+  {
+    for (const auto dof : trace_.dofs())
+      if (dst.in_local_range(dof))
+        dst(dof) = 0.;
+    add_transpose_B(v, dst);
+  }
+
+
+
+  Eigen::Matrix3d
+  ContactLevel::to_cartesian(const Eigen::Index node,
+                             const Eigen::Matrix3d &local) const
+  {
+    return frames_[node].transpose() * local * frames_[node];
+  }
+
+
+
+  ContactLevel::Scales
+  ContactLevel::scales(const LA::Vector &u,
+                       const LA::Vector &R,
+                       const Eigen::VectorXd &lambda) const
+  {
+    // a prescribed node may be prescribed in some components only
+    double reactions = 0.;
+    for (std::size_t k = 0; k < fixed_.size();)
+      {
+        const unsigned int node = fixed_[k] / 3;
+        double square           = 0.;
+        for (; k < fixed_.size() && fixed_[k] / 3 == node; ++k)
+          square += R.local_element(fixed_[k]) * R.local_element(fixed_[k]);
+        reactions += std::sqrt(square);
+      }
+    double energy = 0.; // uᵀKu = uᵀ(f − R)
+    for (unsigned int k = 0; k < u.locally_owned_size(); ++k)
+      energy +=
+        u.local_element(k) * (load_->local_element(k) - R.local_element(k));
+    std::array<double, 2> sums{{reactions, energy}};
+    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
+                        u.get_mpi_communicator(),
+                        ArrayView<double>(sums.data(), sums.size()));
+
+    double contact_forces = 0.;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      contact_forces += at(lambda, i).norm();
+
+    Scales scales;
+    scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
+    scales.scaling.force        = areas_ * (scales.force / boundary_area_);
+    scales.scaling.displacement = nonzero(std::max(sums[1], 0.) / scales.force);
+    return scales;
+  }
+
+
+
+  double
+  ContactLevel::sum_of_norms(const LA::Vector &v) const
+  {
+    double sum               = 0.;
+    const double *const data = v.begin();
+    for (unsigned int k = 0; k < v.locally_owned_size(); k += 3)
+      sum += std::sqrt(data[k] * data[k] + data[k + 1] * data[k + 1] +
+                       data[k + 2] * data[k + 2]);
+    return Utilities::MPI::sum(sum, v.get_mpi_communicator());
+  }
+} // namespace stiction

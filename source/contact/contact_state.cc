@@ -1,0 +1,88 @@
+#include <stiction/contact/contact_level.h>
+#include <stiction/contact/contact_state.h>
+#include <stiction/elasticity/mesh_level.h>
+#include <stiction/elasticity/stiffness_operator.h>
+
+#include <cmath>
+#include <limits>
+
+namespace stiction
+{
+  ContactState::ContactState(const ContactLevel &problem)
+    : u(problem.mesh().zero_vector<double>())
+    , R(u)
+  {
+    problem.prescribe(u);
+    update(problem);
+  }
+
+
+
+  void
+  ContactState::update(const ContactLevel &problem)
+  {
+    problem.stiffness().vmult(R, u);
+    R.sadd(-1., 1., problem.load());
+    lambda = problem.apply_B(R);
+    w      = problem.penetration_and_slip(u);
+  }
+
+
+
+  namespace
+  {
+    ContactConditions
+    conditions_of(const ContactLevel &problem,
+                  const ContactState &state,
+                  const qp::Scaling &scaling)
+    {
+      return {state.lambda,
+              -state.w,
+              problem.slip_bound().at(state.lambda),
+              scaling};
+    }
+
+    double
+    imbalance(const ContactLevel &problem, const ContactState &state)
+    {
+      LA::Vector interior = state.R;
+      problem.clear_prescribed(interior);
+      problem.set_transpose_B(Eigen::VectorXd::Zero(state.w.size()), interior);
+      return problem.sum_of_norms(interior);
+    }
+  } // namespace
+
+
+
+  ContactResidual::ContactResidual(const ContactLevel &problem,
+                                   const ContactState &state)
+    : ContactResidual(problem,
+                      state,
+                      problem.scales(state.u, state.R, state.lambda))
+  {
+  }
+
+
+
+  ContactResidual::ContactResidual(const ContactLevel &problem,
+                                   const ContactState &state,
+                                   const ContactLevel::Scales &scales)
+    : force_scale(scales.force)
+    , conditions(conditions_of(problem, state, scales.scaling))
+    , equilibrium(imbalance(problem, state) / scales.force)
+  {
+  }
+
+
+
+  double
+  ContactResidual::value() const
+  {
+    double largest = equilibrium;
+    for (const auto &figure : conditions.deciding_figures())
+      if (!(figure.second <= largest))
+        largest = figure.second;
+    return std::isfinite(largest) ? largest
+                                  : std::numeric_limits<double>::infinity();
+  }
+} // namespace stiction

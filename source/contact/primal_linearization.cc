@@ -1,0 +1,63 @@
+#include <stiction/contact/primal_linearization.h>
+#include <stiction/qp/slip_bound.h>
+
+#include <cmath>
+
+namespace stiction
+{
+  PrimalLinearization::PrimalLinearization(const Eigen::VectorXd &lambda,
+                                           const Eigen::VectorXd &w,
+                                           const Eigen::VectorXd &rho,
+                                           const qp::SlipBound &slip_bound)
+    : nodes(rho.size())
+    , states(rho.size())
+  {
+    const Eigen::Index m     = rho.size();
+    const Eigen::VectorXd a  = lambda + rho.replicate(3, 1).cwiseProduct(w);
+    const Eigen::VectorXd b  = slip_bound.at(a);
+    const Eigen::Matrix3d nn = Eigen::Vector3d::UnitX().asDiagonal();
+
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        Node &node      = nodes[i];
+        node.projection = Eigen::Matrix3d::Identity();
+        node.spring     = Eigen::Matrix3d::Zero();
+        node.load       = Eigen::Vector3d::Zero();
+        node.shift      = Eigen::Vector3d::Zero();
+
+        const bool is_closed = a(i) > 0.;
+        if (is_closed)
+          {
+            node.projection -= nn;
+            node.shift(0) = -w(i);
+          }
+        node.test = node.projection;
+
+        const Eigen::Vector2d a_t(a(i + m), a(i + 2 * m));
+        const double norm = a_t.norm();
+        unsigned char tangential_state = 0; // without friction
+        if (b(i) > 0. && norm <= b(i))
+          {
+            node.projection.bottomRightCorner<2, 2>().setZero();
+            node.test.bottomRightCorner<2, 2>().setZero();
+            node.shift(1)    = -w(i + m);
+            node.shift(2)    = -w(i + 2 * m);
+            tangential_state = 1;
+          }
+        else if (b(i) > 0.)
+          {
+            const Eigen::Vector2d t = a_t / norm;
+            const Eigen::Vector2d across(-t(1), t(0));
+            node.spring.bottomRightCorner<2, 2>() =
+              rho(i) * b(i) / (norm - b(i)) * across * across.transpose();
+            if (slip_bound.is_coulomb())
+              node.test.bottomLeftCorner<2, 1>() = -slip_bound.data()(i) * t;
+            else
+              node.load.tail<2>() = b(i) * t;
+            tangential_state = 2;
+          }
+        states[i] = static_cast<unsigned char>(
+          (is_closed ? 4 : 0) + tangential_state);
+      }
+  }
+} // namespace stiction
