@@ -1,129 +1,223 @@
 #include <stiction/elasticity/cell_stiffness.h>
-#include <cmath>
+
+#include "cell_containers.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
 namespace stiction
 {
-  static void
-  element(const HexahedralCell &c, double *K)
+  using namespace cell_kernel;
+
+  namespace
   {
-    for (int i = 0; i < 576; ++i)
-      K[i] = 0;
-    const double g = 1 / std::sqrt(3.);
-    for (int q = 0; q < 8; ++q)
-      {
-        double p[3];
-        for (int d = 0; d < 3; ++d)
-          p[d] = .5 + .5 * ((q >> d & 1) ? g : -g);
-        double G[8][3], J[3][3] = {};
-        for (int v = 0; v < 8; ++v)
-          for (int d = 0; d < 3; ++d)
-            {
-              double w = 1;
-              for (int e = 0; e < 3; ++e)
-                {
-                  bool b = v >> e & 1;
-                  w *= e == d ? (b ? 1. : -1.) : (b ? p[e] : 1 - p[e]);
-                }
-              G[v][d] = w;
-              for (int a = 0; a < 3; ++a)
-                J[a][d] += c.vertices[v][a] * w;
-            }
-        double inv[3][3];
-        for (int a = 0; a < 3; ++a)
-          for (int b = 0; b < 3; ++b)
-            inv[b][a] =
-              J[(a + 1) % 3][(b + 1) % 3] * J[(a + 2) % 3][(b + 2) % 3] -
-              J[(a + 1) % 3][(b + 2) % 3] * J[(a + 2) % 3][(b + 1) % 3];
-        double det =
-          J[0][0] * inv[0][0] + J[0][1] * inv[1][0] + J[0][2] * inv[2][0];
-        for (auto &r : inv)
-          for (double &x : r)
-            x /= det;
-        double D[8][3];
-        for (int v = 0; v < 8; ++v)
-          for (int a = 0; a < 3; ++a)
-            {
-              D[v][a] = 0;
-              for (int d = 0; d < 3; ++d)
-                D[v][a] += G[v][d] * inv[d][a];
-            }
-        for (int i = 0; i < 8; ++i)
-          for (int j = 0; j < 8; ++j)
-            {
-              double dd =
-                D[i][0] * D[j][0] + D[i][1] * D[j][1] + D[i][2] * D[j][2];
-              for (int a = 0; a < 3; ++a)
-                for (int b = 0; b < 3; ++b)
-                  K[(3 * i + a) * 24 + 3 * j + b] +=
-                    det / 8 *
-                    (c.lame_lambda * D[i][a] * D[j][b] +
-                     c.shear_modulus * (D[i][b] * D[j][a] + (a == b ? dd : 0)));
-            }
-      }
-  }
-  template<typename N>
-  CellStiffness<N>::CellStiffness(const std::vector<HexahedralCell> &cells,
-                                  InstructionSet)
+    const Kernels<float> &
+    choose(const KernelPair &pair, float)
+    {
+      return pair.of_float;
+    }
+
+    const Kernels<double> &
+    choose(const KernelPair &pair, double)
+    {
+      return pair.of_double;
+    }
+
+    const KernelPair &
+    kernels_for(const InstructionSet instruction_set)
+    {
+      if (!is_supported(instruction_set))
+        throw std::invalid_argument(
+          std::string("this CPU, or this build, has no kernels for ") +
+          name(instruction_set));
+      switch (instruction_set)
+        {
+#ifdef STICTION_WITH_AVX2_KERNELS
+          case InstructionSet::avx2:
+            return avx2;
+#endif
+#ifdef STICTION_WITH_AVX512_KERNELS
+          case InstructionSet::avx512:
+            return avx512;
+#endif
+          default:
+            return baseline;
+        }
+    }
+  } // namespace
+
+
+
+  template<typename Number>
+  CellStiffness<Number>::CellStiffness(const InstructionSet instruction_set)
+    : instruction_set_(instruction_set)
+    , kernels_(&choose(kernels_for(instruction_set), Number()))
   {
-    const HexahedralCell *last = nullptr;
-    for (auto &c : cells)
-      {
-        nodes_.push_back(c.nodes);
-        bool same = last;
-        if (same)
-          {
-            double h = std::abs(c.vertices[7][0] - c.vertices[0][0]);
-            for (int v = 0; v < 8; ++v)
-              for (int a = 0; a < 3; ++a)
-                same = same &&
-                       std::abs((c.vertices[v][a] - c.vertices[0][a]) -
-                                (last->vertices[v][a] - last->vertices[0][a])) <
-                         1e-11 * h;
-          }
-        if (!same)
-          {
-            double K[576];
-            element(c, K);
-            K_.emplace_back();
-            for (int i = 0; i < 576; ++i)
-              K_.back()[i] = K[i];
-            last = &c;
-          }
-        cls_.push_back(K_.size() - 1);
-      }
   }
-  template<typename N>
+
+
+
+  template<typename Number>
+  CellStiffness<Number>::CellStiffness(const std::vector<HexahedralCell> &cells,
+                                       const InstructionSet instruction_set)
+    : CellStiffness(instruction_set)
+  {
+    for (const HexahedralCell &cell : cells)
+      add_cell(cell);
+    finish();
+  }
+
+
+
+  template<typename Number>
+  CellStiffness<Number>::CellStiffness(CellStiffness &&) noexcept = default;
+
+
+
+  template<typename Number>
+  CellStiffness<Number> &
+  CellStiffness<Number>::operator=(CellStiffness &&) noexcept = default;
+
+
+
+  template<typename Number>
+  CellStiffness<Number>::~CellStiffness() = default;
+
+
+
+  template<typename Number>
   void
-  CellStiffness<N>::add_product(N *dst, const N *src) const
+  CellStiffness<Number>::add_cell(const HexahedralCell &cell)
   {
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
+    CellNodes nodes;
+    for (unsigned int v = 0; v < 8; ++v)
       {
-        N x[24], y[24] = {};
-        for (int v = 0; v < 8; ++v)
-          for (int a = 0; a < 3; ++a)
-            x[3 * v + a] = src[3 * (std::size_t)nodes_[k][v] + a];
-        const N *K = K_[cls_[k]].data();
-        for (int i = 0; i < 24; ++i)
-          for (int j = 0; j < 24; ++j)
-            y[j] += K[24 * i + j] * x[i];
-        for (int v = 0; v < 8; ++v)
-          for (int a = 0; a < 3; ++a)
-            dst[3 * (std::size_t)nodes_[k][v] + a] += y[3 * v + a];
+        nodes[v] = cell.nodes[v];
+        if (nodes[v] > std::numeric_limits<std::uint32_t>::max() / 3 - 1)
+          throw std::invalid_argument("too many nodes for one process");
       }
+    const CellMap map(cell.vertices);
+    if (!map.is_valid())
+      throw std::invalid_argument(
+        "the map of a cell has a determinant that is not positive");
+
+    CongruentCells<Number> *const of_class =
+      map.is_affine() ? find_class(cell, map) : nullptr;
+    if (of_class)
+      of_class->add(nodes);
+    else
+      {
+        if (general_.empty() || general_.back().is_full())
+          general_.emplace_back(kernels_->lanes);
+        general_.back().add(nodes, map, cell.lame_lambda, cell.shear_modulus);
+      }
+    ++n_cells_;
   }
-  template<typename N>
+
+
+
+  template<typename Number>
+  CongruentCells<Number> *
+  CellStiffness<Number>::find_class(const HexahedralCell &cell,
+                                    const CellMap &map)
+  {
+    // most often it is that of the cell before
+    for (std::size_t i = 0; i < classes_.size(); ++i)
+      {
+        const std::size_t candidate = (last_class_ + i) % classes_.size();
+        if (classes_[candidate].contains(
+              map, cell.lame_lambda, cell.shear_modulus))
+          {
+            last_class_ = candidate;
+            return &classes_[candidate];
+          }
+      }
+    if (classes_.size() == max_classes)
+      return nullptr;
+    last_class_ = classes_.size();
+    classes_.emplace_back(map, cell.lame_lambda, cell.shear_modulus);
+    return &classes_.back();
+  }
+
+
+
+  template<typename Number>
   void
-  CellStiffness<N>::add_diagonal_blocks(N *dst) const
+  CellStiffness<Number>::finish()
   {
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      {
-        const N *K = K_[cls_[k]].data();
-        for (int v = 0; v < 8; ++v)
-          for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b)
-              dst[9 * (std::size_t)nodes_[k][v] + 3 * a + b] +=
-                K[(3 * v + a) * 24 + 3 * v + b];
-      }
+    for (CongruentCells<Number> &of_class : classes_)
+      of_class.finish(*kernels_);
+    if (!general_.empty())
+      general_.back().finish();
   }
+
+
+
+  template<typename Number>
+  void
+  CellStiffness<Number>::add_product(Number *const dst,
+                                     const Number *const src) const
+  {
+    for (const CongruentCells<Number> &of_class : classes_)
+      of_class.add_product(*kernels_, dst, src);
+    for (const GeneralCellBlock<Number> &block : general_)
+      block.add_product(*kernels_, dst, src);
+  }
+
+
+
+  template<typename Number>
+  void
+  CellStiffness<Number>::add_diagonal_blocks(Number *const dst) const
+  {
+    for (const CongruentCells<Number> &of_class : classes_)
+      of_class.add_diagonal_blocks(*kernels_, dst);
+    for (const GeneralCellBlock<Number> &block : general_)
+      block.add_diagonal_blocks(dst);
+  }
+
+
+
+  template<typename Number>
+  std::size_t
+  CellStiffness<Number>::n_patched_cells() const
+  {
+    std::size_t n = 0;
+    for (const CongruentCells<Number> &of_class : classes_)
+      n += 8 * of_class.n_patches();
+    return n;
+  }
+
+
+
+  template<typename Number>
+  std::size_t
+  CellStiffness<Number>::n_general_cells() const
+  {
+    std::size_t n = 0;
+    for (const GeneralCellBlock<Number> &block : general_)
+      n += block.n_cells();
+    return n;
+  }
+
+
+
+  template<typename Number>
+  std::size_t
+  CellStiffness<Number>::memory_consumption() const
+  {
+    std::size_t bytes = sizeof(*this);
+    for (const CongruentCells<Number> &of_class : classes_)
+      bytes += of_class.memory_consumption();
+    for (const GeneralCellBlock<Number> &block : general_)
+      bytes += block.memory_consumption();
+    return bytes;
+  }
+
+
+
   template class CellStiffness<float>;
   template class CellStiffness<double>;
 } // namespace stiction

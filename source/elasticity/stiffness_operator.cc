@@ -13,13 +13,14 @@ namespace stiction
                const double lame_lambda,
                const double shear_modulus)
     {
-      std::vector<HexahedralCell> cells;
+      CellStiffness<Number> cells;
       level.for_each_cell([&](HexahedralCell cell) {
         cell.lame_lambda   = lame_lambda;
         cell.shear_modulus = shear_modulus;
-        cells.push_back(cell);
+        cells.add_cell(cell);
       });
-      return CellStiffness<Number>(cells);
+      cells.finish();
+      return cells;
     }
   } // namespace
 
