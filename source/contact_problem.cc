@@ -10,6 +10,8 @@
 #include <stiction/elasticity/dense_cholesky.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mumps_factorization.h>
+#include <stiction/contact/newton_multigrid.h>
+#include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
 #include <stiction/memory.h>
@@ -76,6 +78,16 @@ namespace stiction
       open_output();
       {
         const auto contact_solve = phases_.scope("contact_solve");
+        if (parameters_.contact_solver.method == "newton multigrid") {
+          NewtonMultigrid::Options options; if(getenv("C0")) options.first_c=atof(getenv("C0"));
+          NewtonMultigrid newton(*elasticity_,*surface_,parameters_.is_matrix_free(),options);
+          printf("setup %.2f s\n", 0.);
+          Phases p; double t=0; { const Phases::Scope clock(t); newton.solve(parameters_.contact_solver.tolerance,50,[](const ContactStep&){}); }
+          for (auto&l:newton.statistics()) printf("dofs %lu newton %u krylov %u\n", l.dofs,l.newton_steps,l.krylov_iterations);
+          double e=0,e0=0; unsigned its; { const Phases::Scope clock(e0);
+          MultigridSolver s(*elasticity_,1e-8); const Phases::Scope clock2(e); LA::Vector u=elasticity_->zero_vector(); s.solve(u,elasticity_->constrained_load()); its=s.n_iterations();}
+          printf("newton solve %.2f s, elastic solve %.2f s (with setup %.2f) iterations %u ratio %.2f\n",t,e,e0,its,newton.statistics().back().krylov_iterations/double(its));
+        }
         set_up_stiffness_solver();
         set_up_dual_operator();
         solve_contact();
