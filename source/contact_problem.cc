@@ -3,15 +3,14 @@
 #include <stiction/contact/dual_method_factory.h>
 #include <stiction/contact/dual_problem.h>
 #include <stiction/contact/judge.h>
+#include <stiction/contact/newton_multigrid.h>
 #include <stiction/contact/schur_complement.h>
 #include <stiction/contact_problem.h>
-#include <stiction/elasticity/amg_solver.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/dense_cholesky.h>
 #include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/mumps_factorization.h>
-#include <stiction/contact/newton_multigrid.h>
 #include <stiction/elasticity/multigrid_solver.h>
+#include <stiction/elasticity/mumps_factorization.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
 #include <stiction/memory.h>
@@ -44,6 +43,19 @@ namespace stiction
     // An iterative solver stops here, far enough below the tolerance that the
     // certificate does not see it.
     constexpr double linear_solver_safety = 1e-4;
+
+    constexpr double duality_gap_accuracy = 1e-6;
+
+    // Set-up and one solve by iteration, with the preconditioner of the run.
+    unsigned int
+    solve_once(const LinearElasticity &elasticity, const bool matrix_free)
+    {
+      const auto solver = StiffnessSolver::create(
+        matrix_free ? "multigrid" : "amg", elasticity, 1e-8);
+      LA::Vector u = elasticity.zero_vector();
+      solver->solve(u, elasticity.constrained_load());
+      return static_cast<unsigned int>(solver->n_iterations());
+    }
   } // namespace
 
 
@@ -57,6 +69,7 @@ namespace stiction
         *log_,
         step_name(parameters.contact_solver,
                   parameters.friction.law() == FrictionLaw::coulomb),
+        parameters.contact_solver.is_primal(),
         parameters.output.print_progress))
   {
   }
@@ -78,19 +91,17 @@ namespace stiction
       open_output();
       {
         const auto contact_solve = phases_.scope("contact_solve");
-        if (parameters_.contact_solver.method == "newton multigrid") {
-          NewtonMultigrid::Options options; if(getenv("C0")) options.first_c=atof(getenv("C0"));
-          NewtonMultigrid newton(*elasticity_,*surface_,parameters_.is_matrix_free(),options);
-          printf("setup %.2f s\n", 0.);
-          Phases p; double t=0; { const Phases::Scope clock(t); newton.solve(parameters_.contact_solver.tolerance,50,[](const ContactStep&){}); }
-          for (auto&l:newton.statistics()) printf("dofs %lu newton %u krylov %u\n", l.dofs,l.newton_steps,l.krylov_iterations);
-          double e=0,e0=0; unsigned its; { const Phases::Scope clock(e0);
-          MultigridSolver s(*elasticity_,1e-8); const Phases::Scope clock2(e); LA::Vector u=elasticity_->zero_vector(); s.solve(u,elasticity_->constrained_load()); its=s.n_iterations();}
-          printf("newton solve %.2f s, elastic solve %.2f s (with setup %.2f) iterations %u ratio %.2f\n",t,e,e0,its,newton.statistics().back().krylov_iterations/double(its));
-        }
-        set_up_stiffness_solver();
-        set_up_dual_operator();
-        solve_contact();
+        if (parameters_.contact_solver.is_primal())
+          {
+            set_up_multigrid();
+            solve_for_displacements();
+          }
+        else
+          {
+            set_up_stiffness_solver();
+            set_up_dual_operator();
+            solve_for_contact_forces();
+          }
       }
       certify();
       measure_one_elastic_solve();
@@ -212,7 +223,32 @@ namespace stiction
 
 
   void
-  ContactProblem::solve_contact()
+  ContactProblem::set_up_multigrid()
+  {
+    const auto phase = phases_.scope("stiffness_setup");
+    if (parameters_.output.print_progress)
+      log_->line("Newton method in displacements: " +
+                 parameters_.stiffness_solver_type());
+    newton_ = std::make_unique<NewtonMultigrid>(
+      *elasticity_, *surface_, parameters_.is_matrix_free());
+  }
+
+
+
+  void
+  ContactProblem::solve_for_displacements()
+  {
+    const auto phase = phases_.scope("displacement_iteration");
+    solution_        = std::make_unique<ContactSolution>(
+      newton_->solve(parameters_.contact_solver.tolerance,
+                     parameters_.contact_solver.maximum_iterations,
+                     [&](const ContactStep &step) { history_->add(step); }));
+  }
+
+
+
+  void
+  ContactProblem::solve_for_contact_forces()
   {
     const auto phase = phases_.scope("dual_iteration");
     method_          = create_dual_method(
@@ -234,7 +270,22 @@ namespace stiction
   void
   ContactProblem::certify()
   {
-    // the other figures were computed when the iteration asked for them
+    if (newton_)
+      {
+        // the bound needs a few digits of one more solve only
+        stiffness_solver_ =
+          std::make_unique<MultigridSolver>(*elasticity_,
+                                            newton_->free_preconditioner(),
+                                            newton_->finest_level(),
+                                            duality_gap_accuracy);
+        judge_ = std::make_unique<BodyJudge>(
+          *elasticity_, *surface_, *stiffness_solver_);
+        judge_->judge(newton_->displacement(), solution_->lambda);
+        solution_->converged =
+          judge_->certificate().converged(parameters_.contact_solver.tolerance);
+      }
+    // the other figures of the dual methods were computed when the iteration
+    // asked for them
     judge_->certificate().compute_duality_gap(judge_->displacement(),
                                               *stiffness_solver_);
   }
@@ -246,20 +297,17 @@ namespace stiction
   {
     if (!parameters_.performance.measure_one_elastic_solve)
       return;
-    // The body with its contact boundary free, to a fixed accuracy, by a
-    // method that needs no more memory than the matrix: the yardstick. The
-    // better of two, because machines are noisy.
+    // The body with its contact boundary free, to a fixed accuracy, by an
+    // iterative method: the yardstick. The better of two, because machines are
+    // noisy.
     double best = std::numeric_limits<double>::infinity();
     for (unsigned int run = 0; run < 2; ++run)
       {
         double seconds = 0.;
         {
           const Phases::Scope clock(seconds);
-          AmgSolver solver(*elasticity_, 1e-8);
-          LA::Vector u = elasticity_->zero_vector();
-          solver.solve(u, elasticity_->constrained_load());
           elastic_solve_iterations_ =
-            static_cast<unsigned int>(solver.n_iterations());
+            solve_once(*elasticity_, parameters_.is_matrix_free());
         }
         best = std::min(best, seconds);
       }
@@ -277,7 +325,7 @@ namespace stiction
       const auto phase = phases_.scope("sparse_factorization");
       MumpsFactorization(elasticity_->constrained_stiffness(), 3);
     }
-    if (schur_->matrix() == nullptr)
+    if (!schur_ || schur_->matrix() == nullptr)
       return;
     Eigen::MatrixXd Q = *schur_->matrix();
     const auto phase  = phases_.scope("dual_cholesky");
@@ -342,12 +390,18 @@ namespace stiction
         {"dofs", body_->dof_handler().n_dofs()},
         {"contact_nodes", surface_->n_nodes()},
         {"dual_unknowns", 3 * surface_->n_nodes()}};
-    summary["solver"] = solver_to_json(
-      parameters_.contact_solver, surface_->slip_bound(), *method_, *schur_);
+    summary["solver"] = newton_
+                          ? solver_to_json(parameters_.contact_solver, *newton_)
+                          : solver_to_json(parameters_.contact_solver,
+                                           surface_->slip_bound(),
+                                           *method_,
+                                           *schur_);
+    if (!newton_)
+      summary["solver"].update(
+        json({{"stiffness_solves", stiffness_solver_->n_solves()},
+              {"krylov_iterations", stiffness_solver_->n_iterations()}}));
     summary["solver"].update(
       json({{"law", parameters_.friction.law_name},
-            {"stiffness_solves", stiffness_solver_->n_solves()},
-            {"krylov_iterations", stiffness_solver_->n_iterations()},
             {"elastic_solve_iterations",
              measured ? json(elastic_solve_iterations_) : json(nullptr)},
             {"elastic_solve_equivalents",

@@ -99,12 +99,17 @@ namespace stiction
     const auto phase = phases_.scope("dual_operator");
     problem_         = import_problem(path_);
     parameters_.check_method(problem_.slip_bound.is_coulomb());
+    if (parameters_.contact_solver.is_primal())
+      throw InputError(
+        parameters_.source.describe("Contact solver/Method") +
+        ", works on a mesh, must be another one for a problem from a file.");
     require_solvable(problem_, path_);
     Q_       = std::make_unique<DenseDualOperator>(std::move(problem_.Q),
                                              std::move(problem_.h));
     history_ = std::make_unique<ConvergenceHistory>(
       *log_,
       step_name(parameters_.contact_solver, problem_.slip_bound.is_coulomb()),
+      false,
       parameters_.output.print_progress);
     log_->line(format("Problem: %lld contact nodes, %s",
                       static_cast<long long>(Q_->n_nodes()),

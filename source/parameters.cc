@@ -249,6 +249,14 @@ namespace stiction
 
 
 
+  bool
+  ContactSolverParameters::is_primal() const
+  {
+    return method == "newton multigrid";
+  }
+
+
+
   StiffnessSolverParameters::StiffnessSolverParameters()
     : ParameterAcceptor("Stiffness solver")
   {
@@ -479,17 +487,43 @@ namespace stiction
               std::to_string(clamped) + " alone and 'Contact boundary = 4'");
 
     check_method(friction.law() == FrictionLaw::coulomb);
+    check_solvers();
+  }
 
+
+
+  void
+  Parameters::check_solvers() const
+  {
     require(contact_solver.method != "admm" ||
               dual_operator.form == "assembled",
             "Contact solver/Method",
             "factorises the dual operator, so 'Dual operator/Form' must be "
             "'assembled'");
+    require(
+      output.export_directory.empty() ||
+        (dual_operator.form == "assembled" && !contact_solver.is_primal()),
+      "Output/Export directory",
+      "writes the matrix Q, so 'Dual operator/Form' must be 'assembled' "
+      "and 'Contact solver/Method' another one than 'newton multigrid'");
 
-    require(output.export_directory.empty() ||
-              dual_operator.form == "assembled",
-            "Output/Export directory",
-            "writes the matrix Q, so 'Dual operator/Form' must be 'assembled'");
+    require(stiffness_solver.type != "multigrid" ||
+              geometry.global_refinement > 0,
+            "Stiffness solver/Type",
+            "needs a coarser mesh, so 'Geometry/Global refinement' must be at "
+            "least 1, or the type 'amg'");
+    require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
+            "Stiffness solver/Type",
+            "must be 'automatic', 'multigrid' or 'amg' for 'Contact "
+            "solver/Method = newton multigrid'");
+    require(!contact_solver.is_primal() ||
+              contact_solver.coulomb_iteration == "direct",
+            "Contact solver/Coulomb iteration",
+            "must be 'direct' for 'Contact solver/Method = newton multigrid'");
+    require(!performance.measure_factorizations || !is_matrix_free(),
+            "Performance/Measure factorizations",
+            "factorises the stiffness matrix, so 'Stiffness solver/Type' must "
+            "be 'mumps' or 'amg'");
   }
 
 

@@ -20,6 +20,7 @@ namespace stiction
   class DualOperator;
   class LinearElasticity;
   class Log;
+  class NewtonMultigrid;
   class Parameters;
   class StiffnessSolver;
   class ConvergenceHistory;
@@ -97,7 +98,11 @@ namespace stiction
     void
     set_up_dual_operator();
     void
-    solve_contact();
+    solve_for_contact_forces();
+    void
+    set_up_multigrid();
+    void
+    solve_for_displacements();
     void
     certify();
     void
@@ -124,6 +129,7 @@ namespace stiction
     std::unique_ptr<StiffnessSolver> stiffness_solver_;
     std::unique_ptr<DualOperator> schur_;
     std::unique_ptr<DualMethod> method_;
+    std::unique_ptr<NewtonMultigrid> newton_;
     std::unique_ptr<BodyJudge> judge_;
     std::unique_ptr<ContactSolution> solution_;
 

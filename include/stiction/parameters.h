@@ -79,6 +79,10 @@ namespace stiction
   {
     ContactSolverParameters();
 
+    /// Whether the method solves for displacements, not for contact forces.
+    bool
+    is_primal() const;
+
     std::string method              = "gauss seidel";
     double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
@@ -194,6 +198,10 @@ namespace stiction
     /// other. Throws InputError.
     void
     check_body() const;
+
+    /// The part of it about solvers that need each other.
+    void
+    check_solvers() const;
 
     /// Throws InputError about the entry unless the condition holds.
     void

@@ -71,7 +71,8 @@ namespace stiction
       if (elasticity.constraints().is_constrained(dof))
         {
           fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
-          prescribed_.push_back(elasticity.constraints().get_inhomogeneity(dof));
+          prescribed_.push_back(
+            elasticity.constraints().get_inhomogeneity(dof));
         }
     set_frames_from(surface);
     compute_nodal_stiffness();
@@ -85,10 +86,10 @@ namespace stiction
                              const MeshHierarchy &hierarchy,
                              const TraceHierarchy &trace_hierarchy,
                              const unsigned int level)
-    : own_stiffness_(std::make_unique<StiffnessOperator<double>>(
-        hierarchy.level(level),
-        elasticity.lame_lambda(),
-        elasticity.shear_modulus()))
+    : own_stiffness_(
+        std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
+                                                    elasticity.lame_lambda(),
+                                                    elasticity.shear_modulus()))
     , stiffness_(own_stiffness_.get())
     , own_load_(std::make_unique<LA::Vector>(
         hierarchy.level(level).zero_vector<double>()))
@@ -125,7 +126,7 @@ namespace stiction
     Eigen::VectorXd bound(n_vertices);
     for (Eigen::Index j = 0; j < n_vertices; ++j)
       {
-        gaps_(j)  = finer.gaps_(on_finer[j]);
+        gaps_(j) = finer.gaps_(on_finer[j]);
         bound(j) = finer.slip_bound_.data()(on_finer[j]);
         frames_.push_back(finer.frames_[on_finer[j]]);
       }

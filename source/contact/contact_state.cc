@@ -31,17 +31,6 @@ namespace stiction
 
   namespace
   {
-    ContactConditions
-    conditions_of(const ContactLevel &problem,
-                  const ContactState &state,
-                  const qp::Scaling &scaling)
-    {
-      return {state.lambda,
-              -state.w,
-              problem.slip_bound().at(state.lambda),
-              scaling};
-    }
-
     double
     imbalance(const ContactLevel &problem, const ContactState &state)
     {
@@ -55,9 +44,11 @@ namespace stiction
 
 
   ContactResidual::ContactResidual(const ContactLevel &problem,
-                                   const ContactState &state)
+                                   const ContactState &state,
+                                   const qp::SlipBound &slip_bound)
     : ContactResidual(problem,
                       state,
+                      slip_bound,
                       problem.scales(state.u, state.R, state.lambda))
   {
   }
@@ -66,9 +57,13 @@ namespace stiction
 
   ContactResidual::ContactResidual(const ContactLevel &problem,
                                    const ContactState &state,
+                                   const qp::SlipBound &slip_bound,
                                    const ContactLevel::Scales &scales)
     : force_scale(scales.force)
-    , conditions(conditions_of(problem, state, scales.scaling))
+    , conditions(state.lambda,
+                 -state.w,
+                 slip_bound.at(state.lambda),
+                 scales.scaling)
     , equilibrium(imbalance(problem, state) / scales.force)
   {
   }

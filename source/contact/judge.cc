@@ -29,8 +29,17 @@ namespace stiction
   {
     LA::Vector force = elasticity_.constrained_load();
     surface_.add_transpose_B(-1., lambda, force);
-    u_ = std::make_unique<LA::Vector>(elasticity_.zero_vector());
-    solver_.solve(*u_, force);
+    LA::Vector u = elasticity_.zero_vector();
+    solver_.solve(u, force);
+    return judge(u, lambda);
+  }
+
+
+
+  const ContactConditions &
+  BodyJudge::judge(const LA::Vector &u, const Eigen::VectorXd &lambda)
+  {
+    u_ = std::make_unique<LA::Vector>(u);
     certificate_ =
       std::make_unique<Certificate>(elasticity_, surface_, *u_, lambda);
     return *certificate_;

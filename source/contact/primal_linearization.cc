@@ -10,7 +10,6 @@ namespace stiction
                                            const Eigen::VectorXd &rho,
                                            const qp::SlipBound &slip_bound)
     : nodes(rho.size())
-    , states(rho.size())
   {
     const Eigen::Index m     = rho.size();
     const Eigen::VectorXd a  = lambda + rho.replicate(3, 1).cwiseProduct(w);
@@ -19,14 +18,8 @@ namespace stiction
 
     for (Eigen::Index i = 0; i < m; ++i)
       {
-        Node &node      = nodes[i];
-        node.projection = Eigen::Matrix3d::Identity();
-        node.spring     = Eigen::Matrix3d::Zero();
-        node.load       = Eigen::Vector3d::Zero();
-        node.shift      = Eigen::Vector3d::Zero();
-
-        const bool is_closed = a(i) > 0.;
-        if (is_closed)
+        Node &node = nodes[i];
+        if (a(i) > 0.)
           {
             node.projection -= nn;
             node.shift(0) = -w(i);
@@ -35,14 +28,12 @@ namespace stiction
 
         const Eigen::Vector2d a_t(a(i + m), a(i + 2 * m));
         const double norm = a_t.norm();
-        unsigned char tangential_state = 0; // without friction
         if (b(i) > 0. && norm <= b(i))
           {
             node.projection.bottomRightCorner<2, 2>().setZero();
             node.test.bottomRightCorner<2, 2>().setZero();
-            node.shift(1)    = -w(i + m);
-            node.shift(2)    = -w(i + 2 * m);
-            tangential_state = 1;
+            node.shift(1) = -w(i + m);
+            node.shift(2) = -w(i + 2 * m);
           }
         else if (b(i) > 0.)
           {
@@ -54,10 +45,7 @@ namespace stiction
               node.test.bottomLeftCorner<2, 1>() = -slip_bound.data()(i) * t;
             else
               node.load.tail<2>() = b(i) * t;
-            tangential_state = 2;
           }
-        states[i] = static_cast<unsigned char>(
-          (is_closed ? 4 : 0) + tangential_state);
       }
   }
 } // namespace stiction

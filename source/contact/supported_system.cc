@@ -159,8 +159,7 @@ namespace stiction
         state.lambda -= amount * d.force;
         problem_.add_prescribed_entries(-amount, d.reaction, state.R);
         ++n;
-        if (stop(
-              {n, r, contact_r, state.lambda, state.w, r.l2_norm() / start}))
+        if (stop({n, r, contact_r, state.lambda, state.w, r.l2_norm() / start}))
           break;
       }
 
@@ -171,8 +170,7 @@ namespace stiction
         Eigen::Map<const Eigen::VectorXd>(amounts.data(), n));
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int k = 0; k < state.u.locally_owned_size(); ++k)
-        state.u.local_element(k) +=
-          y(j) * directions_[j]->z.local_element(k);
+        state.u.local_element(k) += y(j) * directions_[j]->z.local_element(k);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     problem_.set_transpose_B(state.lambda, r);
     state.R = r;

@@ -8,7 +8,7 @@
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -33,18 +33,16 @@ namespace stiction
                                                3 * std::size_t(node));
     }
 
-    // The inverse of a symmetric matrix ≥ 0 within its range.
+    // The inverse of P A P + S within the range of P. In double precision, as
+    // springs may be stiff.
     Eigen::Matrix3f
-    pseudo_inverse(const Eigen::Matrix3f &A)
+    inverse_in_range(const Eigen::Matrix3d &P,
+                     const Eigen::Matrix3d &A,
+                     const Eigen::Matrix3d &S)
     {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> eigen(A);
-      Eigen::Vector3f inverse;
-      for (unsigned int i = 0; i < 3; ++i)
-        inverse(i) = eigen.eigenvalues()(i) > 1e-4f * eigen.eigenvalues()(2)
-                       ? 1.f / eigen.eigenvalues()(i)
-                       : 0.f;
-      return eigen.eigenvectors() * inverse.asDiagonal() *
-             eigen.eigenvectors().transpose();
+      const Eigen::Matrix3d held =
+        (A.trace() / 3.) * (Eigen::Matrix3d::Identity() - P);
+      return (P * (P * A * P + S + held).inverse() * P).cast<float>();
     }
   } // namespace
 
@@ -76,7 +74,7 @@ namespace stiction
     for (std::size_t i = 0; i < first_dofs.size(); ++i)
       if (mesh.partitioner()->in_local_range(first_dofs[i]))
         {
-          Node node{};
+          Node node;
           node.local   = mesh.local_node(first_dofs[i]);
           node.in_list = i;
           node.block =
@@ -135,8 +133,9 @@ namespace stiction
       {
         node.projection = supports[node.in_list].projection.cast<float>();
         node.spring     = supports[node.in_list].spring.cast<float>();
-        node.inverse    = pseudo_inverse(
-          node.projection * node.block * node.projection + node.spring);
+        node.inverse    = inverse_in_range(supports[node.in_list].projection,
+                                        node.block.cast<double>(),
+                                        supports[node.in_list].spring);
         at(inverse_diagonal_, node.local).setZero();
       }
   }

@@ -65,12 +65,17 @@ namespace stiction
     /// A node of the list that this rank owns.
     struct Node
     {
-      unsigned int local;    ///< number of the node
-      std::size_t in_list;   ///< place in the list
-      Eigen::Matrix3f block; ///< of K on the diagonal
-      Eigen::Matrix3f projection, spring;
-      Eigen::Matrix3f inverse; ///< of P block P + S, within the range of P
-      Eigen::Vector3f step;    ///< scratch of a smoothing step
+      unsigned int local  = 0; ///< number of the node
+      std::size_t in_list = 0; ///< place in the list
+      /// The diagonal block of K.
+      Eigen::Matrix3f block = Eigen::Matrix3f::Zero();
+      /// The support, P and S.
+      Eigen::Matrix3f projection = Eigen::Matrix3f::Identity();
+      Eigen::Matrix3f spring     = Eigen::Matrix3f::Zero();
+      /// Of P block P + S, within the range of P.
+      Eigen::Matrix3f inverse = Eigen::Matrix3f::Zero();
+      /// Scratch of a smoothing step.
+      Eigen::Vector3f step = Eigen::Vector3f::Zero();
     };
 
     /// direction = keep × direction + take × D⁻¹ (b − Kx), x += direction, with

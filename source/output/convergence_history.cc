@@ -3,13 +3,16 @@
 #include <stiction/output/log.h>
 
 #include <sstream>
+#include <vector>
 
 namespace stiction
 {
   ConvergenceHistory::ConvergenceHistory(Log &log,
                                          const std::string &step_name,
+                                         const bool on_levels,
                                          const bool print)
     : log_(log)
+    , on_levels_(on_levels)
     , print_(print)
     , step_name_(step_name)
   {
@@ -18,9 +21,16 @@ namespace stiction
 
 
   void
-  ConvergenceHistory::add(const ContactStep &step)
+  ConvergenceHistory::print_header()
   {
-    if (print_ && !has_header_)
+    if (on_levels_)
+      log_.line(format("  %-12s %10s %10s %13s %12s",
+                       step_name_.c_str(),
+                       "unknowns",
+                       "iterations",
+                       "residual",
+                       "contraction"));
+    else
       log_.line(format("  %-12s %10s %9s %13s %13s %12s",
                        step_name_.c_str(),
                        "iterations",
@@ -28,8 +38,21 @@ namespace stiction
                        "kkt residual",
                        "change",
                        "contraction"));
-    has_header_ = true;
-    if (print_)
+  }
+
+
+
+  void
+  ConvergenceHistory::print_row(const ContactStep &step)
+  {
+    if (on_levels_)
+      log_.line(format("  %-12u %10lu %10u %13.3e %12.3f",
+                       step.step,
+                       step.unknowns,
+                       step.iterations,
+                       step.residual,
+                       step.contraction));
+    else
       log_.line(format("  %-12u %10u %9.1f %13.3e %13.3e %12.3f",
                        step.step,
                        step.iterations,
@@ -37,12 +60,28 @@ namespace stiction
                        step.residual,
                        step.change,
                        step.contraction));
+  }
+
+
+
+  void
+  ConvergenceHistory::add(const ContactStep &step)
+  {
+    if (print_ && !has_header_)
+      print_header();
+    has_header_ = true;
+    if (print_)
+      print_row(step);
 
     table_.add_value("step", step.step);
+    if (on_levels_)
+      table_.add_value("unknowns", static_cast<unsigned int>(step.unknowns));
     table_.add_value("iterations", step.iterations);
-    table_.add_value("dual_multiplications", step.multiplications);
+    if (!on_levels_)
+      table_.add_value("dual_multiplications", step.multiplications);
     table_.add_value("kkt_residual", step.residual);
-    table_.add_value("relative_change", step.change);
+    if (!on_levels_)
+      table_.add_value("relative_change", step.change);
     table_.add_value("contraction", step.contraction);
     table_.add_value("normal_force", step.normal_force);
   }
@@ -53,9 +92,11 @@ namespace stiction
   ConvergenceHistory::write(std::ostream &out) const
   {
     // TableHandler separates by blanks; its rows are rewritten with commas
-    dealii::TableHandler table = table_;
-    for (const char *column :
-         {"kkt_residual", "relative_change", "normal_force"})
+    dealii::TableHandler table       = table_;
+    std::vector<std::string> columns = {"kkt_residual", "normal_force"};
+    if (!on_levels_)
+      columns.emplace_back("relative_change");
+    for (const std::string &column : columns)
       if (has_header_)
         {
           table.set_precision(column, 9);
@@ -67,8 +108,10 @@ namespace stiction
         text,
         dealii::TableHandler::simple_table_with_separate_column_description);
 
-    out << "step,iterations,dual_multiplications,kkt_residual,relative_change,"
-           "contraction,normal_force\n";
+    out << (on_levels_ ? "step,unknowns,iterations,kkt_residual,"
+                       : "step,iterations,dual_multiplications,kkt_residual,"
+                         "relative_change,")
+        << "contraction,normal_force\n";
     for (std::string line; std::getline(text, line);)
       {
         if (line.empty() || line[0] == '#')

@@ -30,6 +30,7 @@ namespace stiction
                               "stiffness_setup",
                               "dual_operator",
                               "dual_iteration",
+                              "displacement_iteration",
                               "contact_solve",
                               "elastic_solve",
                               "sparse_factorization",

@@ -48,9 +48,9 @@ namespace stiction
             std::make_pair("admm_iterations", "ADMM iterations"),
             std::make_pair("dense_factorizations", "dense factorizations"),
             std::make_pair("fallbacks", "fallbacks")})
-        if (solver[count.first].get<unsigned int>() > 0)
+        if (solver.value(count.first, 0u) > 0)
           all += (all.empty() ? "" : ", ") + std::string(count.second) +
-                 format(" %u", solver[count.first].get<unsigned int>());
+                 format(" %u", solver.value(count.first, 0u));
       return all.empty() ? "none" : all;
     }
 
@@ -68,10 +68,10 @@ namespace stiction
     if (is_coulomb &&
         (has_products || parameters.coulomb_iteration == "fixed point"))
       return "Coulomb step";
-    return method == "gauss seidel" ? "sweep"
-           : method == "newton"     ? "Newton step"
-           : has_products           ? "20 products"
-                                    : "iteration";
+    return method == "gauss seidel"                       ? "sweep"
+           : method == "newton" || parameters.is_primal() ? "Newton step"
+           : has_products                                 ? "20 products"
+                                                          : "iteration";
   }
 
 
@@ -167,10 +167,17 @@ namespace stiction
         log.line();
         log.line("Cost");
         log.line("  " + format("%-24s ", "iterations") + iterations(solver));
-        log.line(format("  %-24s %.1f",
-                        "products with Q",
-                        solver["dual_multiplications"].get<double>()));
-        if (solver.contains("stiffness_solves"))
+        if (solver.contains("levels"))
+          log.line(
+            format("  %-24s %u, and %u on coarser meshes",
+                   "Krylov iterations",
+                   solver["krylov_iterations"].get<unsigned int>(),
+                   solver["coarse_krylov_iterations"].get<unsigned int>()));
+        else
+          log.line(format("  %-24s %.1f",
+                          "products with Q",
+                          solver["dual_multiplications"].get<double>()));
+        if (solver.contains("stiffness_solves") && !solver.contains("levels"))
           log.line(format("  %-24s %u (%u Krylov iterations)",
                           "solves with K",
                           solver["stiffness_solves"].get<unsigned int>(),

@@ -2,6 +2,7 @@
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
+#include <stiction/contact/newton_multigrid.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/output/summary.h>
@@ -102,6 +103,42 @@ namespace stiction
              statistics.coulomb_iterations > 0 ? json(statistics.contraction)
                                                : json(nullptr)},
             {"dual_multiplications", Q.n_multiplications()}};
+  }
+
+
+
+  json
+  solver_to_json(const ContactSolverParameters &parameters,
+                 const NewtonMultigrid &newton)
+  {
+    json levels                = json::array();
+    unsigned int rho_changes   = 0;
+    unsigned int fallbacks     = 0;
+    unsigned int coarse_krylov = 0;
+    for (unsigned int l = 0; l < newton.statistics().size(); ++l)
+      {
+        const LevelNewton::Statistics &level = newton.statistics()[l];
+        levels.push_back({{"dofs", newton.n_dofs(l)},
+                          {"newton_steps", level.newton_steps},
+                          {"krylov_iterations", level.krylov_iterations}});
+        rho_changes += level.rho_changes;
+        fallbacks += level.fallbacks;
+        if (l != newton.finest_level())
+          coarse_krylov += level.krylov_iterations;
+      }
+    const LevelNewton::Statistics &finest = newton.statistics().back();
+    return {{"method", parameters.method},
+            {"coulomb_iterations", 0},
+            {"gauss_seidel_iterations", 0},
+            {"newton_steps", finest.newton_steps},
+            {"krylov_iterations", finest.krylov_iterations},
+            {"coarse_krylov_iterations", coarse_krylov},
+            {"levels", levels},
+            {"rho_changes", rho_changes},
+            {"fallbacks", fallbacks},
+            {"contraction", nullptr},
+            {"stiffness_solves", 0},
+            {"dual_multiplications", 0.}};
   }
 
 

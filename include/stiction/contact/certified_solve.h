@@ -20,6 +20,7 @@ namespace stiction
     unsigned int iterations = 0;  ///< inner iterations so far
     double multiplications  = 0.; ///< products with Q so far
     double residual         = 0.; ///< natural residual after the step
+    unsigned long unknowns  = 0;  ///< of the level, in displacements
     double change           = 0.; ///< relative change of λ in the step
     double contraction      = 0.; ///< residual over the one before
     double normal_force     = 0.; ///< Σλ_ν in N

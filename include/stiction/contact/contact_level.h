@@ -125,8 +125,8 @@ namespace stiction
     /// λ = BR.
     struct Scales
     {
-      double force         = 1.; ///< S, N
-      qp::Scaling scaling;       ///< of the contact figures
+      double force = 1.;   ///< S, N
+      qp::Scaling scaling; ///< of the contact figures
     };
     Scales
     scales(const LA::Vector &u,

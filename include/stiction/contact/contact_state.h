@@ -33,12 +33,14 @@ namespace stiction
   /// the certificate.
   struct ContactResidual
   {
-    /// Collective.
-    ContactResidual(const ContactLevel &problem, const ContactState &state);
+    /// @param slip_bound that of the problem, or another one. Collective.
+    ContactResidual(const ContactLevel &problem,
+                    const ContactState &state,
+                    const qp::SlipBound &slip_bound);
 
     double force_scale;           ///< S, N
     ContactConditions conditions; ///< with their scales
-    double equilibrium;           ///< Σ‖R_j‖/S, contact and fixed nodes left out
+    double equilibrium; ///< Σ‖R_j‖/S, contact and fixed nodes left out
 
     /// The largest figure that decides.
     double
@@ -47,6 +49,7 @@ namespace stiction
   private:
     ContactResidual(const ContactLevel &problem,
                     const ContactState &state,
+                    const qp::SlipBound &slip_bound,
                     const ContactLevel::Scales &scales);
   };
 } // namespace stiction

@@ -45,6 +45,10 @@ namespace stiction
     const ContactConditions &
     judge(const Eigen::VectorXd &lambda) override;
 
+    /// The same for a displacement that a method brings along. Collective.
+    const ContactConditions &
+    judge(const LA::Vector &u, const Eigen::VectorXd &lambda);
+
     /// What the last call of judge() was about. Unit of u: m.
     const LA::Vector &
     displacement() const

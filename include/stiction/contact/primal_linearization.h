@@ -32,12 +32,23 @@ namespace stiction
   {
     struct Node
     {
-      Eigen::Matrix3d projection; ///< P
-      Eigen::Matrix3d test;       ///< W, P but for the unsymmetric row
-      Eigen::Matrix3d spring;     ///< S, N/m
-      Eigen::Vector3d load;       ///< c, N
-      Eigen::Vector3d shift;      ///< m
+      /// P
+      Eigen::Matrix3d projection = Eigen::Matrix3d::Identity();
+      /// W: P but for the unsymmetric row
+      Eigen::Matrix3d test = Eigen::Matrix3d::Identity();
+      /// S, N/m
+      Eigen::Matrix3d spring = Eigen::Matrix3d::Zero();
+      /// c, N
+      Eigen::Vector3d load = Eigen::Vector3d::Zero();
+      /// m
+      Eigen::Vector3d shift = Eigen::Vector3d::Zero();
     };
+
+    /// Nodes that nothing holds.
+    explicit PrimalLinearization(Eigen::Index n_nodes)
+      : nodes(n_nodes)
+    {
+    }
 
     /// @param lambda, w length 3m by blocks; N, m.
     /// @param rho length m, > 0, N/m. The solution does not depend on it.
@@ -47,8 +58,6 @@ namespace stiction
                         const qp::SlipBound &slip_bound);
 
     std::vector<Node> nodes;
-    /// Open, stick or slip in each part, to see whether anything changed.
-    std::vector<unsigned char> states;
   };
 } // namespace stiction
 

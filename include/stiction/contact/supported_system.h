@@ -38,9 +38,9 @@ namespace stiction
     struct Progress
     {
       unsigned int iterations;
-      const LA::Vector &residual;             ///< of the linear system, N
+      const LA::Vector &residual;              ///< of the linear system, N
       const Eigen::VectorXd &contact_residual; ///< its part at contact nodes
-      const Eigen::VectorXd &lambda, &w;      ///< of the displacement so far
+      const Eigen::VectorXd &lambda, &w;       ///< of the displacement so far
       double reduction; ///< Euclidean norm over the one at the start
     };
 

@@ -17,8 +17,13 @@ namespace stiction
   {
   public:
     /// @param step_name what an outermost iteration is called.
+    /// @param on_levels whether the method goes through the levels of the
+    ///   mesh: then a row tells the unknowns in place of products with Q.
     /// @param print whether lines are printed.
-    ConvergenceHistory(Log &log, const std::string &step_name, bool print);
+    ConvergenceHistory(Log &log,
+                       const std::string &step_name,
+                       bool on_levels,
+                       bool print);
 
     void
     add(const ContactStep &step);
@@ -28,7 +33,13 @@ namespace stiction
     write(std::ostream &out) const;
 
   private:
+    void
+    print_header();
+    void
+    print_row(const ContactStep &step);
+
     Log &log_;
+    const bool on_levels_;
     const bool print_;
     bool has_header_ = false;
     const std::string step_name_;

@@ -17,6 +17,7 @@ namespace stiction
   class DualOperator;
   struct ContactSolverParameters;
   class LinearElasticity;
+  class NewtonMultigrid;
 
   /// The section "certificate" of summary.json; the figures that only a body
   /// has are null without one.
@@ -34,6 +35,12 @@ namespace stiction
                  const qp::SlipBound &slip_bound,
                  const DualMethod &method,
                  const DualOperator &Q);
+
+  /// The same for the Newton method in displacements. krylov_iterations are
+  /// those on the mesh itself, the levels tell the others.
+  nlohmann::json
+  solver_to_json(const ContactSolverParameters &parameters,
+                 const NewtonMultigrid &newton);
 
   /// The sections "contact" and "energy", from a certificate. Forces in N,
   /// moments in Nm, pressures in Pa, areas in m², energies in J.

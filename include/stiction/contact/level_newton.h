@@ -1,0 +1,100 @@
+#ifndef stiction_contact_level_newton_h
+#define stiction_contact_level_newton_h
+
+#include <stiction/contact/contact_state.h>
+#include <stiction/contact/method_of_multipliers.h>
+#include <stiction/contact/supported_system.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace stiction
+{
+  class ContactLevel;
+  class StiffnessPreconditioner;
+
+  /// The semismooth Newton method for the contact problem on one level of the
+  /// mesh, Coulomb's law or given friction.
+  ///
+  /// The residual of the certificate is what has to fall. When it does not, ρ
+  /// is changed, which no solution depends on; when that does not help, the
+  /// method of multipliers takes over with the slip bound held, which converges
+  /// from everywhere, and hands back a better state.
+  class LevelNewton
+  {
+  public:
+    /// What no user has to set. The answer does not depend on it.
+    struct Options
+    {
+      /// ρ over the mean diagonal entry of K at a node, at the start.
+      double first_c = 0.1;
+      /// Whether to do without Newton steps for Coulomb's law or given friction
+      /// altogether, to test what they fall back to.
+      bool only_fallback = false;
+    };
+
+    /// What was done so far.
+    struct Statistics
+    {
+      unsigned int newton_steps      = 0;
+      unsigned int krylov_iterations = 0;
+      unsigned int rho_changes       = 0;
+      unsigned int fallbacks         = 0;
+    };
+
+    /// A step of either method: its Krylov iterations, the residual after it.
+    using Observer =
+      std::function<void(const Statistics &, const ContactResidual &)>;
+
+    /// @param level the number of the problem's level for the preconditioner.
+    ///   All arguments must outlive the object.
+    LevelNewton(const ContactLevel &problem,
+                unsigned int level,
+                StiffnessPreconditioner &preconditioner,
+                const Options &options);
+
+    /// Improves the state until its residual is at most the tolerance.
+    /// Collective.
+    ///
+    /// @param first_lambda the contact forces by which the first step sorts the
+    ///   nodes; those of an interpolated state are not smooth.
+    /// @return why it stopped before; empty if it did not.
+    std::string
+    solve(ContactState &state,
+          Eigen::VectorXd first_lambda,
+          double tolerance,
+          unsigned int max_steps,
+          const Observer &observer);
+
+    const Statistics &
+    statistics() const
+    {
+      return statistics_;
+    }
+
+  private:
+    /// One Newton step with the present ρ.
+    void
+    step(ContactState &state,
+         const Eigen::VectorXd &lambda,
+         const ContactResidual &residual,
+         double tolerance);
+
+    /// The method of multipliers from the best state on.
+    void
+    fall_back(ContactState &state, double residual, double tolerance);
+
+    const ContactLevel &problem_;
+    const unsigned int level_;
+    StiffnessPreconditioner &preconditioner_;
+    const Options options_;
+    SupportedSystem system_;
+    double c_;
+    Statistics statistics_;
+  };
+} // namespace stiction
+
+#endif

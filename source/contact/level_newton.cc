@@ -1,0 +1,186 @@
+#include <stiction/contact/contact_level.h>
+#include <stiction/contact/level_newton.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    // A linear system is solved until this part of what the contact conditions
+    // lack: from there on, other contact states are worth more.
+    constexpr double linear_part = 0.2;
+
+    // ... and never beyond this part of the tolerance.
+    constexpr double linear_part_of_tolerance = 0.3;
+
+    // Where there are no scales yet, the reduction of the first system.
+    constexpr double first_reduction = 0.1;
+
+    // ρ is changed if the residual falls by less than this in so many steps.
+    constexpr double required_fall     = 0.7;
+    constexpr std::size_t fall_horizon = 3;
+
+    // The factors on the first ρ that are tried in turn: mostly it was too
+    // large, cycling, rarely too small.
+    constexpr std::array<double, 6> rho_factors = {
+      {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
+
+    constexpr unsigned int max_fallbacks      = 8;
+    constexpr unsigned int max_fallback_steps = 60;
+    constexpr unsigned int max_approximations = 4;
+
+    // The largest nodal residual, relative to the node's share in the forces.
+    double
+    largest_at_nodes(const Eigen::VectorXd &residual,
+                     const qp::Scaling &scaling)
+    {
+      const Eigen::Index m = scaling.force.size();
+      double largest       = 0.;
+      for (Eigen::Index i = 0; i < m; ++i)
+        largest = std::max(
+          largest,
+          Eigen::Vector3d(residual(i), residual(i + m), residual(i + 2 * m))
+              .norm() /
+            scaling.force(i));
+      return largest;
+    }
+  } // namespace
+
+
+
+  LevelNewton::LevelNewton(const ContactLevel &problem,
+                           const unsigned int level,
+                           StiffnessPreconditioner &preconditioner,
+                           const Options &options)
+    : problem_(problem)
+    , level_(level)
+    , preconditioner_(preconditioner)
+    , options_(options)
+    , system_(problem, level, preconditioner)
+    , c_(options.first_c)
+  {
+  }
+
+
+
+  std::string
+  LevelNewton::solve(ContactState &state,
+                     Eigen::VectorXd lambda,
+                     const double tolerance,
+                     const unsigned int max_steps,
+                     const Observer &observer)
+  {
+    ContactResidual residual(problem_, state, problem_.slip_bound());
+    double smallest   = residual.value();
+    LA::Vector best_u = state.u;
+    std::deque<double> history;
+    unsigned int stalls = 0;
+
+    while (!(residual.value() <= tolerance))
+      {
+        if (statistics_.newton_steps >= max_steps)
+          return "the cap of " + std::to_string(max_steps) +
+                 " Newton steps was met, raise 'Contact solver/Maximum "
+                 "iterations'";
+        if (!options_.only_fallback)
+          {
+            step(state, lambda, residual, tolerance);
+            residual = ContactResidual(problem_, state, problem_.slip_bound());
+            lambda   = state.lambda;
+            observer(statistics_, residual);
+            history.push_back(residual.value());
+          }
+        if (residual.value() < smallest)
+          {
+            smallest = residual.value();
+            best_u   = state.u;
+          }
+
+        const bool falls =
+          history.size() <= fall_horizon ||
+          history.back() <=
+            required_fall * history[history.size() - 1 - fall_horizon];
+        if (falls && !options_.only_fallback)
+          continue;
+
+        // change ρ, and every second time fall back as well
+        history.clear();
+        ++stalls;
+        c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
+        ++statistics_.rho_changes;
+        if (stalls % 2 == 1 && !options_.only_fallback)
+          continue;
+        if (statistics_.fallbacks == max_fallbacks)
+          return "neither Newton steps nor successive approximations of the "
+                 "slip bound come closer; where the coefficient of friction is "
+                 "large there may be no solution or several, try a smaller "
+                 "'Friction/Coefficient' or a finer mesh";
+        state.u = best_u;
+        state.update(problem_);
+        fall_back(state, smallest, tolerance);
+        residual = ContactResidual(problem_, state, problem_.slip_bound());
+        lambda   = state.lambda;
+        observer(statistics_, residual);
+      }
+    return {};
+  }
+
+
+
+  void
+  LevelNewton::step(ContactState &state,
+                    const Eigen::VectorXd &lambda,
+                    const ContactResidual &residual,
+                    const double tolerance)
+  {
+    const PrimalLinearization linearization(
+      lambda, state.w, c_ * problem_.nodal_stiffness(), problem_.slip_bound());
+    const double force_scale  = residual.force_scale;
+    const qp::Scaling scaling = residual.conditions.scaling();
+    const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
+
+    const auto is_enough = [&](const SupportedSystem::Progress &now) {
+      if (!has_scales)
+        return now.reduction <= first_reduction;
+      const double linear =
+        std::max(problem_.sum_of_norms(now.residual) / force_scale,
+                 largest_at_nodes(now.contact_residual, scaling));
+      const ContactConditions conditions(
+        now.lambda, -now.w, problem_.slip_bound().at(now.lambda), scaling);
+      return linear <=
+             std::max(linear_part_of_tolerance * tolerance,
+                      linear_part * conditions.contact_figures().kkt_residual);
+    };
+    statistics_.krylov_iterations +=
+      system_.solve(state, linearization, is_enough);
+    ++statistics_.newton_steps;
+  }
+
+
+
+  void
+  LevelNewton::fall_back(ContactState &state,
+                         const double residual,
+                         const double tolerance)
+  {
+    // one digit more each time, so that given friction gets there by this alone
+    ++statistics_.fallbacks;
+    const double target = std::max(0.5 * tolerance, 0.1 * residual);
+    MethodOfMultipliers multipliers(problem_, level_, preconditioner_);
+    for (unsigned int k = 0; k < max_approximations; ++k)
+      {
+        const Eigen::VectorXd bound = problem_.slip_bound().at(state.lambda);
+        const auto effort =
+          multipliers.solve(state, bound, target, max_fallback_steps);
+        statistics_.newton_steps += effort.newton_steps;
+        statistics_.krylov_iterations += effort.krylov_iterations;
+        if (ContactResidual(problem_, state, problem_.slip_bound()).value() <=
+            target)
+          break;
+      }
+  }
+} // namespace stiction
