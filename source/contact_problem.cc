@@ -339,7 +339,8 @@ namespace stiction
   {
     const auto phase             = phases_.scope("output");
     const std::string &directory = parameters_.output.directory;
-    write_solution(directory, *elasticity_, judge_->displacement());
+    if (parameters_.output.write_solution)
+      write_solution(directory, *elasticity_, judge_->displacement());
     write_contact(directory, *elasticity_, *surface_, judge_->certificate());
     write_run_files(parameters_, *history_, communicator_);
   }
@@ -432,7 +433,10 @@ namespace stiction
                          judge_->certificate(),
                          parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
-    log_->line("Open " + directory + "/solution.pvtu and " + directory +
-               "/contact.pvtu in ParaView.");
+    log_->line("Open " +
+               (parameters_.output.write_solution
+                  ? directory + "/solution.pvtu and "
+                  : std::string()) +
+               directory + "/contact.pvtu in ParaView.");
   }
 } // namespace stiction

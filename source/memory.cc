@@ -36,8 +36,9 @@ namespace stiction
   void
   require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
   {
-    // two stiffness matrices of up to 81 × 3 entries a node, mesh, unknowns
-    constexpr double bytes_per_cell = 8e3;
+    // a stiffness matrix of up to 81 × 3 entries a node, mesh, unknowns;
+    // without a matrix what runs with ten million unknowns were seen to take
+    const double bytes_per_cell = parameters.is_matrix_free() ? 2.2e3 : 6e3;
 
     const double bytes     = parameters.geometry.n_cells() * bytes_per_cell;
     const double available = available_memory(communicator);
@@ -58,7 +59,8 @@ namespace stiction
                                    const double n_dual_unknowns,
                                    MPI_Comm communicator)
   {
-    if (parameters.dual_operator.form != "assembled")
+    if (parameters.dual_operator.form != "assembled" ||
+        parameters.contact_solver.is_primal())
       return;
     int n_ranks = 1;
     MPI_Comm_size(communicator, &n_ranks);

@@ -303,6 +303,13 @@ namespace stiction
                   "and its solution are written for other programs, as an "
                   "FCLIB file and as Matrix Market files; empty: not written. "
                   "--export on the command line overrides it.");
+    add_parameter("Write solution",
+                  write_solution,
+                  "Whether solution.pvtu, the displacement and the stress in "
+                  "the whole body, is written: 0.7 kB an unknown on disk. "
+                  "contact.pvtu is always written.",
+                  prm,
+                  Patterns::Bool());
     add_parameter("Print progress",
                   print_progress,
                   "Whether a line is printed for each step of the solver.");

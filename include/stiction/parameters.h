@@ -112,6 +112,7 @@ namespace stiction
 
     std::string directory        = "output/stiction";
     std::string export_directory = "";
+    bool write_solution          = true;
     bool print_progress          = true;
   };
 

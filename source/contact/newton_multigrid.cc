@@ -56,6 +56,7 @@ namespace stiction
         const bool is_finest = l == finest_level();
         LevelNewton newton(*problems_[l], l, multigrid_, options_);
         const unsigned int iterations = row.iterations;
+        row.residual                  = 0.; // that of another problem
         solution.reason               = newton.solve(
           *state_,
           lambda,
