@@ -2,7 +2,7 @@
 // deal.II's FEEvaluation, and dst += a src, which reads and writes the same
 // vectors and shows what memory allows. One thread. A line of JSON for each.
 //
-//   benchmark_operator LEVEL REPETITIONS
+//   benchmark_products LEVEL REPETITIONS
 //
 // on the reference brick, LEVEL times refined, with congruent cells and with
 // its inner vertices moved.
@@ -173,7 +173,7 @@ main(int argc, char **argv)
   const int repetitions = argc == 3 ? whole_number(argv[2]) : 0;
   if (level < 0 || repetitions < 1)
     {
-      std::cerr << "benchmark_operator LEVEL REPETITIONS" << std::endl;
+      std::cerr << "benchmark_products LEVEL REPETITIONS" << std::endl;
       return 1;
     }
 

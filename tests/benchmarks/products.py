@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Products with K a second, beside those of deal.II's FEEvaluation.
 
-Started by './run benchmark operator [OPTIONS]', which builds the program that
+Started by './run benchmark products [OPTIONS]', which builds the program that
 measures first.
 """
 
@@ -26,9 +26,9 @@ LEVELS = range(1, 9)
 def parse_options(arguments):
     """The options, with the levels as a list."""
     parser = argparse.ArgumentParser(
-        prog="./run benchmark operator",
+        prog="./run benchmark products",
         description="Measures products of the stiffness matrix of the reference "
-        "brick with a vector on one core and writes operator.md and operator.csv.",
+        "brick with a vector on one core and writes products.md and products.csv.",
         allow_abbrev=False,
     )
     parser.add_argument(
@@ -39,14 +39,14 @@ def parse_options(arguments):
     )
     parser.add_argument(
         "--output",
-        default=os.path.join(ROOT, "output", "benchmark", "operator"),
-        help="directory of the tables (output/benchmark/operator)",
+        default=os.path.join(ROOT, "output", "benchmark", "products"),
+        help="directory of the tables (output/benchmark/products)",
     )
     parser.add_argument(
         "--program",
-        default=os.path.join(ROOT, "build", "tests", "benchmarks", "benchmark_operator"),
+        default=os.path.join(ROOT, "build", "tests", "benchmarks", "benchmark_products"),
         help="another build of the program "
-        "(build/tests/benchmarks/benchmark_operator)",
+        "(build/tests/benchmarks/benchmark_products)",
     )
     options = parser.parse_args(arguments)
     options.levels = figures.parse_levels(options.levels, LEVELS, "--levels")
@@ -55,15 +55,9 @@ def parse_options(arguments):
     return options
 
 
-def one_core():
-    """The prefix of a command that keeps it where it is."""
-    core = max(os.sched_getaffinity(0))
-    return ["taskset", "-c", str(core)]
-
-
 def measure(program, level, repetitions):
     """The rows of a level."""
-    command = one_core() + [program, str(level), str(repetitions)]
+    command = [program, str(level), str(repetitions)]
     try:
         run = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError as error:
@@ -143,15 +137,17 @@ def main(arguments):
     try:
         options = parse_options(arguments)
         os.makedirs(options.output, exist_ok=True)
+        # the program inherits it, and stays where its data are
+        os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
         rows = []
         for level in options.levels:
             of_level = measure(options.program, level, options.repetitions)
             print(f"Level {level}, {of_level[0]['dofs']} unknowns:\n")
             print("\n".join(table_of_level(of_level)))
             rows += of_level
-        table = os.path.join(options.output, "operator.md")
+        table = os.path.join(options.output, "products.md")
         write_markdown(rows, options.program, table)
-        write_csv(rows, os.path.join(options.output, "operator.csv"))
+        write_csv(rows, os.path.join(options.output, "products.csv"))
         print(f"Million unknowns a second (times FEEvaluation), also in {table}")
     except BenchmarkError as error:
         print(f"benchmark: {error}", file=sys.stderr)
