@@ -147,7 +147,7 @@ namespace stiction
       if (!has_scales)
         return now.reduction <= first_reduction;
       const double linear =
-        std::max(problem_.sum_of_norms(now.residual) / force_scale,
+        std::max(now.residual / force_scale,
                  largest_at_nodes(now.contact_residual, scaling));
       const ContactConditions conditions(
         now.lambda, -now.w, problem_.slip_bound().at(now.lambda), scaling);

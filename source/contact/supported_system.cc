@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction
@@ -14,6 +15,88 @@ namespace stiction
   {
     // The directions kept take 12 bytes an unknown each.
     constexpr unsigned int max_directions = 20;
+
+    // Long vectors are worked on in pieces that stay in the cache: all that is
+    // to be done with a piece is done at once.
+    constexpr std::size_t block_size = 1536;
+
+    using Piece      = Eigen::Map<Eigen::VectorXd>;
+    using ConstPiece = Eigen::Map<const Eigen::VectorXd>;
+
+    Eigen::Index
+    piece_size(const std::size_t begin, const std::size_t size)
+    {
+      return static_cast<Eigen::Index>(std::min(block_size, size - begin));
+    }
+
+    // v_j · v for all j, of this rank.
+    std::vector<double>
+    multiple_dot(const std::vector<const double *> &vectors,
+                 const double *const v,
+                 const std::size_t size)
+    {
+      std::vector<double> products(vectors.size(), 0.);
+      for (std::size_t b = 0; b < size; b += block_size)
+        {
+          const Eigen::Index n = piece_size(b, size);
+          for (std::size_t j = 0; j < vectors.size(); ++j)
+            products[j] +=
+              ConstPiece(vectors[j] + b, n).dot(ConstPiece(v + b, n));
+        }
+      return products;
+    }
+
+    // v -= Σ h_j v_j; returns v·v and v·r.
+    std::vector<double>
+    subtract_all(double *const v,
+                 const std::vector<const double *> &vectors,
+                 const std::vector<double> &h,
+                 const double *const r,
+                 const std::size_t size)
+    {
+      std::vector<double> products(2, 0.);
+      for (std::size_t b = 0; b < size; b += block_size)
+        {
+          const Eigen::Index n = piece_size(b, size);
+          Piece piece(v + b, n);
+          for (std::size_t j = 0; j < vectors.size(); ++j)
+            piece -= h[j] * ConstPiece(vectors[j] + b, n);
+          products[0] += piece.squaredNorm();
+          products[1] += piece.dot(ConstPiece(r + b, n));
+        }
+      return products;
+    }
+
+    // r -= a v; returns r·r and the sum of the norms at the nodes.
+    std::vector<double>
+    subtract(double *const r,
+             const double a,
+             const double *const v,
+             const std::size_t size)
+    {
+      std::vector<double> sums(2, 0.);
+      for (std::size_t k = 0; k < size; k += 3)
+        {
+          double square = 0.;
+          for (std::size_t c = k; c < k + 3; ++c)
+            {
+              r[c] -= a * v[c];
+              square += r[c] * r[c];
+            }
+          sums[0] += square;
+          sums[1] += std::sqrt(square);
+        }
+      return sums;
+    }
+
+    void
+    sum(std::vector<double> &values, MPI_Comm communicator)
+    {
+      dealii::Utilities::MPI::sum(
+        dealii::ArrayView<const double>(values.data(), values.size()),
+        communicator,
+        dealii::ArrayView<double>(values.data(), values.size()));
+    }
 
     Eigen::Vector3d
     at(const Eigen::VectorXd &v, const Eigen::Index i)
@@ -95,85 +178,116 @@ namespace stiction
     problem_.add_transpose_B(shift, state.u);
     state.update(problem_);
 
-    LA::Vector r = state.R;
+    const MPI_Comm communicator = problem_.mesh().communicator();
+    LA::Vector r                = state.R;
     problem_.clear_prescribed(r);
     Eigen::VectorXd contact_r =
       contact_rows(linearization, state.lambda, -state.w) - load;
     problem_.set_transpose_B(contact_r, r);
-    const double start = r.l2_norm();
-
-    std::vector<double> amounts;
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(max_directions, max_directions);
-    LA::Vector z      = problem_.mesh().zero_vector<double>();
-    unsigned int n    = 0;
-    while (n < max_directions && start > 0.)
+    double square       = r.norm_sqr();
+    const double start  = std::sqrt(square);
+    LA::Vector z        = problem_.mesh().zero_vector<double>();
+    const std::size_t N = z.locally_owned_size();
+    Eigen::MatrixXd H =
+      Eigen::MatrixXd::Identity(max_directions, max_directions);
+    Eigen::VectorXd amounts = Eigen::VectorXd::Zero(max_directions);
+    std::vector<const double *> images;
+    unsigned int n = 0;
+    while (n < max_directions && square > 0.)
       {
-        if (n == directions_.size())
-          directions_.push_back(std::make_unique<Direction>(
-            Direction{problem_.mesh().zero_vector<float>(),
-                      problem_.mesh().zero_vector<double>(),
-                      {},
-                      {},
-                      {}}));
-        Direction &d = *directions_[n];
-
-        preconditioner_.vmult(level_, z, r);
-        for (unsigned int k = 0; k < z.locally_owned_size(); ++k)
-          {
-            d.z.local_element(k) = static_cast<float>(z.local_element(k));
-            z.local_element(k)   = d.z.local_element(k);
-          }
+        Direction &d = new_direction(n);
+        preconditioner_.vmult(level_, d.z, r);
+        std::copy(d.z.begin(), d.z.begin() + N, z.begin());
         problem_.stiffness().vmult(d.v, z);
         d.displacement = problem_.apply_B(z);
         d.force        = problem_.apply_B(d.v);
+        d.contact_rows = contact_rows(linearization, d.force, d.displacement);
         d.reaction     = problem_.prescribed_entries(d.v);
         problem_.clear_prescribed(d.v);
-        problem_.set_transpose_B(
-          contact_rows(linearization, d.force, d.displacement), d.v);
+        problem_.set_transpose_B(d.contact_rows, d.v);
 
+        std::vector<double> h = multiple_dot(images, d.v.begin(), N);
+        sum(h, communicator);
         for (unsigned int j = 0; j < n; ++j)
           {
             const Direction &other = *directions_[j];
-            H(j, n)                = other.v * d.v;
-            d.v.add(-H(j, n), other.v);
-            d.displacement -= H(j, n) * other.displacement;
-            d.force -= H(j, n) * other.force;
+            h[j] /= other.square;
+            H(j, n) = h[j];
+            d.displacement -= h[j] * other.displacement;
+            d.force -= h[j] * other.force;
+            d.contact_rows -= h[j] * other.contact_rows;
             for (std::size_t k = 0; k < d.reaction.size(); ++k)
-              d.reaction[k] -= H(j, n) * other.reaction[k];
+              d.reaction[k] -= h[j] * other.reaction[k];
           }
-        H(n, n) = d.v.l2_norm();
-        if (!(H(n, n) > 0.))
+        std::vector<double> products =
+          subtract_all(d.v.begin(), images, h, r.begin(), N);
+        sum(products, communicator);
+        d.square = products[0];
+        if (!(d.square > 0.))
           break;
-        const double inverse = 1. / H(n, n);
-        d.v *= inverse;
-        d.displacement *= inverse;
-        d.force *= inverse;
-        for (double &x : d.reaction)
-          x *= inverse;
 
-        const double amount = d.v * r;
-        amounts.push_back(amount);
-        r.add(-amount, d.v);
-        contact_r -= amount * problem_.apply_B(d.v);
-        state.w += amount * d.displacement;
-        state.lambda -= amount * d.force;
-        problem_.add_prescribed_entries(-amount, d.reaction, state.R);
+        amounts(n) = products[1] / d.square;
+        std::vector<double> norms =
+          subtract(r.begin(), amounts(n), d.v.begin(), N);
+        sum(norms, communicator);
+        square = norms[0];
+        contact_r -= amounts(n) * d.contact_rows;
+        state.w += amounts(n) * d.displacement;
+        state.lambda -= amounts(n) * d.force;
+        problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
+        images.push_back(d.v.begin());
         ++n;
-        if (stop({n, r, contact_r, state.lambda, state.w, r.l2_norm() / start}))
+        if (stop({n,
+                  norms[1],
+                  contact_r,
+                  state.lambda,
+                  state.w,
+                  std::sqrt(square) / start}))
           break;
       }
 
     // u is moved along the preconditioned vectors, R is the residual wherever
     // nothing was replaced in it
     const Eigen::VectorXd y =
-      H.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(
-        Eigen::Map<const Eigen::VectorXd>(amounts.data(), n));
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int k = 0; k < state.u.locally_owned_size(); ++k)
-        state.u.local_element(k) += y(j) * directions_[j]->z.local_element(k);
+      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(
+        amounts.head(n));
+    add_all(state.u.begin(), y, N);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     problem_.set_transpose_B(state.lambda, r);
-    state.R = r;
+    state.R.swap(r);
     return n;
+  }
+
+
+
+  SupportedSystem::Direction &
+  SupportedSystem::new_direction(const unsigned int n)
+  {
+    if (n == directions_.size())
+      {
+        directions_.push_back(std::make_unique<Direction>());
+        directions_[n]->z = problem_.mesh().zero_vector<float>();
+        directions_[n]->v = problem_.mesh().zero_vector<double>();
+      }
+    return *directions_[n];
+  }
+
+
+
+  void
+  SupportedSystem::add_all(double *const u,
+                           const Eigen::VectorXd &y,
+                           const std::size_t size) const
+  {
+    for (std::size_t b = 0; b < size; b += block_size)
+      {
+        const std::size_t end = std::min(b + block_size, size);
+        for (Eigen::Index j = 0; j < y.size(); ++j)
+          {
+            const float *const z = directions_[j]->z.begin();
+            for (std::size_t k = b; k < end; ++k)
+              u[k] += y(j) * z[k];
+          }
+      }
   }
 } // namespace stiction

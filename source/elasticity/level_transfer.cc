@@ -46,6 +46,7 @@ namespace stiction
       return nodes;
     }
 
+    // fine += P coarse
     template<typename Rows, typename Number>
     void
     gather(const Rows &rows, Number *fine, const Number *coarse)
@@ -60,7 +61,7 @@ namespace stiction
             for (unsigned int c = 0; c < 3; ++c)
               sum[c] += coarse[3 * std::size_t(row[k]) + c];
           for (unsigned int c = 0; c < 3; ++c)
-            fine[3 * std::size_t(row[0]) + c] = weight * sum[c];
+            fine[3 * std::size_t(row[0]) + c] += weight * sum[c];
         }
     }
 
@@ -163,8 +164,19 @@ namespace stiction
   LevelTransfer::prolongate(LA::VectorOf<Number> &fine,
                             const LA::VectorOf<Number> &coarse) const
   {
+    fine = Number(0.);
+    prolongate_add(fine, coarse);
+  }
+
+
+
+  template<typename Number>
+  void
+  LevelTransfer::prolongate_add(LA::VectorOf<Number> &fine,
+                                const LA::VectorOf<Number> &coarse) const
+  {
+    // the ghosts of the fine vector are zero, and take what goes to others
     coarse.update_ghost_values();
-    fine = Number(0.); // what other ranks interpolate to
     gather(vertices_, fine.begin(), coarse.begin());
     gather(edges_, fine.begin(), coarse.begin());
     gather(faces_, fine.begin(), coarse.begin());
@@ -229,6 +241,9 @@ namespace stiction
   template void
   LevelTransfer::prolongate(LA::VectorOf<double> &,
                             const LA::VectorOf<double> &) const;
+  template void
+  LevelTransfer::prolongate_add(LA::VectorOf<float> &,
+                                const LA::VectorOf<float> &) const;
   template void
   LevelTransfer::restrict_to(LA::VectorOf<float> &,
                              const LA::VectorOf<float> &) const;

@@ -70,6 +70,15 @@ namespace stiction
         }
     }
 
+    // x for b
+    void
+    solve()
+    {
+      project(b);
+      solver.vmult(x, b);
+      project(x);
+    }
+
     CoarseSolver solver;
     LA::Vector fixed, b, x;
     Level::Vector transferred;
@@ -147,22 +156,21 @@ namespace stiction
 
   void
   Multigrid::vmult(const unsigned int level,
-                   LA::Vector &dst,
+                   LA::VectorOf<float> &dst,
                    const LA::Vector &src)
   {
     if (level == 0)
       {
         copy(coarse_->b, src);
-        coarse_->project(coarse_->b);
-        coarse_->solver.vmult(dst, coarse_->b);
-        coarse_->project(dst);
+        coarse_->solve();
+        copy(dst, coarse_->x);
         return;
       }
     Level &finest = *levels_[level - 1];
     copy(finest.b, src);
     finest.project(finest.b);
     cycle(level);
-    copy(dst, finest.x);
+    dst = finest.x;
   }
 
 
@@ -171,7 +179,7 @@ namespace stiction
   Multigrid::cycle(const unsigned int level)
   {
     Level &fine = *levels_[level - 1];
-    fine.smooth(fine.x, fine.b, true);
+    fine.smooth_from_zero(fine.x, fine.b);
 
     Level::Vector &r = fine.scratch();
     fine.residual(r, fine.x, fine.b);
@@ -182,20 +190,17 @@ namespace stiction
         transfer.restrict_to(coarse.b, r);
         coarse.project(coarse.b);
         cycle(level - 1);
-        transfer.prolongate(r, coarse.x);
+        transfer.prolongate_add(fine.x, coarse.x);
       }
     else
       {
-        Level::Vector &coarse = coarse_->transferred;
-        transfer.restrict_to(coarse, r);
-        copy(coarse_->b, coarse);
-        coarse_->project(coarse_->b);
-        coarse_->solver.vmult(coarse_->x, coarse_->b);
-        copy(coarse, coarse_->x);
-        transfer.prolongate(r, coarse);
+        transfer.restrict_to(coarse_->transferred, r);
+        copy(coarse_->b, coarse_->transferred);
+        coarse_->solve();
+        copy(coarse_->transferred, coarse_->x);
+        transfer.prolongate_add(fine.x, coarse_->transferred);
       }
-    fine.project(r);
-    fine.x += r;
-    fine.smooth(fine.x, fine.b, false);
+    fine.project(fine.x);
+    fine.smooth(fine.x, fine.b);
   }
 } // namespace stiction

@@ -153,17 +153,25 @@ namespace stiction
 
 
 
+  template<Multigrid::Level::Known known>
   void
   Multigrid::Level::smoothing_step(Vector &x,
                                    const Vector &b,
-                                   const float keep,
-                                   const float take)
+                                   const unsigned int k)
   {
+    const auto j     = static_cast<float>(k);
+    const float keep = (2.f * j - 1.f) / (2.f * j + 3.f);
+    const float take =
+      (8.f * j + 4.f) / ((2.f * j + 3.f) * largest_eigenvalue_);
+
     for (Node &node : nodes_)
-      node.step =
-        take * (node.inverse * (at(b, node.local) -
-                                node.projection * at(product_, node.local) -
-                                node.spring * at(x, node.local)));
+      {
+        Eigen::Vector3f r = at(b, node.local);
+        if (known != Known::nothing)
+          r -= node.projection * at(product_, node.local) +
+               node.spring * at(x, node.local);
+        node.step = take * (node.inverse * r);
+      }
 
     const std::size_t n      = x.locally_owned_size();
     float *const d           = direction_.begin();
@@ -171,10 +179,20 @@ namespace stiction
     const float *const rhs   = b.begin();
     const float *const Ku    = product_.begin();
     const float *const scale = inverse_diagonal_.begin();
-    for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i)
       {
-        d[k] = keep * d[k] + take * scale[k] * (rhs[k] - Ku[k]);
-        u[k] += d[k];
+        if (known == Known::nothing)
+          u[i] = d[i] = take * scale[i] * rhs[i];
+        else if (known == Known::no_direction)
+          {
+            d[i] = take * scale[i] * (rhs[i] - Ku[i]);
+            u[i] += d[i];
+          }
+        else
+          {
+            d[i] = keep * d[i] + take * scale[i] * (rhs[i] - Ku[i]);
+            u[i] += d[i];
+          }
       }
     for (const Node &node : nodes_)
       {
@@ -186,25 +204,31 @@ namespace stiction
 
 
   void
-  Multigrid::Level::smooth(Vector &x, const Vector &b, const bool x_is_zero)
+  Multigrid::Level::smooth(Vector &x, const Vector &b)
   {
-    const float unit = 1.f / largest_eigenvalue_;
-    for (unsigned int k = 0; k < smoother_degree; ++k)
+    K_.vmult(product_, x);
+    smoothing_step<Known::no_direction>(x, b, 0);
+    smooth_on(x, b);
+  }
+
+
+
+  void
+  Multigrid::Level::smooth_from_zero(Vector &x, const Vector &b)
+  {
+    smoothing_step<Known::nothing>(x, b, 0);
+    smooth_on(x, b);
+  }
+
+
+
+  void
+  Multigrid::Level::smooth_on(Vector &x, const Vector &b)
+  {
+    for (unsigned int k = 1; k < smoother_degree; ++k)
       {
-        if (k == 0 && x_is_zero)
-          {
-            x        = 0.f;
-            product_ = 0.f;
-          }
-        else
-          K_.vmult(product_, x);
-        if (k == 0)
-          direction_ = 0.f;
-        const auto j = static_cast<float>(k);
-        smoothing_step(x,
-                       b,
-                       (2.f * j - 1.f) / (2.f * j + 3.f),
-                       (8.f * j + 4.f) / (2.f * j + 3.f) * unit);
+        K_.vmult(product_, x);
+        smoothing_step<Known::everything>(x, b, k);
       }
   }
 

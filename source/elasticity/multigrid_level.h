@@ -34,9 +34,11 @@ namespace stiction
     void
     project(Vector &v) const;
 
-    /// Replaces x by the smoothed approximation of the solution of A x = b.
+    /// Improves x as a solution of A x = b, or makes one from nothing.
     void
-    smooth(Vector &x, const Vector &b, bool x_is_zero);
+    smooth(Vector &x, const Vector &b);
+    void
+    smooth_from_zero(Vector &x, const Vector &b);
 
     /// r = b − A x, held directions left out.
     void
@@ -78,10 +80,23 @@ namespace stiction
       Eigen::Vector3f step = Eigen::Vector3f::Zero();
     };
 
-    /// direction = keep × direction + take × D⁻¹ (b − Kx), x += direction, with
-    /// Kx in product_.
+    /// What of x, direction and product counts as zero in a smoothing step.
+    enum class Known
+    {
+      nothing,      ///< x = 0: no product either
+      no_direction, ///< the first step from some x
+      everything
+    };
+
+    /// Step k of the polynomial: direction = keep × direction +
+    /// take × D⁻¹ (b − Ax), x += direction, with Kx in product_.
+    template<Known known>
     void
-    smoothing_step(Vector &x, const Vector &b, float keep, float take);
+    smoothing_step(Vector &x, const Vector &b, unsigned int k);
+
+    /// The steps after the first one.
+    void
+    smooth_on(Vector &x, const Vector &b);
 
     StiffnessOperator<float> K_;
     std::vector<unsigned int> fixed_; ///< local unknowns

@@ -1,6 +1,7 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
+#include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/multigrid.h>
 #include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_operator.h>
@@ -9,6 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -38,11 +40,15 @@ namespace stiction
     {
       StiffnessPreconditioner &multigrid;
       const unsigned int level;
+      mutable LA::VectorOf<float> scratch;
 
       void
       vmult(LA::Vector &dst, const LA::Vector &src) const
       {
-        multigrid.vmult(level, dst, src);
+        multigrid.vmult(level, scratch, src);
+        std::copy(scratch.begin(),
+                  scratch.begin() + scratch.locally_owned_size(),
+                  dst.begin());
       }
     };
   } // namespace
@@ -129,7 +135,9 @@ namespace stiction
         cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed},
                  dst,
                  b,
-                 Preconditioner{*preconditioner_, level_});
+                 Preconditioner{*preconditioner_,
+                                level_,
+                                elasticity_.mesh().zero_vector<float>()});
       }
     catch (const dealii::SolverControl::NoConvergence &failure)
       {

@@ -38,7 +38,8 @@ namespace stiction
     struct Progress
     {
       unsigned int iterations;
-      const LA::Vector &residual;              ///< of the linear system, N
+      /// Of the linear system: the sum of its norms at the nodes, N.
+      double residual;
       const Eigen::VectorXd &contact_residual; ///< its part at contact nodes
       const Eigen::VectorXd &lambda, &w;       ///< of the displacement so far
       double reduction; ///< Euclidean norm over the one at the start
@@ -57,15 +58,25 @@ namespace stiction
 
   private:
     /// What an iteration adds: A d = v for the direction d, which is known as
-    /// preconditioned vectors z and coefficients, and at the contact nodes.
+    /// preconditioned vectors z and coefficients, and at the contact nodes. The
+    /// v are orthogonal to each other.
     struct Direction
     {
       LA::VectorOf<float> z;
       LA::Vector v;
+      double square = 0.;           ///< v·v
       Eigen::VectorXd displacement; ///< B d
       Eigen::VectorXd force;        ///< B K d
+      Eigen::VectorXd contact_rows; ///< of v
       std::vector<double> reaction; ///< K d at prescribed unknowns
     };
+
+    Direction &
+    new_direction(unsigned int n);
+
+    /// u += Σ y_j z_j.
+    void
+    add_all(double *u, const Eigen::VectorXd &y, std::size_t size) const;
 
     void
     set_supports(const PrimalLinearization &linearization);

@@ -35,6 +35,12 @@ namespace stiction
     prolongate(LA::VectorOf<Number> &fine,
                const LA::VectorOf<Number> &coarse) const;
 
+    /// fine += P coarse. Collective.
+    template<typename Number>
+    void
+    prolongate_add(LA::VectorOf<Number> &fine,
+                   const LA::VectorOf<Number> &coarse) const;
+
     /// coarse = Pᵀ fine. Collective.
     template<typename Number>
     void

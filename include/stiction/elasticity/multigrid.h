@@ -41,11 +41,14 @@ namespace stiction
     set_supports(unsigned int level, const NodalSupports &supports) override;
 
     void
-    vmult(unsigned int level, LA::Vector &dst, const LA::Vector &src) override;
+    vmult(unsigned int level,
+          LA::VectorOf<float> &dst,
+          const LA::Vector &src) override;
 
   private:
     class Level;
 
+    /// x of the level becomes one V-cycle for b of the level.
     void
     cycle(unsigned int level);
 

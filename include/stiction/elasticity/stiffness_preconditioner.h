@@ -24,9 +24,12 @@ namespace stiction
     set_supports(unsigned int level, const NodalSupports &supports) = 0;
 
     /// dst = approximate inverse times src, a symmetric linear map. What src
-    /// has in held directions is ignored, dst is zero there. Collective.
+    /// has in held directions is ignored, dst is zero there. Single precision
+    /// is enough for a preconditioner. Collective.
     virtual void
-    vmult(unsigned int level, LA::Vector &dst, const LA::Vector &src) = 0;
+    vmult(unsigned int level,
+          LA::VectorOf<float> &dst,
+          const LA::Vector &src) = 0;
   };
 } // namespace stiction
 
