@@ -80,8 +80,12 @@ namespace stiction
     std::deque<double> history;
     unsigned int stalls = 0;
 
-    while (!(residual.value() <= tolerance))
+    // Never less than a step: without contact forces there may be no scales,
+    // and then anything is small.
+    bool has_stepped = false;
+    while (!has_stepped || !(residual.value() <= tolerance))
       {
+        has_stepped = true;
         if (statistics_.newton_steps >= max_steps)
           return "the cap of " + std::to_string(max_steps) +
                  " Newton steps was met, raise 'Contact solver/Maximum "

@@ -196,8 +196,9 @@ namespace stiction
     while (n < max_directions && square > 0.)
       {
         Direction &d = new_direction(n);
-        preconditioner_.vmult(level_, d.z, r);
-        std::copy(d.z.begin(), d.z.begin() + N, z.begin());
+        d.factor     = preconditioner_.vmult(level_, d.z, r);
+        for (std::size_t k = 0; k < N; ++k)
+          z.begin()[k] = d.factor * d.z.begin()[k];
         problem_.stiffness().vmult(d.v, z);
         d.displacement = problem_.apply_B(z);
         d.force        = problem_.apply_B(d.v);
@@ -285,8 +286,9 @@ namespace stiction
         for (Eigen::Index j = 0; j < y.size(); ++j)
           {
             const float *const z = directions_[j]->z.begin();
+            const double a       = y(j) * directions_[j]->factor;
             for (std::size_t k = b; k < end; ++k)
-              u[k] += y(j) * z[k];
+              u[k] += a * z[k];
           }
       }
   }

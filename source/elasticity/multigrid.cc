@@ -1,5 +1,6 @@
 #include "multigrid_level.h"
 
+#include <stiction/elasticity/body.h>
 #include <stiction/elasticity/coarse_solver.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
@@ -7,6 +8,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <cmath>
 #include <utility>
 
 namespace stiction
@@ -21,17 +23,24 @@ namespace stiction
 
     template<typename To, typename From>
     void
-    copy(To &to, const From &from)
+    copy(To &to, const From &from, const double factor = 1.)
     {
       for (unsigned int k = 0; k < from.locally_owned_size(); ++k)
         to.local_element(k) =
-          static_cast<typename To::value_type>(from.local_element(k));
+          static_cast<typename To::value_type>(factor * from.local_element(k));
+    }
+
+    // The scale of numbers of this size that costs them no digit.
+    double
+    power_of_two(const double size)
+    {
+      return size > 0. ? std::ldexp(1., std::ilogb(size)) : 1.;
     }
   } // namespace
 
 
 
-  // The coarsest level, in double precision like its solver.
+  // The coarsest level, in double precision and true units like its solver.
   struct Multigrid::Coarse
   {
     Coarse(const LinearElasticity &elasticity,
@@ -91,7 +100,9 @@ namespace stiction
   Multigrid::Multigrid(const LinearElasticity &elasticity,
                        const MeshHierarchy &hierarchy,
                        const TraceHierarchy &supported_nodes)
-    : hierarchy_(hierarchy)
+    : unit_(power_of_two(elasticity.shear_modulus() *
+                         elasticity.body().bounding_box().side_length(0)))
+    , hierarchy_(hierarchy)
     , supported_nodes_(supported_nodes)
     , levels_(hierarchy.n_levels() - 1)
   {
@@ -101,8 +112,11 @@ namespace stiction
         fixed(dof) = 1.;
     for (unsigned int l = hierarchy.n_levels() - 1; l > 0; --l)
       {
-        levels_[l - 1] = std::make_unique<Level>(
-          elasticity, hierarchy.level(l), fixed, supported_nodes.first_dofs(l));
+        levels_[l - 1]    = std::make_unique<Level>(elasticity,
+                                                 hierarchy.level(l),
+                                                 unit_,
+                                                 fixed,
+                                                 supported_nodes.first_dofs(l));
         LA::Vector coarse = hierarchy.level(l - 1).zero_vector<double>();
         hierarchy.transfer(l).inject(coarse, fixed);
         fixed = coarse;
@@ -154,23 +168,27 @@ namespace stiction
 
 
 
-  void
+  double
   Multigrid::vmult(const unsigned int level,
                    LA::VectorOf<float> &dst,
                    const LA::Vector &src)
   {
+    const double scale = power_of_two(src.linfty_norm());
     if (level == 0)
       {
-        copy(coarse_->b, src);
+        copy(coarse_->b, src, 1. / scale);
         coarse_->solve();
-        copy(dst, coarse_->x);
-        return;
+        copy(dst, coarse_->x, unit_);
       }
-    Level &finest = *levels_[level - 1];
-    copy(finest.b, src);
-    finest.project(finest.b);
-    cycle(level);
-    dst = finest.x;
+    else
+      {
+        Level &finest = *levels_[level - 1];
+        copy(finest.b, src, 1. / scale);
+        finest.project(finest.b);
+        cycle(level);
+        dst = finest.x;
+      }
+    return scale / unit_;
   }
 
 
@@ -197,7 +215,7 @@ namespace stiction
         transfer.restrict_to(coarse_->transferred, r);
         copy(coarse_->b, coarse_->transferred);
         coarse_->solve();
-        copy(coarse_->transferred, coarse_->x);
+        copy(coarse_->transferred, coarse_->x, unit_);
         transfer.prolongate_add(fine.x, coarse_->transferred);
       }
     fine.project(fine.x);

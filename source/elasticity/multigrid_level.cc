@@ -51,11 +51,15 @@ namespace stiction
   Multigrid::Level::Level(
     const LinearElasticity &elasticity,
     const MeshLevel &mesh,
+    const double unit,
     const LA::Vector &fixed,
     const std::vector<dealii::types::global_dof_index> &first_dofs)
     : x(mesh.zero_vector<float>())
     , b(mesh.zero_vector<float>())
-    , K_(mesh, elasticity.lame_lambda(), elasticity.shear_modulus())
+    , unit_(unit)
+    , K_(mesh,
+         elasticity.lame_lambda() / unit,
+         elasticity.shear_modulus() / unit)
     , inverse_diagonal_(mesh.zero_vector<float>())
     , product_(mesh.zero_vector<float>())
     , direction_(mesh.zero_vector<float>())
@@ -132,10 +136,10 @@ namespace stiction
     for (Node &node : nodes_)
       {
         node.projection = supports[node.in_list].projection.cast<float>();
-        node.spring     = supports[node.in_list].spring.cast<float>();
-        node.inverse    = inverse_in_range(supports[node.in_list].projection,
-                                        node.block.cast<double>(),
-                                        supports[node.in_list].spring);
+        const Eigen::Matrix3d spring = supports[node.in_list].spring / unit_;
+        node.spring                  = spring.cast<float>();
+        node.inverse                 = inverse_in_range(
+          supports[node.in_list].projection, node.block.cast<double>(), spring);
         at(inverse_diagonal_, node.local).setZero();
       }
   }

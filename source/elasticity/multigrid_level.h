@@ -20,10 +20,12 @@ namespace stiction
   public:
     using Vector = LA::VectorOf<float>;
 
+    /// @param unit of the stiffness, N/m: single precision has a small range.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold.
     Level(const LinearElasticity &elasticity,
           const MeshLevel &mesh,
+          double unit,
           const LA::Vector &fixed,
           const std::vector<dealii::types::global_dof_index> &first_dofs);
 
@@ -98,6 +100,7 @@ namespace stiction
     void
     smooth_on(Vector &x, const Vector &b);
 
+    const double unit_;
     StiffnessOperator<float> K_;
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<Node> nodes_;

@@ -10,7 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
 
-#include <algorithm>
+
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,10 +45,9 @@ namespace stiction
       void
       vmult(LA::Vector &dst, const LA::Vector &src) const
       {
-        multigrid.vmult(level, scratch, src);
-        std::copy(scratch.begin(),
-                  scratch.begin() + scratch.locally_owned_size(),
-                  dst.begin());
+        const double factor = multigrid.vmult(level, scratch, src);
+        for (unsigned int k = 0; k < dst.locally_owned_size(); ++k)
+          dst.local_element(k) = factor * scratch.local_element(k);
       }
     };
   } // namespace

@@ -63,6 +63,7 @@ namespace stiction
     struct Direction
     {
       LA::VectorOf<float> z;
+      double factor = 1.; ///< of z
       LA::Vector v;
       double square = 0.;           ///< v·v
       Eigen::VectorXd displacement; ///< B d

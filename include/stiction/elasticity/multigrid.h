@@ -40,7 +40,7 @@ namespace stiction
     void
     set_supports(unsigned int level, const NodalSupports &supports) override;
 
-    void
+    double
     vmult(unsigned int level,
           LA::VectorOf<float> &dst,
           const LA::Vector &src) override;
@@ -52,6 +52,8 @@ namespace stiction
     void
     cycle(unsigned int level);
 
+    /// A power of two near the size of the entries of K, N/m.
+    const double unit_;
     const MeshHierarchy &hierarchy_;
     const TraceHierarchy &supported_nodes_;
     std::vector<std::unique_ptr<Level>> levels_; ///< without the coarsest

@@ -23,10 +23,11 @@ namespace stiction
     virtual void
     set_supports(unsigned int level, const NodalSupports &supports) = 0;
 
-    /// dst = approximate inverse times src, a symmetric linear map. What src
-    /// has in held directions is ignored, dst is zero there. Single precision
-    /// is enough for a preconditioner. Collective.
-    virtual void
+    /// dst times the returned number is the approximate inverse times src, a
+    /// symmetric linear map. What src has in held directions is ignored, dst is
+    /// zero there. Single precision is enough for a preconditioner, the number
+    /// keeps it in its range whatever the units are. Collective.
+    virtual double
     vmult(unsigned int level,
           LA::VectorOf<float> &dst,
           const LA::Vector &src) = 0;
