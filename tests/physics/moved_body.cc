@@ -12,7 +12,8 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string cells : {"1,1,1", "2,2,1", "2,2,2"})
     for (const std::string law : {"given", "coulomb", "frictionless"})
-      for (const std::string method : {"gauss seidel", "newton", "mpgp"})
+      for (const std::string method :
+           {"gauss seidel", "newton", "mpgp", "newton multigrid"})
         {
           const Run run(shipped("brick_given_friction.prm"),
                         {"Geometry/Table 1 level=0",

@@ -27,7 +27,8 @@ namespace
 
   // The largest error of displacement and contact force, relative.
   void
-  patch(const std::string &law,
+  patch(const std::string &method,
+        const std::string &law,
         const std::string &ending,
         const double shift,
         const double degrees)
@@ -59,6 +60,7 @@ namespace
                    "Boundary conditions/Traction=0 : " + three(-sxx, 0, -sxz) +
                      " | 1 : " + three(sxx, 0, sxz) + " | 2 : " +
                      three(0, -sxx, -syz) + " | 3 : " + three(0, sxx, syz),
+                   "Contact solver/Method=" + method,
                    "Friction/Law=" + law,
                    "Friction/Coefficient=" + exact(mu),
                    "Friction/Slip stress=" + exact(0.2 * p),
@@ -101,9 +103,10 @@ namespace
                           : 0;
       }
 
-    out() << law << ", " << degrees << " degrees, expected to " << ending
-          << ": certified " << yes(run.converged) << ", all nodes " << ending
-          << " " << yes(right_status == m && sticks == (ending == "stick"))
+    out() << method << ", " << law << ", " << degrees
+          << " degrees, expected to " << ending << ": certified "
+          << yes(run.converged) << ", all nodes " << ending << " "
+          << yes(right_status == m && sticks == (ending == "stick"))
           << ", displacement exact to 1e-8 " << yes(error_u < 1e-8)
           << ", contact forces exact to 1e-8 " << yes(error_lambda < 1e-8)
           << std::endl;
@@ -116,10 +119,11 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  for (const std::string law : {"given", "coulomb"})
-    for (const double degrees : {0., 30., 90., 137., 250.})
-      {
-        patch(law, "stick", 3e-5, degrees);
-        patch(law, "slip", 2e-4, degrees);
-      }
+  for (const std::string method : {"gauss seidel", "newton multigrid"})
+    for (const std::string law : {"given", "coulomb"})
+      for (const double degrees : {0., 30., 90., 137., 250.})
+        {
+          patch(method, law, "stick", 3e-5, degrees);
+          patch(method, law, "slip", 2e-4, degrees);
+        }
 }
