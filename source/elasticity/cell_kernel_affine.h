@@ -37,10 +37,10 @@ namespace stiction::cell_kernel
     STICTION_INLINE void
     line_to_modes(V &a, V &b, V &c)
     {
-      const V sum = a + c, twice = b + b;
+      const V sum = a + c, middle = b;
       b = c - a;
-      a = sum + twice;
-      c = sum - twice;
+      a = sum + 2 * middle;
+      c = sum - 2 * middle;
     }
 
     // The transposed transforms.

@@ -75,24 +75,29 @@ namespace stiction::cell_kernel
     scatter_add(Number *const dst,
                 const std::uint32_t *const entries,
                 const Values<Number, n_nodes> &values,
-                const unsigned int n_active)
+                const std::size_t n_active)
     {
       constexpr unsigned int lanes = Register<Number>::lanes;
-      for (int n = 0; n < n_nodes; ++n)
-        {
-          const Vector<Number> x = values.of[0][n];
-          const Vector<Number> y = values.of[1][n];
-          const Vector<Number> z = values.of[2][n];
+      if (n_active >= lanes)
+        for (int n = 0; n < n_nodes; ++n)
+          {
+            const Vector<Number> x = values.of[0][n];
+            const Vector<Number> y = values.of[1][n];
+            const Vector<Number> z = values.of[2][n];
 #pragma GCC unroll 16
-          for (unsigned int l = 0; l < lanes; ++l)
-            if (l < n_active)
+            for (unsigned int l = 0; l < lanes; ++l)
               {
                 Number *const node = dst + entries[n * lanes + l];
                 node[0] += x[l];
                 node[1] += y[l];
                 node[2] += z[l];
               }
-        }
+          }
+      else
+        for (int n = 0; n < n_nodes; ++n)
+          for (unsigned int l = 0; l < n_active; ++l)
+            for (int c = 0; c < 3; ++c)
+              dst[entries[n * lanes + l] + c] += values.of[c][n][l];
     }
   } // namespace
 } // namespace stiction::cell_kernel

@@ -7,7 +7,7 @@ import math
 from .errors import BenchmarkError
 
 
-def parse_levels(text, allowed):
+def parse_levels(text, allowed, option="--k"):
     """Numbers and ranges such as '1-4' or '1,3,6', in increasing order."""
     levels = set()
     for part in text.split(","):
@@ -18,7 +18,7 @@ def parse_levels(text, allowed):
             span = range(0)
         if not span or not set(span) <= set(allowed):
             raise BenchmarkError(
-                f"--k {text}: '{part}' is no number or range from "
+                f"{option} {text}: '{part}' is no number or range from "
                 f"{min(allowed)} to {max(allowed)}, such as 2 or 1-4"
             )
         levels.update(span)
