@@ -155,12 +155,15 @@ def performance_profile(costs):
 
 
 def flatness(values):
-    """The largest relative distance from the mean; None if there are < 2."""
+    """d of the narrowest band c (1 ± d) around them all; None if < 2 values.
+
+    More values never make it smaller.
+    """
     known = [value for value in values if value is not None]
     if len(known) < 2:
         return None
-    mean = sum(known) / len(known)
-    return max(abs(value / mean - 1) for value in known)
+    low, high = min(known), max(known)
+    return (high - low) / (high + low)
 
 
 def all_true(answers):

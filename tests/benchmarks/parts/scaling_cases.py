@@ -21,6 +21,7 @@ PARTS = {
 }
 FRICTION = (0.0, 0.1, 0.3, 0.6, 1.0, 2.0, 5.0)
 REFERENCE_RANKS = 2
+REFERENCE_MAX_REFINEMENT = 6
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,8 @@ class Solver:
 
     # measured
     seconds_per_unknown: float  # of the whole contact solve on one rank
-    unknowns: float  # at which it was measured, and the two numbers below
+    unknowns: float  # at which it was measured, and what follows
+    n_levels: int  # meshes of that run
     krylov_iterations: float  # on the finest mesh
     coarse_iterations: float = 0.0  # on each coarser mesh, the mean
     growth: float = 0.0  # of iterations: like unknowns to this power
@@ -56,8 +57,8 @@ class Solver:
 
     def levels(self, unknowns):
         """How many meshes there are, from the finest to the coarsest."""
-        ratio = max(unknowns / self.coarsest_unknowns, 1.0)
-        return 1 + round(math.log(ratio, REFINEMENT))
+        finer = math.log(unknowns / self.unknowns, REFINEMENT)
+        return max(self.n_levels + round(finer), 1)
 
     def more_iterations(self, unknowns):
         """How many times as many iterations as in the measured run."""
