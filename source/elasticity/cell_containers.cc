@@ -1,7 +1,6 @@
 #include "cell_containers.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace stiction::cell_kernel
 {
@@ -24,11 +23,8 @@ namespace stiction::cell_kernel
     }
 
     // Modes of general cells are scaled, see n_general_numbers.
-    double
-    mode_scale(const unsigned int mode)
-    {
-      return std::pow(3., .5 * (1 - __builtin_popcount(mode)));
-    }
+    constexpr double g             = 0.57735026918962576451;
+    constexpr double mode_scale[8] = {0., 1., 1., g, 1., g, g, 1. / 3.};
 
     template<typename Number>
     void
@@ -253,7 +249,7 @@ namespace stiction::cell_kernel
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int mode = 1; mode < 8; ++mode)
         number(n_cells_, 7 * c + mode - 1) =
-          mode_scale(mode) * map.modes[c][mode];
+          mode_scale[mode] * map.modes[c][mode];
     number(n_cells_, 21) = lame_lambda / 64.;
     number(n_cells_, 22) = shear_modulus / 64.;
     ++n_cells_;
@@ -302,7 +298,7 @@ namespace stiction::cell_kernel
         CellMap map;
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int mode = 1; mode < 8; ++mode)
-            map.modes[c][mode] = number(7 * c + mode - 1) / mode_scale(mode);
+            map.modes[c][mode] = number(7 * c + mode - 1) / mode_scale[mode];
         const auto blocks =
           diagonal_blocks(map, 64. * number(21), 64. * number(22));
         for (unsigned int node = 0; node < 8; ++node)

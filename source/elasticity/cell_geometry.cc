@@ -13,7 +13,7 @@ namespace stiction::cell_kernel
     std::array<double, 3>
     gauss_point(const unsigned int q)
     {
-      const double g = 1. / std::sqrt(3.);
+      static const double g = 1. / std::sqrt(3.);
       return {q & 1 ? g : -g, q & 2 ? g : -g, q & 4 ? g : -g};
     }
 
@@ -33,6 +33,25 @@ namespace stiction::cell_kernel
       for (unsigned int d = 0; d < 3; ++d)
         sum += J[0][d] * cofactors[0][d];
       return sum;
+    }
+
+    // Of the eight shape functions in reference coordinates, at Gauss points.
+    std::array<std::array<std::array<double, 3>, 8>, 8>
+    shape_derivatives()
+    {
+      std::array<std::array<std::array<double, 3>, 8>, 8> result;
+      for (unsigned int q = 0; q < 8; ++q)
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            double factor[3];
+            for (unsigned int d = 0; d < 3; ++d)
+              factor[d] =
+                .5 * (1. + (v >> d & 1 ? 1. : -1.) * gauss_point(q)[d]);
+            for (unsigned int d = 0; d < 3; ++d)
+              result[q][v][d] = (v >> d & 1 ? .5 : -.5) * factor[(d + 1) % 3] *
+                                factor[(d + 2) % 3];
+          }
+      return result;
     }
 
     // The energy of two displacements with gradients a ⊗ e_row and b ⊗ e_column
@@ -58,25 +77,26 @@ namespace stiction::cell_kernel
 
   CellMap::CellMap(const std::array<std::array<double, 3>, 8> &vertices)
   {
-    double largest = 0.;
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int mode = 0; mode < 8; ++mode)
-        {
-          modes[c][mode] = 0.;
-          for (unsigned int v = 0; v < 8; ++v)
-            {
-              const bool negative =
-                __builtin_parity(mode & ~v); // a minus for each −1 in S
-              modes[c][mode] += (negative ? -.125 : .125) * vertices[v][c];
-            }
-        }
-    double size = 0.;
+    double largest = 0., size = 0.;
     for (unsigned int c = 0; c < 3; ++c)
       {
+        double *const values = modes[c];
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            values[v] = .125 * vertices[v][c];
+            largest   = std::max(largest, std::abs(vertices[v][c]));
+          }
+        // from values at −1 and 1 to coefficients, in each direction
+        for (const unsigned int bit : {1, 2, 4})
+          for (unsigned int v = 0; v < 8; ++v)
+            if (!(v & bit))
+              {
+                const double low = values[v], high = values[v | bit];
+                values[v]       = high + low;
+                values[v | bit] = high - low;
+              }
         for (const unsigned int mode : {1, 2, 4})
-          size = std::max(size, std::abs(modes[c][mode]));
-        for (const auto &vertex : vertices)
-          largest = std::max(largest, std::abs(vertex[c]));
+          size = std::max(size, std::abs(values[mode]));
       }
     tolerance =
       1e-12 * size + 4. * std::numeric_limits<double>::epsilon() * largest;
@@ -88,7 +108,8 @@ namespace stiction::cell_kernel
   CellMap::is_valid() const
   {
     Matrix cofactors;
-    for (unsigned int q = 0; q < 8; ++q)
+    const unsigned int n_points = is_affine() ? 1 : 8;
+    for (unsigned int q = 0; q < n_points; ++q)
       if (!(determinant(jacobian(gauss_point(q)), cofactors) > 0.))
         return false;
     return true;
@@ -242,34 +263,37 @@ namespace stiction::cell_kernel
                   const double lame_lambda,
                   const double shear_modulus)
   {
-    std::array<std::array<double, 9>, 8> result = {};
+    static const std::array<std::array<std::array<double, 3>, 8>, 8>
+      derivatives = shape_derivatives();
+
+    // S = ∫ ∇φ ⊗ ∇φ, of which the block is (λ + μ) S + μ tr(S) I
+    double S[8][3][3] = {};
     for (unsigned int q = 0; q < 8; ++q)
       {
-        const std::array<double, 3> point = gauss_point(q);
         Matrix cofactors;
-        const double det = determinant(map.jacobian(point), cofactors);
+        const double inverse =
+          1. / determinant(map.jacobian(gauss_point(q)), cofactors);
         for (unsigned int v = 0; v < 8; ++v)
           {
-            // the shape function's gradient, times the determinant
-            double factor[3];
-            for (unsigned int d = 0; d < 3; ++d)
-              factor[d] = .5 * (1. + (v >> d & 1 ? point[d] : -point[d]));
-            std::array<double, 3> gradient = {};
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                const double derivative = (v >> d & 1 ? .5 : -.5) *
-                                          factor[(d + 1) % 3] *
-                                          factor[(d + 2) % 3];
-                for (unsigned int c = 0; c < 3; ++c)
-                  gradient[c] += derivative * cofactors[c][d];
-              }
-            const Matrix block = elasticity(
-              gradient, gradient, lame_lambda / det, shear_modulus / det);
+            double gradient[3];
+            for (unsigned int c = 0; c < 3; ++c)
+              gradient[c] = derivatives[q][v][0] * cofactors[c][0] +
+                            derivatives[q][v][1] * cofactors[c][1] +
+                            derivatives[q][v][2] * cofactors[c][2];
             for (unsigned int c = 0; c < 3; ++c)
               for (unsigned int d = 0; d < 3; ++d)
-                result[v][3 * c + d] += block[c][d];
+                S[v][c][d] += inverse * gradient[c] * gradient[d];
           }
       }
+
+    std::array<std::array<double, 9>, 8> result;
+    for (unsigned int v = 0; v < 8; ++v)
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          result[v][3 * c + d] =
+            (lame_lambda + shear_modulus) * S[v][c][d] +
+            (c == d ? shear_modulus * (S[v][0][0] + S[v][1][1] + S[v][2][2])
+                    : 0.);
     return result;
   }
 } // namespace stiction::cell_kernel

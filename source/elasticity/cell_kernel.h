@@ -12,9 +12,6 @@
 
 namespace stiction::cell_kernel
 {
-  /// Most lanes of any kernel: floats in 512 bits.
-  constexpr unsigned int max_lanes = 16;
-
   /// Cells, or patches of 2×2×2 cells, that all have the same coefficients.
   ///
   /// They are in batches of as many as a kernel has lanes. With N nodes of an
@@ -27,7 +24,7 @@ namespace stiction::cell_kernel
     std::size_t n_elements;
     const std::uint32_t *entries;
 
-    /// See affine_coefficients.h, each one repeated n_copies times.
+    /// affine_coefficients(), each one repeated n_copies times.
     const Number *coefficients;
   };
 

@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_cell_kernel_affine_h
 #define stiction_elasticity_cell_kernel_affine_h
 
-#include "cell_kernel_vector.h"
+#include "cell_kernel_nodes.h"
 
 #include <utility>
 
@@ -293,7 +293,7 @@ namespace stiction::cell_kernel
       const std::uint32_t *entries = elements.entries;
       for (std::size_t first = 0; first < elements.n_elements; first += lanes)
         {
-          gather(u, entries, src);
+          gather(u, src, entries);
           for (int c = 0; c < 3; ++c)
             to_modes(u.of[c]);
           if constexpr (is_box)

@@ -62,7 +62,7 @@ namespace stiction::cell_kernel
     };
 
     // The index of a point among the places of a direction.
-    STICTION_INLINE int
+    static constexpr int
     place(const int point, const int direction)
     {
       return direction == 0   ? point >> 1
@@ -70,19 +70,30 @@ namespace stiction::cell_kernel
                               : point & 3;
     }
 
-    // Stress times surface element of the reference cell at a point, added to
-    // what the points of the same place gave. du: reference gradient, dx:
-    // Jacobian matrix.
-    template<typename V>
+    // Adds what a point contributes to a place, unless it is the first to.
+    template<int point, int direction, typename V>
+    STICTION_INLINE void
+    add_to_place(PointMatrix<V> &sum, const int component, const V value)
+    {
+      V &of_place = sum.of[component][direction][place(point, direction)];
+      if constexpr (point >> direction & 1)
+        of_place += value;
+      else
+        of_place = value;
+    }
+
+    // Stress times surface element of the reference cell at a point. du:
+    // reference gradient, dx: Jacobian matrix.
+    template<int point, typename V>
     STICTION_INLINE void
     add_stress(PointMatrix<V> &stress,
                const PointMatrix<V> &du,
                const PointMatrix<V> &dx,
                const V lambda,
-               const V mu,
-               const int point)
+               const V mu)
     {
-      const int i = place(point, 0), j = place(point, 1), k = place(point, 2);
+      constexpr int i = place(point, 0), j = place(point, 1),
+                    k = place(point, 2);
       const V xx = dx.of[0][0][i], xy = dx.of[0][1][j], xz = dx.of[0][2][k];
       const V yx = dx.of[1][0][i], yy = dx.of[1][1][j], yz = dx.of[1][2][k];
       const V zx = dx.of[2][0][i], zy = dx.of[2][1][j], zz = dx.of[2][2][k];
@@ -95,7 +106,7 @@ namespace stiction::cell_kernel
       const V czx = xy * yz - xz * yy, czy = xz * yx - xx * yz,
               czz     = xx * yy - xy * yx;
       const V inverse = V{} + 1 / (xx * cxx + xy * cxy + xz * cxz);
-      const V l = lambda * inverse, m = mu * inverse;
+      const V l = lambda * inverse, m = mu * inverse, twice_m = m + m;
 
       // the gradient times the determinant
       const V ux = du.of[0][0][i], uy = du.of[0][1][j], uz = du.of[0][2][k];
@@ -105,9 +116,9 @@ namespace stiction::cell_kernel
       const V gyy   = vx * cyx + vy * cyy + vz * cyz;
       const V gzz   = wx * czx + wy * czy + wz * czz;
       const V trace = l * (gxx + gyy + gzz);
-      const V sxx   = trace + m * (gxx + gxx);
-      const V syy   = trace + m * (gyy + gyy);
-      const V szz   = trace + m * (gzz + gzz);
+      const V sxx   = trace + twice_m * gxx;
+      const V syy   = trace + twice_m * gyy;
+      const V szz   = trace + twice_m * gzz;
       const V sxy =
         m * (ux * cyx + uy * cyy + uz * cyz + vx * cxx + vy * cxy + vz * cxz);
       const V sxz =
@@ -115,15 +126,27 @@ namespace stiction::cell_kernel
       const V syz =
         m * (vx * czx + vy * czy + vz * czz + wx * cyx + wy * cyy + wz * cyz);
 
-      stress.of[0][0][i] += sxx * cxx + sxy * cyx + sxz * czx;
-      stress.of[0][1][j] += sxx * cxy + sxy * cyy + sxz * czy;
-      stress.of[0][2][k] += sxx * cxz + sxy * cyz + sxz * czz;
-      stress.of[1][0][i] += sxy * cxx + syy * cyx + syz * czx;
-      stress.of[1][1][j] += sxy * cxy + syy * cyy + syz * czy;
-      stress.of[1][2][k] += sxy * cxz + syy * cyz + syz * czz;
-      stress.of[2][0][i] += sxz * cxx + syz * cyx + szz * czx;
-      stress.of[2][1][j] += sxz * cxy + syz * cyy + szz * czy;
-      stress.of[2][2][k] += sxz * cxz + syz * cyz + szz * czz;
+      add_to_place<point, 0>(stress, 0, sxx * cxx + sxy * cyx + sxz * czx);
+      add_to_place<point, 1>(stress, 0, sxx * cxy + sxy * cyy + sxz * czy);
+      add_to_place<point, 2>(stress, 0, sxx * cxz + sxy * cyz + sxz * czz);
+      add_to_place<point, 0>(stress, 1, sxy * cxx + syy * cyx + syz * czx);
+      add_to_place<point, 1>(stress, 1, sxy * cxy + syy * cyy + syz * czy);
+      add_to_place<point, 2>(stress, 1, sxy * cxz + syy * cyz + syz * czz);
+      add_to_place<point, 0>(stress, 2, sxz * cxx + syz * cyx + szz * czx);
+      add_to_place<point, 1>(stress, 2, sxz * cxy + syz * cyy + szz * czy);
+      add_to_place<point, 2>(stress, 2, sxz * cxz + syz * cyz + szz * czz);
+    }
+
+    template<typename V, int... points>
+    STICTION_INLINE void
+    add_stresses(PointMatrix<V> &stress,
+                 const PointMatrix<V> &du,
+                 const PointMatrix<V> &dx,
+                 const V lambda,
+                 const V mu,
+                 std::integer_sequence<int, points...>)
+    {
+      (add_stress<points>(stress, du, dx, lambda, mu), ...);
     }
 
     // The derivatives of the displacement in all places, from nodal values.
@@ -181,7 +204,7 @@ namespace stiction::cell_kernel
       PointMatrix<V> dx, du, stress;
       for (std::size_t first = 0; first < cells.n_elements; first += lanes)
         {
-          gather(u, entries, src);
+          gather(u, src, entries);
           differentiate_nodal_values<Number>(du, u.of);
           for (int c = 0; c < 3; ++c)
             {
@@ -190,9 +213,12 @@ namespace stiction::cell_kernel
               differentiate<1>(dx.of[c][1], modes);
               differentiate<2>(dx.of[c][2], modes);
             }
-          stress = PointMatrix<V>();
-          for (int point = 0; point < 8; ++point)
-            add_stress(stress, du, dx, numbers[21], numbers[22], point);
+          add_stresses(stress,
+                       du,
+                       dx,
+                       numbers[21],
+                       numbers[22],
+                       std::make_integer_sequence<int, 8>());
           integrate_to_nodes<Number>(u.of, stress);
           scatter_add(dst, entries, u, cells.n_elements - first);
           entries += 8 * lanes;
