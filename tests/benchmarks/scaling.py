@@ -270,6 +270,7 @@ class Benchmark:
                 continue
             self.program.check_unchanged()
             print(f"{head}  ", end="", flush=True)
+            others = machine.others()
             row = runs.run_case(
                 self.program,
                 ROOT,
@@ -280,6 +281,7 @@ class Benchmark:
                 options.output,
                 case.ranks,
             )
+            row["others"] = others
             self.rows[case] = row
             self._save(case.label, self.keys[case], row, self.identity)
             print(f"{outcome(row)}  ({self._gone()})")

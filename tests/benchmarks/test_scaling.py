@@ -14,7 +14,7 @@ import unittest.mock
 from dataclasses import replace
 
 import scaling
-from parts import figures, runs, scaling_cases, stream, weak_scaling
+from parts import figures, machine, runs, scaling_cases, stream, weak_scaling
 from parts.errors import BenchmarkError
 from parts.scaling_cases import Case, Size
 from parts.scaling_results import Results
@@ -263,6 +263,7 @@ class WholeBenchmark(unittest.TestCase):
             # The tests run where matplotlib may be missing: nobody has it here.
             unittest.mock.patch.dict(sys.modules, {"matplotlib": None}),
             unittest.mock.patch.object(stream, "measure", lambda: dict(MEMORY)),
+            unittest.mock.patch.object(machine, "others", lambda: 0.25),
         ):
             change.start()
             self.addCleanup(change.stop)
@@ -317,6 +318,7 @@ class WholeBenchmark(unittest.TestCase):
         self.assertIn("| 4x3x1r6: 9,672,195 | 5 | 12 | 20 | 1.20 | 1.50 |", text)
         self.assertIn("Everything that was asked for was solved.", text)
         self.assertIn("## Beyond this machine", text)
+        self.assertIn("when a run began: 0.2 on average, at most 0.2", text)
         # nothing is left of the runs but their figures
         self.assertFalse([n for n in os.listdir(self.folder) if "running" in n])
 

@@ -60,7 +60,8 @@ def exit_status(benchmark, arguments):
     except BenchmarkError as error:
         print(f"benchmark: {error}.", file=sys.stderr)
     except OSError as error:
-        print(f"benchmark: {error.filename}: {error.strerror}.", file=sys.stderr)
+        where = f"{error.filename}: " if error.filename else ""
+        print(f"benchmark: {where}{error.strerror}.", file=sys.stderr)
     except KeyboardInterrupt:
         print("\nStopped. The finished runs are stored, call again to go on.")
         return 130

@@ -182,8 +182,8 @@ def _last_word(status, said, complained):
     if status == NOT_CERTIFIED:
         lines = [line for line in said.splitlines() if line.startswith("NOT ")]
     else:
-        lines = complained.strip().splitlines()
-        # mpirun has words of its own after the program's
+        # mpirun has words of its own after the program's, and rules around them
+        lines = [line for line in complained.splitlines() if line.strip("- ")]
         lines = [line for line in lines if line.startswith("stiction: ")] or lines
     return lines[-1].removeprefix("stiction: ") if lines else ""
 

@@ -360,12 +360,21 @@ def failures(result):
     return (lines or ["Everything that was asked for was solved."]) + [""]
 
 
+def busy(rows):
+    """Whether the machine was ours, in words."""
+    known = [row["others"] for row in rows if row.get("others") is not None]
+    if not known:
+        return "unknown"
+    return f"{sum(known) / len(known):.1f} on average, at most {max(known):.1f}"
+
+
 def write_markdown(result, options, rows, plots, path):
     """The report. rows: stored runs; plots: of scaling_plots.draw_all()."""
     newest = max(rows, key=lambda row: row["date"])
     lines = ["# Newton's method in displacements: how it scales", ""]
     lines += [f"- {name}: {text}" for name, text in newest["machine"].items()]
     lines += [f"- date: {newest['date']}", f"- program: {newest['program']}"]
+    lines += [f"- other processes running when a run began: {busy(rows)}"]
     lines += [f"- command: `{newest['command']}`", "", "## Criteria", ""]
     lines += criteria(result.checks(options.getfem_yardstick))
     lines += ["## All sizes", ""]

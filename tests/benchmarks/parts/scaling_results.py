@@ -38,7 +38,7 @@ COLUMNS = (
     + list(TIMES)
     + ["whole_s", "memory_MB", "bytes_per_unknown", "gain", "efficiency"]
     + ["certificate", "force_x", "force_y", "force_z", "force_difference"]
-    + ["date", "program", "message"]
+    + ["others", "date", "program", "message"]
 )
 # Figures of the certificate that inform, the others decide.
 INFORMING = ("slip_angle", "duality_gap")
@@ -110,6 +110,7 @@ def entry_of(case, rows):
         "program": worst["program"],
         "message": worst["message"],
         "limit_s": worst["limit"],
+        "others": figures.largest(row.get("others") for row in rows),
     }
     entry.update({n: figures.look_up(summary, path) for n, path in COUNTS.items()})
     levels = figures.look_up(summary, "solver/levels") or []
