@@ -47,12 +47,16 @@ namespace stiction
     constexpr double duality_gap_accuracy = 1e-6;
 
     // Set-up and one solve by iteration, with the preconditioner of the run.
+    // @param seconds of the solve without the set-up.
     unsigned int
-    solve_once(const LinearElasticity &elasticity, const bool matrix_free)
+    solve_once(const LinearElasticity &elasticity,
+               const bool matrix_free,
+               double &seconds)
     {
       const auto solver = StiffnessSolver::create(
         matrix_free ? "multigrid" : "amg", elasticity, 1e-8);
       LA::Vector u = elasticity.zero_vector();
+      const Phases::Scope clock(seconds);
       solver->solve(u, elasticity.constrained_load());
       return static_cast<unsigned int>(solver->n_iterations());
     }
@@ -300,17 +304,20 @@ namespace stiction
     // The body with its contact boundary free, to a fixed accuracy, by an
     // iterative method: the yardstick. The better of two, because machines are
     // noisy.
-    double best = std::numeric_limits<double>::infinity();
+    double best = std::numeric_limits<double>::infinity(), iteration = best;
     for (unsigned int run = 0; run < 2; ++run)
       {
-        double seconds = 0.;
+        double seconds = 0., seconds_of_iteration = 0.;
         {
           const Phases::Scope clock(seconds);
-          elastic_solve_iterations_ =
-            solve_once(*elasticity_, parameters_.is_matrix_free());
+          elastic_solve_iterations_ = solve_once(*elasticity_,
+                                                 parameters_.is_matrix_free(),
+                                                 seconds_of_iteration);
         }
-        best = std::min(best, seconds);
+        best      = std::min(best, seconds);
+        iteration = std::min(iteration, seconds_of_iteration);
       }
+    phases_.set("elastic_solve_iteration", iteration);
     phases_.set("elastic_solve", best);
   }
 

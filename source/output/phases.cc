@@ -33,6 +33,7 @@ namespace stiction
                               "displacement_iteration",
                               "contact_solve",
                               "elastic_solve",
+                              "elastic_solve_iteration",
                               "sparse_factorization",
                               "dual_cholesky",
                               "output",

@@ -6,41 +6,16 @@ first. Runs that are finished are kept, so that a second call goes on where
 the first one was stopped.
 """
 
-import argparse
 import os
 import shlex
-import signal
 import sys
 import time
 
 from parts import cases, figures, machine, results, runs, tables
+from parts.command import Parser, clock, exit_status, number
 from parts.errors import BenchmarkError
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-
-
-class Parser(argparse.ArgumentParser):
-    """Says what is wrong in one sentence, as the program does."""
-
-    def error(self, message):
-        raise BenchmarkError(f"{message}, --help lists the options")
-
-
-def number(low, high, kind=float):
-    """A converter for numbers in [low, high]."""
-
-    def convert(text):
-        try:
-            value = kind(text)
-        except ValueError:
-            value = None
-        if value is None or not low <= value <= high:
-            raise argparse.ArgumentTypeError(
-                f"'{text}' is no number from {low:g} to {high:g}"
-            )
-        return value
-
-    return convert
 
 
 def parse_options(arguments):
@@ -243,11 +218,6 @@ def outcome(row):
     return words if products is None else f"{words} {products:7.0f} products"
 
 
-def clock(seconds):
-    """Seconds as m:ss."""
-    return f"{int(seconds) // 60}:{int(seconds) % 60:02}"
-
-
 def show_plan(options, benchmark):
     """What --list prints."""
     for case in options.cases:
@@ -277,38 +247,27 @@ def report(benchmark):
     print(f"Read {where}/table_1.md; every figure is in {where}/table_1.csv.")
 
 
-def interrupt(*_):
-    """SIGTERM ends the benchmark the way Ctrl-C does."""
-    raise KeyboardInterrupt
+def run_benchmark(arguments):
+    """The benchmark with these options."""
+    options = parse_options(arguments)
+    if options.list and not os.path.exists(options.program):
+        show_plan(options, None)
+        return
+    if options.report_only:
+        report(Benchmark(options, None))
+        return
+    program = runs.Program(options.program)
+    benchmark = Benchmark(options, program.identity, program)
+    if options.list:
+        show_plan(options, benchmark)
+        return
+    benchmark.run(shlex.join(["./run", "benchmark", "table_1", *arguments]))
+    report(benchmark)
 
 
 def main(arguments):
     """Runs the benchmark, returns the exit status."""
-    signal.signal(signal.SIGTERM, interrupt)
-    try:
-        options = parse_options(arguments)
-        if options.list and not os.path.exists(options.program):
-            show_plan(options, None)
-            return 0
-        if options.report_only:
-            report(Benchmark(options, None))
-            return 0
-        program = runs.Program(options.program)
-        benchmark = Benchmark(options, program.identity, program)
-        if options.list:
-            show_plan(options, benchmark)
-            return 0
-        benchmark.run(shlex.join(["./run", "benchmark", "table_1", *arguments]))
-        report(benchmark)
-        return 0
-    except BenchmarkError as error:
-        print(f"benchmark: {error}.", file=sys.stderr)
-    except OSError as error:
-        print(f"benchmark: {error.filename}: {error.strerror}.", file=sys.stderr)
-    except KeyboardInterrupt:
-        print("\nStopped. The finished runs are stored, call again to go on.")
-        return 130
-    return 1
+    return exit_status(run_benchmark, arguments)
 
 
 if __name__ == "__main__":

@@ -152,3 +152,43 @@ def performance_profile(costs):
             for solved, factor in enumerate(factors)
         ]
     return profile
+
+
+def flatness(values):
+    """d of the narrowest band c (1 ± d) around them all; None if < 2 values.
+
+    More values never make it smaller.
+    """
+    known = [value for value in values if value is not None]
+    if len(known) < 2:
+        return None
+    low, high = min(known), max(known)
+    return (high - low) / (high + low)
+
+
+def all_true(answers):
+    """False if one is, else None if one is unknown or there are none."""
+    answers = list(answers)
+    if any(answer is False for answer in answers):
+        return False
+    return None if not answers or None in answers else True
+
+
+def at_most(value, limit):
+    """Whether it is; None if there is no value."""
+    return None if value is None else value <= limit
+
+
+def at_least(value, limit):
+    """Whether it is; None if there is no value."""
+    return None if value is None else value >= limit
+
+
+def largest(values):
+    """Of those that are known; None if there are none."""
+    return max((value for value in values if value is not None), default=None)
+
+
+def smallest(values):
+    """Of those that are known; None if there are none."""
+    return min((value for value in values if value is not None), default=None)

@@ -4,6 +4,7 @@ import os
 import platform
 import re
 import subprocess
+import time
 
 
 def _first_match(path, pattern, default="unknown"):
@@ -45,3 +46,18 @@ def describe(program):
         + f", Linux {platform.release()}",
         "BLAS": _blas(program),
     }
+
+
+def others(samples=20, seconds=0.2):
+    """How many other processes are running, the mean over a short time.
+
+    None where Linux does not tell.
+    """
+    total = 0
+    for _ in range(samples):
+        running = _first_match("/proc/loadavg", r"(\d+)/\d+", "")
+        if not running:
+            return None
+        total += int(running) - 1  # without this one
+        time.sleep(seconds / samples)
+    return total / samples

@@ -60,13 +60,17 @@ def panels(rows, columns, **options):
     return figure, left.subplots(rows, columns, squeeze=False, **options)
 
 
-def finish(figure, axes, path):
-    """One legend for all panels, outside of them; writes both files."""
+def finish(figure, axes, path, order=None):
+    """One legend for all panels, outside of them; writes both files.
+
+    order: of the labels; that of the methods if it is left out.
+    """
     known = {}
     for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels()):
             known.setdefault(label, handle)
-    order = list(STYLES) + [f"{name}, paper" for name in cases.PAPER_SECONDS]
+    if order is None:
+        order = list(STYLES) + [f"{name}, paper" for name in cases.PAPER_SECONDS]
     labels = sorted(known, key=order.index)
     if labels:
         figure.subfigs[1].legend(

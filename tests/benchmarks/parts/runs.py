@@ -21,6 +21,9 @@ LIMIT = "time limit"
 ERROR = "error"
 CRASHED = "crashed"
 
+# Seconds between asking a program to end and ending it.
+PATIENCE = 5.0
+
 
 class Program:
     """The program under test: which one it is, and whether it changed."""
@@ -123,26 +126,37 @@ def _measure(command, environment, output, errors, limit):
     )
     timed_out = threading.Event()
 
-    def kill():
+    def kill(how=signal.SIGKILL):
         with contextlib.suppress(ProcessLookupError):  # it has just ended
-            os.killpg(child.pid, signal.SIGKILL)
+            os.killpg(child.pid, how)
+
+    # mpirun ends its ranks when it is asked to end; killed at once it may
+    # leave them behind.
+    last_resort = threading.Timer(PATIENCE, kill)
+
+    def end():
+        with contextlib.suppress(RuntimeError):  # it ticks already
+            last_resort.start()
+        kill(signal.SIGTERM)
 
     def stop():
         timed_out.set()
-        kill()
+        end()
 
     timer = threading.Timer(limit, stop)
     timer.start()
     try:
         _, status, usage = os.wait4(child.pid, 0)
     except BaseException:
-        kill()
+        end()
         with contextlib.suppress(ChildProcessError):
             os.wait4(child.pid, 0)
         raise
     finally:
-        timer.cancel()
-        timer.join()
+        for waiting in (timer, last_resort):
+            waiting.cancel()
+            if waiting.is_alive():
+                waiting.join()
     wall = time.perf_counter() - start
     child.returncode = os.waitstatus_to_exitcode(status)
     return child.returncode, timed_out.is_set(), wall, usage
@@ -168,26 +182,25 @@ def _last_word(status, said, complained):
     if status == NOT_CERTIFIED:
         lines = [line for line in said.splitlines() if line.startswith("NOT ")]
     else:
-        lines = complained.strip().splitlines()
+        # mpirun has words of its own after the program's, and rules around them
+        lines = [line for line in complained.splitlines() if line.strip("- ")]
+        lines = [line for line in lines if line.startswith("stiction: ")] or lines
     return lines[-1].removeprefix("stiction: ") if lines else ""
 
 
-def run_case(program, root, case, tolerance, threads, limit, scratch):
-    """Runs the program on a case and returns what was measured, as a dict.
+def on_ranks(ranks, command):
+    """The command that runs this one on several MPI ranks."""
+    if ranks == 1:
+        return command
+    return ["mpirun", "--oversubscribe", "-n", str(ranks), *command]
 
-    All files of the run are removed; the dict has summary.json and the
-    residuals of convergence.csv in it.
+
+def execute(command, threads, limit, folder):
+    """Runs a command; returns what was measured as a dict, and what it said.
+
+    folder: an existing directory for files that it leaves there.
     """
-    settings = case.settings(tolerance)
-    os.makedirs(scratch, exist_ok=True)
-    with tempfile.TemporaryDirectory(
-        prefix="running-", dir=scratch
-    ) as folder, tempfile.TemporaryDirectory() as session:
-        results = os.path.join(folder, "results")
-        command = [program.path, os.path.join(root, case.parameter_file)]
-        for setting in settings:
-            command += ["--set", setting]
-        command += ["--output", results]
+    with tempfile.TemporaryDirectory() as session:
         environment = dict(
             os.environ,
             OMP_NUM_THREADS=str(threads),
@@ -202,28 +215,52 @@ def run_case(program, root, case, tolerance, threads, limit, scratch):
             exit_status, timed_out, wall, usage = _measure(
                 command, environment, output, errors, limit
             )
-        if timed_out:
-            status = LIMIT
-        else:
-            status = {0: CERTIFIED, 1: ERROR, 2: NOT_CERTIFIED}.get(
-                exit_status, CRASHED
-            )
-        message = _last_word(status, _read(said), _read(complained))
-        if status == CRASHED and not message:
-            message = f"ended with exit status {exit_status}"
-        solved = status in (CERTIFIED, NOT_CERTIFIED)
+    if timed_out:
+        status = LIMIT
+    else:
+        status = {0: CERTIFIED, 1: ERROR, 2: NOT_CERTIFIED}.get(exit_status, CRASHED)
+    message = _last_word(status, _read(said), _read(complained))
+    if status == CRASHED and not message:
+        message = f"ended with exit status {exit_status}"
+    return {
+        "status": status,
+        "exit_status": exit_status,
+        "message": "" if status == LIMIT else message,
+        "threads": threads,
+        "limit": limit,
+        "date": datetime.datetime.now().isoformat(" ", "minutes"),
+        "wall": wall,
+        "cpu": usage.ru_utime + usage.ru_stime,
+        "memory_MB": usage.ru_maxrss / 1024,  # Linux counts in KiB
+    }, _read(said)
+
+
+def scratch_folder(directory):
+    """A directory below this one for the files of a run, for a with block."""
+    os.makedirs(directory, exist_ok=True)
+    return tempfile.TemporaryDirectory(prefix="running-", dir=directory)
+
+
+def run_case(program, root, case, tolerance, threads, limit, scratch, ranks=1):
+    """Runs the program on a case and returns what was measured, as a dict.
+
+    All files of the run are removed; the dict has summary.json and the
+    residuals of convergence.csv in it. Time and memory beside them are those
+    of mpirun if there are several ranks.
+    """
+    settings = case.settings(tolerance)
+    with scratch_folder(scratch) as folder:
+        results = os.path.join(folder, "results")
+        command = [program.path, os.path.join(root, case.parameter_file)]
+        for setting in settings:
+            command += ["--set", setting]
+        command += ["--output", results]
+        row, _ = execute(on_ranks(ranks, command), threads, limit, folder)
+        solved = row["status"] in (CERTIFIED, NOT_CERTIFIED)
         return {
-            "status": status,
-            "exit_status": exit_status,
-            "message": "" if status == LIMIT else message,
+            **row,
             "settings": settings,
             "tolerance": tolerance,
-            "threads": threads,
-            "limit": limit,
-            "date": datetime.datetime.now().isoformat(" ", "minutes"),
-            "wall": wall,
-            "cpu": usage.ru_utime + usage.ru_stime,
-            "memory_MB": usage.ru_maxrss / 1024,  # Linux counts in KiB
             "summary": _read_json(os.path.join(results, "summary.json"))
             if solved
             else None,
