@@ -310,9 +310,8 @@ namespace stiction
         double seconds = 0., seconds_of_iteration = 0.;
         {
           const Phases::Scope clock(seconds);
-          elastic_solve_iterations_ = solve_once(*elasticity_,
-                                                 parameters_.is_matrix_free(),
-                                                 seconds_of_iteration);
+          elastic_solve_iterations_ = solve_once(
+            *elasticity_, parameters_.is_matrix_free(), seconds_of_iteration);
         }
         best      = std::min(best, seconds);
         iteration = std::min(iteration, seconds_of_iteration);

@@ -38,6 +38,29 @@ namespace stiction
       return Trace(std::move(dofs));
     }
 
+    double
+    youngs_modulus(const LinearElasticity &elasticity)
+    {
+      const double lambda = elasticity.lame_lambda();
+      const double G      = elasticity.shear_modulus();
+      return G * (3. * lambda + 2. * G) / (lambda + G);
+    }
+
+    // Σ‖v_j‖ over chosen owned nodes of all ranks.
+    template<typename Predicate>
+    double
+    sum_of_norms(const LA::Vector &v, const Predicate &is_chosen)
+    {
+      double sum               = 0.;
+      const double *const data = v.begin();
+      for (std::size_t i = 0; i < v.locally_owned_size() / 3; ++i)
+        if (is_chosen(i))
+          sum += std::sqrt(data[3 * i] * data[3 * i] +
+                           data[3 * i + 1] * data[3 * i + 1] +
+                           data[3 * i + 2] * data[3 * i + 2]);
+      return Utilities::MPI::sum(sum, v.get_mpi_communicator());
+    }
+
     Eigen::Vector3d
     at(const Eigen::VectorXd &v, const Eigen::Index i)
     {
@@ -64,6 +87,7 @@ namespace stiction
     , trace_(surface.trace())
     , gaps_(surface.gaps())
     , areas_(surface.areas())
+    , youngs_modulus_(youngs_modulus(elasticity))
     , boundary_area_(surface.boundary_area())
     , slip_bound_(surface.slip_bound())
   {
@@ -75,8 +99,8 @@ namespace stiction
             elasticity.constraints().get_inhomogeneity(dof));
         }
     set_frames_from(surface);
-    compute_nodal_stiffness();
-    load_sum_ = sum_of_norms(*load_);
+    find_inner_nodes();
+    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
   }
 
 
@@ -95,6 +119,7 @@ namespace stiction
         hierarchy.level(level).zero_vector<double>()))
     , load_(own_load_.get())
     , trace_(trace_of(trace_hierarchy.first_dofs(level)))
+    , youngs_modulus_(finer.youngs_modulus_)
     , boundary_area_(finer.boundary_area_)
   {
     const LevelTransfer &transfer = hierarchy.transfer(level + 1);
@@ -135,8 +160,8 @@ namespace stiction
       finer.slip_bound_.is_coulomb()
         ? qp::SlipBound::coulomb(bound)
         : qp::SlipBound::given(weights.transpose() * finer.slip_bound_.data());
-    compute_nodal_stiffness();
-    load_sum_ = sum_of_norms(*load_);
+    find_inner_nodes();
+    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
   }
 
 
@@ -172,14 +197,14 @@ namespace stiction
 
 
   void
-  ContactLevel::compute_nodal_stiffness()
+  ContactLevel::find_inner_nodes()
   {
-    const std::vector<double> blocks = stiffness_->diagonal_blocks();
-    LA::Vector trace                 = mesh().zero_vector<double>();
-    for (std::size_t i = 0; i < blocks.size() / 9; ++i)
-      trace.local_element(3 * i) =
-        (blocks[9 * i] + blocks[9 * i + 4] + blocks[9 * i + 8]) / 3.;
-    nodal_stiffness_ = trace_.restriction(trace).head(n_nodes());
+    is_inside_.assign(mesh().n_owned_nodes(), true);
+    for (const unsigned int k : fixed_)
+      is_inside_[k / 3] = false;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (load_->in_local_range(trace_.dofs()[i]))
+        is_inside_[mesh().local_node(trace_.dofs()[i])] = false;
   }
 
 
@@ -325,13 +350,8 @@ namespace stiction
 
 
   double
-  ContactLevel::sum_of_norms(const LA::Vector &v) const
+  ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
   {
-    double sum               = 0.;
-    const double *const data = v.begin();
-    for (unsigned int k = 0; k < v.locally_owned_size(); k += 3)
-      sum += std::sqrt(data[k] * data[k] + data[k + 1] * data[k + 1] +
-                       data[k + 2] * data[k + 2]);
-    return Utilities::MPI::sum(sum, v.get_mpi_communicator());
+    return sum_of_norms(v, [&](const std::size_t i) { return is_inside_[i]; });
   }
 } // namespace stiction

@@ -10,10 +10,8 @@ namespace stiction
 {
   ContactState::ContactState(const ContactLevel &problem)
     : u(problem.mesh().zero_vector<double>())
-    , R(u)
+    , R(problem.mesh().zero_vector<double>())
   {
-    problem.prescribe(u);
-    update(problem);
   }
 
 
@@ -26,20 +24,6 @@ namespace stiction
     lambda = problem.apply_B(R);
     w      = problem.penetration_and_slip(u);
   }
-
-
-
-  namespace
-  {
-    double
-    imbalance(const ContactLevel &problem, const ContactState &state)
-    {
-      LA::Vector interior = state.R;
-      problem.clear_prescribed(interior);
-      problem.set_transpose_B(Eigen::VectorXd::Zero(state.w.size()), interior);
-      return problem.sum_of_norms(interior);
-    }
-  } // namespace
 
 
 
@@ -64,7 +48,7 @@ namespace stiction
                  -state.w,
                  slip_bound.at(state.lambda),
                  scales.scaling)
-    , equilibrium(imbalance(problem, state) / scales.force)
+    , equilibrium(problem.sum_of_norms_inside(state.R) / scales.force)
   {
   }
 

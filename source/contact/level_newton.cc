@@ -75,8 +75,6 @@ namespace stiction
                      const Observer &observer)
   {
     ContactResidual residual(problem_, state, problem_.slip_bound());
-    double smallest   = residual.value();
-    LA::Vector best_u = state.u;
     std::deque<double> history;
     unsigned int stalls = 0;
 
@@ -98,12 +96,6 @@ namespace stiction
             observer(statistics_, residual);
             history.push_back(residual.value());
           }
-        if (residual.value() < smallest)
-          {
-            smallest = residual.value();
-            best_u   = state.u;
-          }
-
         const bool falls =
           history.size() <= fall_horizon ||
           history.back() <=
@@ -123,9 +115,7 @@ namespace stiction
                  "slip bound come closer; where the coefficient of friction is "
                  "large there may be no solution or several, try a smaller "
                  "'Friction/Coefficient' or a finer mesh";
-        state.u = best_u;
-        state.update(problem_);
-        fall_back(state, smallest, tolerance);
+        fall_back(state, residual.value(), tolerance);
         residual = ContactResidual(problem_, state, problem_.slip_bound());
         lambda   = state.lambda;
         observer(statistics_, residual);

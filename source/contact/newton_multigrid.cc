@@ -45,7 +45,9 @@ namespace stiction
                          const unsigned int max_steps,
                          const Observer &observer)
   {
-    state_                 = std::make_unique<ContactState>(*problems_[0]);
+    state_ = std::make_unique<ContactState>(*problems_[0]);
+    problems_[0]->prescribe(state_->u);
+    state_->update(*problems_[0]);
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(state_->lambda.size());
     ContactStep row;
     ContactSolution solution;

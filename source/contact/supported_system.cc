@@ -123,6 +123,8 @@ namespace stiction
     : problem_(problem)
     , level_(level)
     , preconditioner_(preconditioner)
+    , residual_(problem.mesh().zero_vector<double>())
+    , step_(residual_)
   {
   }
 
@@ -179,14 +181,15 @@ namespace stiction
     state.update(problem_);
 
     const MPI_Comm communicator = problem_.mesh().communicator();
-    LA::Vector r                = state.R;
+    LA::Vector &r               = residual_;
+    r                           = state.R;
     problem_.clear_prescribed(r);
     Eigen::VectorXd contact_r =
       contact_rows(linearization, state.lambda, -state.w) - load;
     problem_.set_transpose_B(contact_r, r);
     double square       = r.norm_sqr();
     const double start  = std::sqrt(square);
-    LA::Vector z        = problem_.mesh().zero_vector<double>();
+    LA::Vector &z       = step_;
     const std::size_t N = z.locally_owned_size();
     Eigen::MatrixXd H =
       Eigen::MatrixXd::Identity(max_directions, max_directions);

@@ -186,7 +186,7 @@ namespace stiction
         copy(finest.b, src, 1. / scale);
         finest.project(finest.b);
         cycle(level);
-        dst = finest.x;
+        dst.swap(finest.x); // which is made anew by every cycle
       }
     return scale / unit_;
   }

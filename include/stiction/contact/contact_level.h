@@ -78,11 +78,11 @@ namespace stiction
       return areas_;
     }
 
-    /// The mean diagonal entry of K at each contact node, N/m.
-    const Eigen::VectorXd &
+    /// E√A_i: about the mean diagonal entry of K at a contact node, N/m.
+    Eigen::VectorXd
     nodal_stiffness() const
     {
-      return nodal_stiffness_;
+      return youngs_modulus_ * areas_.cwiseSqrt();
     }
 
     /// Gives u its prescribed values, and v zeros in their places.
@@ -133,16 +133,16 @@ namespace stiction
            const LA::Vector &R,
            const Eigen::VectorXd &lambda) const;
 
-    /// Σ‖v_j‖ over the nodes, prescribed components left out. Collective.
+    /// Σ‖v_j‖ over the nodes but contact nodes and prescribed ones. Collective.
     double
-    sum_of_norms(const LA::Vector &v) const;
+    sum_of_norms_inside(const LA::Vector &v) const;
 
   private:
     void
     set_frames_from(const ContactSurface &surface);
 
     void
-    compute_nodal_stiffness();
+    find_inner_nodes();
 
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
     const StiffnessOperator<double> *stiffness_;
@@ -152,10 +152,14 @@ namespace stiction
 
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<double> prescribed_;
+    /// Owned nodes that are neither contact nodes nor prescribed in any
+    /// component.
+    std::vector<bool> is_inside_;
 
     Trace trace_;
     std::vector<Eigen::Matrix3d> frames_; ///< rows n, t1, t2
-    Eigen::VectorXd gaps_, areas_, nodal_stiffness_;
+    Eigen::VectorXd gaps_, areas_;
+    double youngs_modulus_;
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
   };

@@ -14,7 +14,7 @@ namespace stiction
   /// A displacement on a level of the mesh and what follows from it.
   struct ContactState
   {
-    /// Zero but for the prescribed displacements; λ and w of it.
+    /// Room for one on this level, all zero.
     explicit ContactState(const ContactLevel &problem);
 
     LA::Vector u;           ///< m

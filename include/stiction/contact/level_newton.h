@@ -29,7 +29,7 @@ namespace stiction
     /// What no user has to set. The answer does not depend on it.
     struct Options
     {
-      /// ρ over the mean diagonal entry of K at a node, at the start.
+      /// ρ over E√A, at the start.
       double first_c = 0.1;
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
@@ -83,7 +83,7 @@ namespace stiction
          const ContactResidual &residual,
          double tolerance);
 
-    /// The method of multipliers from the best state on.
+    /// The method of multipliers from this state on.
     void
     fall_back(ContactState &state, double residual, double tolerance);
 

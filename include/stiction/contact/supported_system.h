@@ -92,6 +92,7 @@ namespace stiction
     const unsigned int level_;
     StiffnessPreconditioner &preconditioner_;
     std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
+    LA::Vector residual_, step_;                         ///< scratch
   };
 } // namespace stiction
 
