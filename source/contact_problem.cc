@@ -7,10 +7,8 @@
 #include <stiction/contact/schur_complement.h>
 #include <stiction/contact_problem.h>
 #include <stiction/elasticity/body.h>
-#include <stiction/elasticity/dense_cholesky.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/multigrid_solver.h>
-#include <stiction/elasticity/mumps_factorization.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
 #include <stiction/memory.h>
@@ -23,6 +21,7 @@
 #include <stiction/output/vtu.h>
 #include <stiction/output/report.h>
 #include <stiction/parameters.h>
+#include <stiction/yardsticks.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
@@ -31,8 +30,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <limits>
 
 namespace stiction
 {
@@ -45,21 +42,6 @@ namespace stiction
     constexpr double linear_solver_safety = 1e-4;
 
     constexpr double duality_gap_accuracy = 1e-6;
-
-    // Set-up and one solve by iteration, with the preconditioner of the run.
-    // @param seconds of the solve without the set-up.
-    unsigned int
-    solve_once(const LinearElasticity &elasticity,
-               const bool matrix_free,
-               double &seconds)
-    {
-      const auto solver = StiffnessSolver::create(
-        matrix_free ? "multigrid" : "amg", elasticity, 1e-8);
-      LA::Vector u = elasticity.zero_vector();
-      const Phases::Scope clock(seconds);
-      solver->solve(u, elasticity.constrained_load());
-      return static_cast<unsigned int>(solver->n_iterations());
-    }
   } // namespace
 
 
@@ -108,8 +90,7 @@ namespace stiction
           }
       }
       certify();
-      measure_one_elastic_solve();
-      measure_factorizations();
+      measure_yardsticks();
       output_results();
     }
     summarize();
@@ -297,45 +278,24 @@ namespace stiction
 
 
   void
-  ContactProblem::measure_one_elastic_solve()
+  ContactProblem::measure_yardsticks()
   {
-    if (!parameters_.performance.measure_one_elastic_solve)
-      return;
-    // The body with its contact boundary free, to a fixed accuracy, by an
-    // iterative method: the yardstick. The better of two, because machines are
-    // noisy.
-    double best = std::numeric_limits<double>::infinity(), iteration = best;
-    for (unsigned int run = 0; run < 2; ++run)
+    if (parameters_.performance.measure_one_elastic_solve)
       {
-        double seconds = 0., seconds_of_iteration = 0.;
-        {
-          const Phases::Scope clock(seconds);
-          elastic_solve_iterations_ = solve_once(
-            *elasticity_, parameters_.is_matrix_free(), seconds_of_iteration);
-        }
-        best      = std::min(best, seconds);
-        iteration = std::min(iteration, seconds_of_iteration);
+        const ElasticSolveCost cost =
+          measure_elastic_solve(*elasticity_, parameters_.is_matrix_free());
+        elastic_solve_iterations_ = cost.iterations;
+        phases_.set("elastic_solve", cost.seconds);
+        phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);
       }
-    phases_.set("elastic_solve_iteration", iteration);
-    phases_.set("elastic_solve", best);
-  }
-
-
-
-  void
-  ContactProblem::measure_factorizations()
-  {
-    if (!parameters_.performance.measure_factorizations)
-      return;
-    {
-      const auto phase = phases_.scope("sparse_factorization");
-      MumpsFactorization(elasticity_->constrained_stiffness(), 3);
-    }
-    if (!schur_ || schur_->matrix() == nullptr)
-      return;
-    Eigen::MatrixXd Q = *schur_->matrix();
-    const auto phase  = phases_.scope("dual_cholesky");
-    dense_cholesky::factorize(Q.data(), static_cast<int>(Q.rows()));
+    if (parameters_.performance.measure_factorizations)
+      {
+        const FactorizationCost cost = measure_factorizations(
+          *elasticity_, schur_ ? schur_->matrix() : nullptr);
+        phases_.set("sparse_factorization", cost.sparse_seconds);
+        if (cost.dense_seconds > 0.)
+          phases_.set("dual_cholesky", cost.dense_seconds);
+      }
   }
 
 

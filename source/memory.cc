@@ -36,9 +36,12 @@ namespace stiction
   void
   require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
   {
-    // a stiffness matrix of up to 81 × 3 entries a node, mesh, unknowns;
-    // without a matrix what runs with ten million unknowns were seen to take
-    const double bytes_per_cell = parameters.is_matrix_free() ? 2.2e3 : 6e3;
+    // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
+    // or what runs with ten million unknowns took without one; then all nodes
+    // of all cells for the volume output.
+    const double bytes_per_cell =
+      (parameters.is_matrix_free() ? 2.2e3 : 6e3) +
+      (parameters.output.write_solution ? 2.6e3 : 0.);
 
     const double bytes     = parameters.geometry.n_cells() * bytes_per_cell;
     const double available = available_memory(communicator);

@@ -106,9 +106,7 @@ namespace stiction
     void
     certify();
     void
-    measure_one_elastic_solve();
-    void
-    measure_factorizations();
+    measure_yardsticks();
     void
     output_results();
     void

@@ -27,6 +27,9 @@ namespace stiction
   {
     GeometryParameters();
 
+    /// Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
+    static constexpr double max_cells = 4e8;
+
     /// Number of cells after refinement; a double, because it may be anything
     /// before it is checked.
     double

@@ -1,5 +1,6 @@
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
@@ -59,22 +60,6 @@ namespace stiction
                            data[3 * i + 1] * data[3 * i + 1] +
                            data[3 * i + 2] * data[3 * i + 2]);
       return Utilities::MPI::sum(sum, v.get_mpi_communicator());
-    }
-
-    Eigen::Vector3d
-    at(const Eigen::VectorXd &v, const Eigen::Index i)
-    {
-      const Eigen::Index m = v.size() / 3;
-      return {v(i), v(i + m), v(i + 2 * m)};
-    }
-
-    void
-    put(Eigen::VectorXd &v, const Eigen::Index i, const Eigen::Vector3d &x)
-    {
-      const Eigen::Index m = v.size() / 3;
-      v(i)                 = x(0);
-      v(i + m)             = x(1);
-      v(i + 2 * m)         = x(2);
     }
   } // namespace
 
@@ -265,7 +250,7 @@ namespace stiction
   {
     Eigen::VectorXd local = trace_.restriction(v);
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      put(local, i, frames_[i] * at(local, i));
+      set_at_node(local, i, frames_[i] * at_node(local, i));
     return local;
   }
 
@@ -286,7 +271,7 @@ namespace stiction
   {
     Eigen::VectorXd cartesian = v;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      put(cartesian, i, frames_[i].transpose() * at(v, i));
+      set_at_node(cartesian, i, frames_[i].transpose() * at_node(v, i));
     trace_.add_extension(cartesian, dst);
   }
 
@@ -338,7 +323,7 @@ namespace stiction
 
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      contact_forces += at(lambda, i).norm();
+      contact_forces += at_node(lambda, i).norm();
 
     Scales scales;
     scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));

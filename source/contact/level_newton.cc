@@ -1,8 +1,10 @@
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/level_newton.h>
+#include <stiction/contact/nodal_blocks.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <utility>
 
@@ -29,25 +31,12 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
+    // Where the residual stands still below this one, it is rounding.
+    constexpr double rounding_residual = 1e-9;
+
     constexpr unsigned int max_fallbacks      = 8;
     constexpr unsigned int max_fallback_steps = 60;
     constexpr unsigned int max_approximations = 4;
-
-    // The largest nodal residual, relative to the node's share in the forces.
-    double
-    largest_at_nodes(const Eigen::VectorXd &residual,
-                     const qp::Scaling &scaling)
-    {
-      const Eigen::Index m = scaling.force.size();
-      double largest       = 0.;
-      for (Eigen::Index i = 0; i < m; ++i)
-        largest = std::max(
-          largest,
-          Eigen::Vector3d(residual(i), residual(i + m), residual(i + 2 * m))
-              .norm() /
-            scaling.force(i));
-      return largest;
-    }
   } // namespace
 
 
@@ -96,12 +85,18 @@ namespace stiction
             observer(statistics_, residual);
             history.push_back(residual.value());
           }
+        if (!std::isfinite(residual.value()))
+          return "the iteration broke down: the displacement is no number";
         const bool falls =
           history.size() <= fall_horizon ||
           history.back() <=
             required_fall * history[history.size() - 1 - fall_horizon];
         if (falls && !options_.only_fallback)
           continue;
+
+        if (residual.value() < rounding_residual)
+          return "rounding prevents a smaller one, raise 'Contact "
+                 "solver/Tolerance'";
 
         // change ρ, and every second time fall back as well
         history.clear();
@@ -142,7 +137,7 @@ namespace stiction
         return now.reduction <= first_reduction;
       const double linear =
         std::max(now.residual / force_scale,
-                 largest_at_nodes(now.contact_residual, scaling));
+                 largest_at_nodes(now.contact_residual, scaling.force));
       const ContactConditions conditions(
         now.lambda, -now.w, problem_.slip_bound().at(now.lambda), scaling);
       return linear <=

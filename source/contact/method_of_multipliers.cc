@@ -1,5 +1,6 @@
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/method_of_multipliers.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/qp/feasible_set.h>
 
 #include <algorithm>
@@ -69,8 +70,7 @@ namespace stiction
             node.spring.bottomRightCorner<2, 2>() =
               rho_(i) * slip_bound_(i) / norm * across * across.transpose();
           }
-        node.load = Eigen::Vector3d(force(i), force(i + m), force(i + 2 * m)) -
-                    node.spring * Eigen::Vector3d(w(i), w(i + m), w(i + 2 * m));
+        node.load = at_node(force, i) - node.spring * at_node(w, i);
       }
     return result;
   }
@@ -137,21 +137,10 @@ namespace stiction
 
         // what the forces lack to be those of the multipliers and springs,
         // and what these lack to satisfy the conditions
-        const auto lack = [&](const Eigen::VectorXd &difference) {
-          const Eigen::Index m = problem_.n_nodes();
-          double largest       = 0.;
-          for (Eigen::Index i = 0; i < m; ++i)
-            largest = std::max(largest,
-                               Eigen::Vector3d(difference(i),
-                                               difference(i + m),
-                                               difference(i + 2 * m))
-                                   .norm() /
-                                 scaling.force(i));
-          return largest;
-        };
         const Eigen::VectorXd force = forces(state.w);
         const double imbalance =
-          std::max(residual.equilibrium, lack(state.lambda - force));
+          std::max(residual.equilibrium,
+                   largest_at_nodes(state.lambda - force, scaling.force));
         const double violation =
           ContactConditions(force, -state.w, slip_bound_, scaling)
             .contact_figures()

@@ -1,4 +1,5 @@
 #include <stiction/contact/contact_level.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/contact/supported_system.h>
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/stiffness_operator.h>
@@ -97,22 +98,6 @@ namespace stiction
         communicator,
         dealii::ArrayView<double>(values.data(), values.size()));
     }
-
-    Eigen::Vector3d
-    at(const Eigen::VectorXd &v, const Eigen::Index i)
-    {
-      const Eigen::Index m = v.size() / 3;
-      return {v(i), v(i + m), v(i + 2 * m)};
-    }
-
-    void
-    put(Eigen::VectorXd &v, const Eigen::Index i, const Eigen::Vector3d &x)
-    {
-      const Eigen::Index m = v.size() / 3;
-      v(i)                 = x(0);
-      v(i + m)             = x(1);
-      v(i + 2 * m)         = x(2);
-    }
   } // namespace
 
 
@@ -154,10 +139,10 @@ namespace stiction
   {
     Eigen::VectorXd rows(force.size());
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
-      put(rows,
-          i,
-          linearization.nodes[i].test * at(force, i) +
-            linearization.nodes[i].spring * at(displacement, i));
+      set_at_node(rows,
+                  i,
+                  linearization.nodes[i].test * at_node(force, i) +
+                    linearization.nodes[i].spring * at_node(displacement, i));
     return rows;
   }
 
@@ -174,8 +159,8 @@ namespace stiction
     Eigen::VectorXd shift(3 * m), load(3 * m);
     for (Eigen::Index i = 0; i < m; ++i)
       {
-        put(shift, i, linearization.nodes[i].shift);
-        put(load, i, linearization.nodes[i].load);
+        set_at_node(shift, i, linearization.nodes[i].shift);
+        set_at_node(load, i, linearization.nodes[i].load);
       }
     problem_.add_transpose_B(shift, state.u);
     state.update(problem_);

@@ -8,6 +8,7 @@
 #include <stiction/elasticity/mumps_factorization.h>
 #include <stiction/elasticity/rigid_body_modes.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -22,6 +23,10 @@ namespace stiction
 
   namespace
   {
+    // Up to this order a dense factorisation on every rank is the fastest, and
+    // needs no setting up.
+    constexpr types::global_dof_index max_dense = 400;
+
     // Above this order a V-cycle of algebraic multigrid is set up faster than
     // MUMPS factorises.
     constexpr types::global_dof_index max_direct = 4000;
@@ -59,7 +64,8 @@ namespace stiction
             level.partitioner()->is_ghost_entry(dof))
           support_of_[level.local_node(dof)] = i;
       }
-    make_pattern();
+    if (level_.n_dofs() > max_dense)
+      make_pattern();
     set_supports(NodalSupports(supported_nodes.size()));
   }
 
@@ -93,9 +99,18 @@ namespace stiction
   void
   CoarseSolver::set_supports(const NodalSupports &supports)
   {
-    assemble(supports);
+    if (level_.n_dofs() <= max_dense)
+      {
+        factorize_dense(supports);
+        return;
+      }
     direct_.reset(); // before the new one
     amg_.reset();
+    *matrix_ = 0.;
+    assemble(supports, [&](const Indices &indices, const auto &matrix) {
+      matrix_->add(indices, matrix);
+    });
+    matrix_->compress(VectorOperation::add);
     if (level_.n_dofs() <= max_direct)
       direct_ = std::make_unique<MumpsFactorization>(*matrix_, 3);
     else
@@ -106,9 +121,26 @@ namespace stiction
 
 
   void
-  CoarseSolver::assemble(const NodalSupports &supports)
+  CoarseSolver::factorize_dense(const NodalSupports &supports)
   {
-    *matrix_ = 0.;
+    const auto n           = static_cast<Eigen::Index>(level_.n_dofs());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    assemble(supports, [&](const Indices &indices, const auto &block) {
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        for (unsigned int j = 0; j < indices.size(); ++j)
+          matrix(indices[i], indices[j]) += block(i, j);
+    });
+    Utilities::MPI::sum(ArrayView<const double>(matrix.data(), matrix.size()),
+                        level_.communicator(),
+                        ArrayView<double>(matrix.data(), matrix.size()));
+    dense_ = std::make_unique<Eigen::LLT<Eigen::MatrixXd>>(matrix);
+  }
+
+
+
+  void
+  CoarseSolver::assemble(const NodalSupports &supports, const Add &add) const
+  {
     ElementStiffness element_stiffness;
     FullMatrix<double> held(24, 24);
     level_.for_each_cell([&](HexahedralCell cell) {
@@ -149,17 +181,19 @@ namespace stiction
               for (unsigned int b = 0; b < 3; ++b)
                 held(3 * i + a, 3 * j + b) = block(a, b);
           }
-      matrix_->add(indices_of(level_, cell), held);
+      add(indices_of(level_, cell), held);
     });
+    FullMatrix<double> spring(3, 3);
     for (std::size_t i = 0; i < supports.size(); ++i)
       {
         const auto dof = supported_nodes_[i];
-        if (level_.partitioner()->in_local_range(dof))
-          for (unsigned int a = 0; a < 3; ++a)
-            for (unsigned int b = 0; b < 3; ++b)
-              matrix_->add(dof + a, dof + b, supports[i].spring(a, b));
+        if (!level_.partitioner()->in_local_range(dof))
+          continue;
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            spring(a, b) = supports[i].spring(a, b);
+        add({dof, dof + 1, dof + 2}, spring);
       }
-    matrix_->compress(VectorOperation::add);
   }
 
 
@@ -198,6 +232,21 @@ namespace stiction
     if (amg_)
       {
         amg_->vmult(dst, src);
+        return;
+      }
+    if (dense_)
+      {
+        const IndexSet owned = src.locally_owned_elements();
+        Eigen::VectorXd x =
+          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(src.size()));
+        for (const auto i : owned)
+          x(i) = src(i);
+        Utilities::MPI::sum(ArrayView<const double>(x.data(), x.size()),
+                            level_.communicator(),
+                            ArrayView<double>(x.data(), x.size()));
+        dense_->solveInPlace(x);
+        for (const auto i : owned)
+          dst(i) = x(i);
         return;
       }
     Eigen::VectorXd x = host_->gather(src);

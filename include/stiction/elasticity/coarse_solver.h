@@ -5,7 +5,11 @@
 #include <stiction/elasticity/nodal_support.h>
 
 #include <deal.II/base/types.h>
+#include <deal.II/lac/full_matrix.h>
 
+#include <Eigen/Cholesky>
+
+#include <functional>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -19,8 +23,9 @@ namespace stiction
   class MumpsFactorization;
 
   /// The end of a multigrid cycle: the stiffness matrix of one level of the
-  /// mesh with its supports, assembled, and solved with MUMPS if it is small,
-  /// otherwise with a V-cycle of algebraic multigrid.
+  /// mesh with its supports, assembled. A tiny one is factorised by every rank
+  /// as a dense matrix, a small one by MUMPS; for a larger one there is a
+  /// V-cycle of algebraic multigrid.
   class CoarseSolver
   {
   public:
@@ -49,8 +54,15 @@ namespace stiction
     void
     make_pattern();
 
+    /// Calls back with matrices to be added at indices, this rank's share.
+    using Add =
+      std::function<void(const std::vector<dealii::types::global_dof_index> &,
+                         const dealii::FullMatrix<double> &)>;
     void
-    assemble(const NodalSupports &supports);
+    assemble(const NodalSupports &supports, const Add &add) const;
+
+    void
+    factorize_dense(const NodalSupports &supports);
 
     /// The rigid-body modes, without the directions that are held.
     std::vector<std::vector<double>>
@@ -62,6 +74,7 @@ namespace stiction
     std::vector<dealii::types::global_dof_index> supported_nodes_;
     /// Place in the list by local node.
     std::unordered_map<unsigned int, std::size_t> support_of_;
+    std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
     std::unique_ptr<HostVector> host_;
     std::unique_ptr<MumpsFactorization> direct_;
