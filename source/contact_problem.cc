@@ -268,6 +268,10 @@ namespace stiction
         judge_->judge(newton_->displacement(), solution_->lambda);
         solution_->converged =
           judge_->certificate().converged(parameters_.contact_solver.tolerance);
+        if (!solution_->converged && solution_->reason.empty())
+          solution_->reason =
+            "the certificate measures more than the iteration "
+            "did, raise 'Contact solver/Tolerance'";
       }
     // the other figures of the dual methods were computed when the iteration
     // asked for them

@@ -69,10 +69,16 @@ namespace stiction
 
     // Never less than a step: without contact forces there may be no scales,
     // and then anything is small.
-    bool has_stepped = false;
-    while (!has_stepped || !(residual.value() <= tolerance))
+    for (bool has_stepped = false;; has_stepped = true)
       {
-        has_stepped = true;
+        if (has_stepped && residual.value() <= tolerance)
+          {
+            // what the linear solver carried along is made anew
+            state.update(problem_);
+            residual = ContactResidual(problem_, state, problem_.slip_bound());
+            if (residual.value() <= tolerance)
+              return {};
+          }
         if (statistics_.newton_steps >= max_steps)
           return "the cap of " + std::to_string(max_steps) +
                  " Newton steps was met, raise 'Contact solver/Maximum "
@@ -115,7 +121,6 @@ namespace stiction
         lambda   = state.lambda;
         observer(statistics_, residual);
       }
-    return {};
   }
 
 

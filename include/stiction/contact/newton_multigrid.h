@@ -23,8 +23,8 @@ namespace stiction
   /// Contact with friction for the price of about two elastic solves: the
   /// semismooth Newton method in displacements (PrimalLinearization), each step
   /// solved inexactly with a multigrid preconditioner (SupportedSystem), on the
-  /// levels of the mesh one after the other. doc/newton_multigrid.md derives
-  /// it.
+  /// levels of the mesh one after the other. source/contact/newton_multigrid.md
+  /// derives it.
   class NewtonMultigrid
   {
   public:
