@@ -30,6 +30,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <stdexcept>
+
 
 namespace stiction
 {
@@ -275,8 +277,25 @@ namespace stiction
       }
     // the other figures of the dual methods were computed when the iteration
     // asked for them
-    judge_->certificate().compute_duality_gap(judge_->displacement(),
-                                              *stiffness_solver_);
+    if (!newton_)
+      judge_->certificate().compute_duality_gap(judge_->displacement(),
+                                                *stiffness_solver_);
+    else if (solution_->lambda.allFinite())
+      {
+        try
+          {
+            judge_->certificate().compute_duality_gap(judge_->displacement(),
+                                                      *stiffness_solver_);
+          }
+        catch (const std::runtime_error &)
+          {
+            // A figure that only informs: on very flat cells conjugate
+            // gradients may fail where the method itself did not.
+            log_->line(
+              "The duality gap was not computed: its elastic solve did "
+              "not converge.");
+          }
+      }
   }
 
 
@@ -311,6 +330,8 @@ namespace stiction
     const std::string &directory = parameters_.output.directory;
     if (parameters_.output.write_solution)
       write_solution(directory, *elasticity_, judge_->displacement());
+    else
+      remove_solution(directory, communicator_);
     write_contact(directory, *elasticity_, *surface_, judge_->certificate());
     write_run_files(parameters_, *history_, communicator_);
   }

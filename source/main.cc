@@ -179,8 +179,8 @@ main(int argc, char *argv[])
   catch (const std::bad_alloc &)
     {
       return abort("not enough memory for this problem, use a coarser mesh, "
-                   "'Dual operator/Form = by solves' or 'Stiffness solver/Type "
-                   "= amg'.");
+                   "'Dual operator/Form = by solves' or 'Contact solver/Method "
+                   "= newton multigrid'.");
     }
   catch (const std::exception &error)
     {

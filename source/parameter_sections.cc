@@ -180,8 +180,11 @@ namespace stiction
       "squares; another problem, so never certified unless nothing "
       "slips. mpgp: conjugate gradients with projections on "
       "half-lines times discs at once. newton: semismooth Newton "
-      "on the dual problem, the fastest. admm: alternating "
-      "directions with dense factorisations of Q.",
+      "on the dual problem, the fastest of the dual methods. admm: "
+      "alternating directions with dense factorisations of Q. newton "
+      "multigrid: semismooth Newton on the displacements, without Q, "
+      "for about the price of two elastic solves; the one for large "
+      "bodies.",
       prm,
       Patterns::Selection("gauss seidel|squares|mpgp|newton|admm|newton "
                           "multigrid"));
@@ -313,7 +316,8 @@ namespace stiction
     add_parameter("Measure one elastic solve",
                   measure_one_elastic_solve,
                   "Also solve the body without contact by conjugate gradients "
-                  "with algebraic multigrid, twice, and state the price of "
+                  "with the multigrid of the run (algebraic where there is "
+                  "none), twice, and state the price of "
                   "the contact solve in such solves.");
     add_parameter("Measure factorizations",
                   measure_factorizations,

@@ -55,7 +55,7 @@ namespace stiction
   {
     if (stiffness_solver.type != "automatic")
       return stiffness_solver.type;
-    if (contact_solver.method != "newton multigrid")
+    if (!contact_solver.is_primal())
       return "mumps";
     return geometry.global_refinement > 0 ? "multigrid" : "amg";
   }
@@ -66,6 +66,16 @@ namespace stiction
   Parameters::is_matrix_free() const
   {
     return stiffness_solver_type() == "multigrid";
+  }
+
+
+
+  bool
+  Parameters::needs_stiffness_matrix() const
+  {
+    return !is_matrix_free() && (!contact_solver.is_primal() ||
+                                 performance.measure_one_elastic_solve ||
+                                 performance.measure_factorizations);
   }
 
 
@@ -196,8 +206,11 @@ namespace stiction
             "must be 'direct' for 'Contact solver/Method = newton multigrid'");
     require(!performance.measure_factorizations || !is_matrix_free(),
             "Performance/Measure factorizations",
-            "factorises the stiffness matrix, so 'Stiffness solver/Type' must "
-            "be 'mumps' or 'amg'");
+            contact_solver.is_primal()
+              ? "factorises the stiffness matrix, so 'Stiffness solver/Type' "
+                "must be 'amg'"
+              : "factorises the stiffness matrix, so 'Stiffness solver/Type' "
+                "must be 'mumps' or 'amg'");
   }
 
 

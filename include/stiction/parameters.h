@@ -169,9 +169,14 @@ namespace stiction
     std::string
     stiffness_solver_type() const;
 
-    /// Whether no stiffness matrix has to be assembled.
+    /// Whether the solver works without a stiffness matrix on the levels.
     bool
     is_matrix_free() const;
+
+    /// Whether a stiffness matrix of the whole mesh is wanted: the Newton
+    /// method in displacements makes its own where it needs one.
+    bool
+    needs_stiffness_matrix() const;
 
     /// The complete commented default file, in declaration order.
     static std::string

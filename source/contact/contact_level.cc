@@ -1,4 +1,5 @@
 #include <stiction/contact/contact_level.h>
+#include <stiction/contact/contact_state.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
@@ -330,6 +331,17 @@ namespace stiction
     scales.scaling.force        = areas_ * (scales.force / boundary_area_);
     scales.scaling.displacement = nonzero(std::max(sums[1], 0.) / scales.force);
     return scales;
+  }
+
+
+
+  bool
+  ContactLevel::carries_rounding_only(const ContactState &state,
+                                      const double force_scale) const
+  {
+    constexpr double rounding = 1e-10;
+    return force_scale < rounding * youngs_modulus_ *
+                           std::sqrt(boundary_area_) * state.u.linfty_norm();
   }
 
 

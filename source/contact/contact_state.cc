@@ -3,6 +3,7 @@
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/stiffness_operator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,8 +60,11 @@ namespace stiction
   {
     double largest = equilibrium;
     for (const auto &figure : conditions.deciding_figures())
-      if (!(figure.second <= largest))
-        largest = figure.second;
+      {
+        if (!std::isfinite(figure.second))
+          return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, figure.second);
+      }
     return std::isfinite(largest) ? largest
                                   : std::numeric_limits<double>::infinity();
   }

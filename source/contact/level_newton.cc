@@ -80,9 +80,8 @@ namespace stiction
               return {};
           }
         if (statistics_.newton_steps >= max_steps)
-          return "the cap of " + std::to_string(max_steps) +
-                 " Newton steps was met, raise 'Contact solver/Maximum "
-                 "iterations'";
+          return "the cap on Newton steps was met, raise 'Contact "
+                 "solver/Maximum iterations'";
         if (!options_.only_fallback)
           {
             step(state, lambda, residual, tolerance);
@@ -101,8 +100,12 @@ namespace stiction
           continue;
 
         if (residual.value() < rounding_residual)
-          return "rounding prevents a smaller one, raise 'Contact "
-                 "solver/Tolerance'";
+          return "rounding or the accuracy of the linear solver prevents a "
+                 "smaller one, raise 'Contact solver/Tolerance'";
+        if (problem_.carries_rounding_only(state, residual.force_scale))
+          return "there is neither load nor strain, and the forces are "
+                 "rounding: "
+                 "there is nothing that could be certified";
 
         // change ρ, and every second time fall back as well
         history.clear();
@@ -112,11 +115,20 @@ namespace stiction
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
         if (statistics_.fallbacks == max_fallbacks)
-          return "neither Newton steps nor successive approximations of the "
-                 "slip bound come closer; where the coefficient of friction is "
-                 "large there may be no solution or several, try a smaller "
-                 "'Friction/Coefficient' or a finer mesh";
-        fall_back(state, residual.value(), tolerance);
+          return std::string(
+                   "neither Newton steps nor the method of multipliers "
+                   "come closer, ") +
+                 (problem_.slip_bound().is_coulomb()
+                    ? "where the coefficient of friction is large there may be "
+                      "no solution or several: try a smaller "
+                      "'Friction/Coefficient', a finer mesh, or "
+                    : "try ") +
+                 "'Stiffness solver/Type = amg' if cells are flat or the "
+                 "Poisson ratio is near 0.5";
+        fall_back(state,
+                  residual.value(),
+                  tolerance,
+                  max_steps - statistics_.newton_steps);
         residual = ContactResidual(problem_, state, problem_.slip_bound());
         lambda   = state.lambda;
         observer(statistics_, residual);
@@ -159,17 +171,23 @@ namespace stiction
   void
   LevelNewton::fall_back(ContactState &state,
                          const double residual,
-                         const double tolerance)
+                         const double tolerance,
+                         const unsigned int max_steps)
   {
     // one digit more each time, so that given friction gets there by this alone
     ++statistics_.fallbacks;
     const double target = std::max(0.5 * tolerance, 0.1 * residual);
     MethodOfMultipliers multipliers(problem_, level_, preconditioner_);
-    for (unsigned int k = 0; k < max_approximations; ++k)
+    unsigned int steps = 0;
+    for (unsigned int k = 0; k < max_approximations && steps < max_steps; ++k)
       {
         const Eigen::VectorXd bound = problem_.slip_bound().at(state.lambda);
         const auto effort =
-          multipliers.solve(state, bound, target, max_fallback_steps);
+          multipliers.solve(state,
+                            bound,
+                            target,
+                            std::min(max_fallback_steps, max_steps - steps));
+        steps += effort.newton_steps;
         statistics_.newton_steps += effort.newton_steps;
         statistics_.krylov_iterations += effort.krylov_iterations;
         if (ContactResidual(problem_, state, problem_.slip_bound()).value() <=

@@ -161,7 +161,10 @@ namespace stiction
           });
         ++effort.newton_steps;
         if (!search(state, before))
-          break;
+          {
+            state = before;
+            break;
+          }
       }
     return effort;
   }

@@ -52,6 +52,7 @@ namespace stiction
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(state_->lambda.size());
     ContactStep row;
     ContactSolution solution;
+    unsigned int steps = 0;
     for (unsigned int l = 0; l < hierarchy_.n_levels(); ++l)
       {
         if (l > 0)
@@ -64,7 +65,7 @@ namespace stiction
           *state_,
           lambda,
           is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
-          max_steps,
+          max_steps - steps,
           [&](const LevelNewton::Statistics &statistics,
               const ContactResidual &residual) {
             ++row.step;
@@ -78,6 +79,7 @@ namespace stiction
             observer(row);
           });
         statistics_[l] = newton.statistics();
+        steps += statistics_[l].newton_steps;
       }
     solution.lambda    = state_->lambda;
     solution.converged = solution.reason.empty();

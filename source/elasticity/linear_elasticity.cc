@@ -47,7 +47,7 @@ namespace stiction
       *mesh_, lame_lambda_, shear_modulus_);
     assemble_load();
     constrain_load();
-    if (!parameters.is_matrix_free())
+    if (parameters.needs_stiffness_matrix())
       assemble_stiffness();
   }
 

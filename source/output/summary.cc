@@ -51,7 +51,8 @@ namespace stiction
         result["equilibrium_residual"] = body.equilibrium_residual;
         result["force_balance"]        = body.force_balance;
         result["moment_balance"]       = body.moment_balance;
-        result["duality_gap"]          = body.duality_gap;
+        if (body.duality_gap >= 0.)
+          result["duality_gap"] = body.duality_gap;
       }
     return result;
   }

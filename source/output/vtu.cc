@@ -14,6 +14,8 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 namespace stiction
 {
@@ -290,6 +292,17 @@ namespace stiction
     out.add_data_vector(with_ghosts, von_mises);
     out.build_patches();
     write_pieces(out, directory, "solution", body.communicator());
+  }
+
+
+
+  void
+  remove_solution(const std::string &directory, MPI_Comm communicator)
+  {
+    std::error_code error; // there may be none
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const char *ending : {".pvtu", ".pvd"})
+        std::filesystem::remove(directory + "/solution" + ending, error);
   }
 
 

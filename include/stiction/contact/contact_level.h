@@ -15,6 +15,7 @@
 namespace stiction
 {
   class ContactSurface;
+  struct ContactState;
   class LinearElasticity;
   class MeshHierarchy;
   class MeshLevel;
@@ -132,6 +133,11 @@ namespace stiction
     scales(const LA::Vector &u,
            const LA::Vector &R,
            const Eigen::VectorXd &lambda) const;
+
+    /// Whether forces of this size are rounding: far less than the displacement
+    /// would take if it strained the body. Collective.
+    bool
+    carries_rounding_only(const ContactState &state, double force_scale) const;
 
     /// Σ‖v_j‖ over the nodes but contact nodes and prescribed ones. Collective.
     double

@@ -85,7 +85,10 @@ namespace stiction
 
     /// The method of multipliers from this state on.
     void
-    fall_back(ContactState &state, double residual, double tolerance);
+    fall_back(ContactState &state,
+              double residual,
+              double tolerance,
+              unsigned int max_steps);
 
     const ContactLevel &problem_;
     const unsigned int level_;

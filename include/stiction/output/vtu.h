@@ -3,6 +3,8 @@
 
 #include <stiction/elasticity/linear_algebra.h>
 
+#include <mpi.h>
+
 #include <string>
 
 namespace stiction
@@ -17,6 +19,11 @@ namespace stiction
   write_solution(const std::string &directory,
                  const LinearElasticity &elasticity,
                  const LA::Vector &u);
+
+  /// Removes the index files that an earlier run left of the body, so that they
+  /// are not taken for those of this one.
+  void
+  remove_solution(const std::string &directory, MPI_Comm communicator);
 
   /// Writes contact.pvtu (with its pieces and contact.pvd): the contact
   /// boundary with pressure, traction on the body, slip, gap, status, area
