@@ -160,7 +160,10 @@ namespace stiction
             return now.reduction <= linear_accuracy;
           });
         ++effort.newton_steps;
-        if (!search(state, before))
+        // near the end the slope is rounding: then the residual decides
+        if (!search(state, before) &&
+            ContactResidual(problem_, state, qp::SlipBound::given(slip_bound_))
+                .value() > residual.value())
           {
             state = before;
             break;
