@@ -257,44 +257,53 @@ namespace stiction
   void
   ContactProblem::certify()
   {
+    // the dual iteration had its last iterate judged already
     if (newton_)
+      judge_displacement();
+    compute_duality_gap();
+  }
+
+
+
+  void
+  ContactProblem::judge_displacement()
+  {
+    // the duality gap needs a few digits of one more solve only
+    stiffness_solver_ =
+      std::make_unique<MultigridSolver>(*elasticity_,
+                                        newton_->free_preconditioner(),
+                                        newton_->finest_level(),
+                                        duality_gap_accuracy);
+    judge_ =
+      std::make_unique<BodyJudge>(*elasticity_, *surface_, *stiffness_solver_);
+    judge_->judge(newton_->displacement(), solution_->lambda);
+    solution_->converged =
+      judge_->certificate().converged(parameters_.contact_solver.tolerance);
+    if (!solution_->converged && solution_->reason.empty())
+      solution_->reason = "the certificate measures more than the iteration "
+                          "did, raise 'Contact solver/Tolerance'";
+  }
+
+
+
+  void
+  ContactProblem::compute_duality_gap()
+  {
+    if (newton_ && !solution_->lambda.allFinite())
+      return;
+    try
       {
-        // the bound needs a few digits of one more solve only
-        stiffness_solver_ =
-          std::make_unique<MultigridSolver>(*elasticity_,
-                                            newton_->free_preconditioner(),
-                                            newton_->finest_level(),
-                                            duality_gap_accuracy);
-        judge_ = std::make_unique<BodyJudge>(
-          *elasticity_, *surface_, *stiffness_solver_);
-        judge_->judge(newton_->displacement(), solution_->lambda);
-        solution_->converged =
-          judge_->certificate().converged(parameters_.contact_solver.tolerance);
-        if (!solution_->converged && solution_->reason.empty())
-          solution_->reason =
-            "the certificate measures more than the iteration "
-            "did, raise 'Contact solver/Tolerance'";
+        judge_->certificate().compute_duality_gap(judge_->displacement(),
+                                                  *stiffness_solver_);
       }
-    // the other figures of the dual methods were computed when the iteration
-    // asked for them
-    if (!newton_)
-      judge_->certificate().compute_duality_gap(judge_->displacement(),
-                                                *stiffness_solver_);
-    else if (solution_->lambda.allFinite())
+    catch (const std::runtime_error &)
       {
-        try
-          {
-            judge_->certificate().compute_duality_gap(judge_->displacement(),
-                                                      *stiffness_solver_);
-          }
-        catch (const std::runtime_error &)
-          {
-            // A figure that only informs: on very flat cells conjugate
-            // gradients may fail where the method itself did not.
-            log_->line(
-              "The duality gap was not computed: its elastic solve did "
-              "not converge.");
-          }
+        if (!newton_)
+          throw;
+        // A figure that only informs: on very flat cells conjugate gradients
+        // may fail where the method itself did not.
+        log_->line("The duality gap was not computed: its elastic solve did "
+                   "not converge.");
       }
   }
 

@@ -106,6 +106,10 @@ namespace stiction
     void
     certify();
     void
+    judge_displacement();
+    void
+    compute_duality_gap();
+    void
     measure_yardsticks();
     void
     output_results();
