@@ -1,6 +1,7 @@
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/level_newton.h>
 #include <stiction/contact/nodal_blocks.h>
+#include <stiction/qp/slip_bound.h>
 
 #include <algorithm>
 #include <array>
@@ -155,11 +156,11 @@ namespace stiction
       const double linear =
         std::max(now.residual / force_scale,
                  largest_at_nodes(now.contact_residual, scaling.force));
-      const ContactConditions conditions(
-        now.lambda, -now.w, problem_.slip_bound().at(now.lambda), scaling);
       return linear <=
              std::max(linear_part_of_tolerance * tolerance,
-                      linear_part * conditions.contact_figures().kkt_residual);
+                      linear_part *
+                        qp::natural_residual(
+                          now.lambda, -now.w, problem_.slip_bound(), scaling));
     };
     statistics_.krylov_iterations +=
       system_.solve(state, linearization, is_enough);

@@ -36,6 +36,19 @@ namespace stiction
     {
       return size > 0. ? std::ldexp(1., std::ilogb(size)) : 1.;
     }
+    // Whether a solver made for one serves the other: the same directions are
+    // held, and the springs differ by little.
+    bool
+    are_alike(const NodalSupports &a, const NodalSupports &b)
+    {
+      constexpr double little = 0.1;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].projection != b[i].projection ||
+            (a[i].spring - b[i].spring).squaredNorm() >
+              little * little * a[i].spring.squaredNorm())
+          return false;
+      return true;
+    }
   } // namespace
 
 
@@ -56,12 +69,14 @@ namespace stiction
       for (std::size_t i = 0; i < first_dofs.size(); ++i)
         if (mesh.partitioner()->in_local_range(first_dofs[i]))
           nodes.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
-      set_supports(NodalSupports(first_dofs.size()));
+      supports.resize(first_dofs.size()); // those of a new solver
     }
 
     void
     set_supports(const NodalSupports &new_supports)
     {
+      if (are_alike(supports, new_supports))
+        return;
       supports = new_supports;
       solver.set_supports(supports);
     }
