@@ -12,8 +12,9 @@ namespace stiction
     add_parameter("Type",
                   type,
                   "The shape of the body. brick: (0,Lx) x (0,Ly) x (0,Lz). Its "
-                  "faces have the boundary ids 0: x = 0, 1: x = Lx, 2: y = 0, "
-                  "3: y = Ly, 4: z = 0, 5: z = Lz.",
+                  "faces have the boundary ids and names 0 left: x = 0, "
+                  "1 right: x = Lx, 2 front: y = 0, 3 back: y = Ly, 4 bottom: "
+                  "z = 0, 5 top: z = Lz.",
                   prm,
                   Patterns::Selection("brick"));
     add_parameter("Lengths",
@@ -100,24 +101,27 @@ namespace stiction
   {
     add_parameter("Prescribed displacement",
                   prescribed_displacement,
-                  "Boundary id and displacement, 'id : ux; uy; uz', several "
-                  "separated by '|'. Each component is a formula in x, y, z. "
+                  "Boundary and displacement, 'boundary : ux; uy; uz', several "
+                  "separated by '|'. A boundary is given by its number or its "
+                  "name. Each component is a formula in x, y, z, or 'free': "
+                  "'left : 0; free; free' is a roller or a plane of symmetry. "
                   "Unit: m. Zeros clamp the face.",
                   prm,
                   Patterns::Anything());
     add_parameter("Traction",
                   traction,
-                  "Boundary id and traction on the body, 'id : tx; ty; tz', "
+                  "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
                   "y, z. Unit: Pa.",
                   prm,
                   Patterns::Anything());
-    add_parameter("Contact boundary",
-                  contact_boundary,
-                  "Id of the boundary that may touch the rigid foundation, "
-                  "which lies opposite to it along its outward normal.",
-                  prm,
-                  Patterns::Integer(0));
+    add_parameter(
+      "Contact boundary",
+      contact_boundary,
+      "Name or number of the boundary that may touch the rigid foundation, "
+      "which lies opposite to it along its outward normal.",
+      prm,
+      Patterns::Anything());
     add_parameter("Initial gap",
                   initial_gap,
                   "Distance from the undeformed contact boundary to the "

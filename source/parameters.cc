@@ -157,21 +157,37 @@ namespace stiction
             geometry.entry_of_size(),
             too_many.str());
 
-    // n/m of the table come out only with the face clamped that goes with it
-    const auto displacement = parse_boundary_functions(
-      boundary.prescribed_displacement,
-      source.locate("Boundary conditions/Prescribed displacement"));
-    const unsigned int clamped = geometry.table_1_reading == "nodes" ? 2 : 0;
-    require(geometry.table_1_level == 0 ||
-              (displacement.size() == 1 && displacement.count(clamped) == 1 &&
-               boundary.contact_boundary == 4),
-            "Geometry/Table 1 reading",
-            "does not match the boundary conditions, this reading needs "
-            "'Prescribed displacement' on boundary " +
-              std::to_string(clamped) + " alone and 'Contact boundary = 4'");
-
+    check_table_1();
     check_method(friction.law() == FrictionLaw::coulomb);
     check_solvers();
+  }
+
+
+
+  void
+  Parameters::check_table_1() const
+  {
+    if (geometry.table_1_level == 0)
+      return;
+
+    // n/m of the table come out only with the face clamped that goes with it
+    const BoundaryNames names = BoundaryNames::brick();
+    const auto displacement   = parse_boundary_functions(
+      boundary.prescribed_displacement,
+      source.locate("Boundary conditions/Prescribed displacement"),
+      names,
+      3,
+      true);
+    const unsigned int clamped = geometry.table_1_reading == "nodes" ? 2 : 0;
+    require(
+      displacement.size() == 1 && displacement.count(clamped) == 1 &&
+        displacement.at(clamped).components.n_selected_components() == 3 &&
+        names.id(boundary.contact_boundary,
+                 source.locate("Boundary conditions/Contact boundary")) == 4,
+      "Geometry/Table 1 reading",
+      "does not match the boundary conditions, this reading needs "
+      "'Prescribed displacement' on boundary " +
+        std::to_string(clamped) + " alone and 'Contact boundary = 4'");
   }
 
 

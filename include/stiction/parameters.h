@@ -61,8 +61,8 @@ namespace stiction
 
     std::string prescribed_displacement = "2 : 0; 0; 0";
     std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
-    int contact_boundary = 4;
-    std::string initial_gap = "0";
+    std::string contact_boundary = "4";
+    std::string initial_gap      = "0";
   };
 
   struct FrictionParameters : dealii::ParameterAcceptor
@@ -207,6 +207,10 @@ namespace stiction
     /// other. Throws InputError.
     void
     check_body() const;
+
+    /// The part of it about a row of Table 1, which wants its own boundaries.
+    void
+    check_table_1() const;
 
     /// The part of it about solvers that need each other.
     void

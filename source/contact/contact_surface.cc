@@ -33,12 +33,12 @@ namespace stiction
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const Parameters &parameters)
-    : boundary_id_(parameters.boundary.contact_boundary)
-    , law_(parameters.friction.law())
+    : law_(parameters.friction.law())
   {
     const std::string entry = "Boundary conditions/Contact boundary";
-    elasticity.body().require_boundary(boundary_id_,
-                                       parameters.source.locate(entry));
+    boundary_id_            = elasticity.body().boundary_names().id(
+      dealii::Utilities::trim(parameters.boundary.contact_boundary),
+      parameters.source.locate(entry));
     collect_nodes(elasticity);
     if (nodes_.empty())
       throw InputError(parameters.source.describe(entry) +

@@ -1,13 +1,10 @@
 #include <stiction/elasticity/body.h>
-#include <stiction/errors.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
-
-#include <algorithm>
 
 namespace stiction
 {
@@ -38,6 +35,7 @@ namespace stiction
       corner[d] = geometry.lengths[d];
     GridGenerator::subdivided_hyper_rectangle(
       triangulation_, geometry.subdivisions, Point<3>(), corner, true);
+    boundary_names_ = BoundaryNames::brick();
 
     // the coarse mesh is known to every rank, so this needs no communication
     bounding_box_ = GridTools::compute_bounding_box(triangulation_);
@@ -77,21 +75,5 @@ namespace stiction
               node.dofs[c] = cell->vertex_dof_index(v, c);
             node.position = cell->vertex(v);
           }
-  }
-
-
-
-  void
-  Body::require_boundary(const types::boundary_id id,
-                         const std::string &location) const
-  {
-    const auto ids = triangulation_.get_boundary_ids();
-    if (std::find(ids.begin(), ids.end(), id) != ids.end())
-      return;
-    std::string known;
-    for (const auto other : ids)
-      known += (known.empty() ? "" : ", ") + std::to_string(other);
-    throw InputError(location + ": the mesh has no boundary " +
-                     std::to_string(id) + ", it has " + known + ".");
   }
 } // namespace stiction

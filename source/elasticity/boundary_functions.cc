@@ -102,6 +102,25 @@ namespace stiction
           parts.emplace_back();
       return parts;
     }
+
+    // Zeros in place of components that are 'free', which are taken out of the
+    // mask.
+    std::string
+    mark_free(const std::string &formulas, dealii::ComponentMask &components)
+    {
+      if (formulas.find("free") == std::string::npos)
+        return formulas;
+      std::string marked;
+      const auto parts = dealii::Utilities::split_string_list(formulas, ';');
+      for (unsigned int c = 0; c < parts.size(); ++c)
+        {
+          const bool is_free = trim(parts[c]) == "free";
+          if (is_free && c < components.size())
+            components.set(c, false);
+          marked += (c > 0 ? ";" : "") + (is_free ? "0" : parts[c]);
+        }
+      return marked;
+    }
   } // namespace
 
 
@@ -172,28 +191,47 @@ namespace stiction
 
 
   BoundaryFunctions
-  parse_boundary_functions(const std::string &text, const std::string &location)
+  parse_boundary_functions(const std::string &text,
+                           const std::string &location,
+                           const BoundaryNames &names,
+                           const unsigned int n_components,
+                           const bool may_be_free)
   {
     BoundaryFunctions functions;
     if (trim(text).empty())
       return functions;
 
+    std::string form = "'boundary : f";
+    for (unsigned int c = 0; c < n_components && n_components > 1; ++c)
+      form += std::string(c > 0 ? "; f" : "") + "xyz"[c];
+    form += "'";
+
     for (const std::string &part : split_at_bars(text))
       {
         const std::size_t colon = part.find(':');
         const std::string name  = trim(part.substr(0, colon));
-        if (colon == std::string::npos || name.empty() || name.size() > 5 ||
-            name.find_first_not_of("0123456789") != std::string::npos)
-          throw InputError(location + " = " + trim(text) +
-                           ", must read 'id : fx; fy; fz', several separated "
-                           "by '|', with a boundary id >= 0.");
-        const auto id =
-          static_cast<dealii::types::boundary_id>(std::stoul(name));
+        if (colon == std::string::npos || name.empty())
+          throw InputError(location + " = " + trim(text) + ", must read " +
+                           form +
+                           ", several separated by '|', with the name or the "
+                           "number of a boundary.");
+        const auto id = names.id(name, location + " = " + trim(text));
         if (functions.count(id) != 0)
           throw InputError(location + " = " + trim(text) + ", boundary " +
                            name + " stands twice, must stand once.");
-        functions[id] =
-          std::make_unique<ParsedFunction>(part.substr(colon + 1), 3, location);
+
+        std::string formulas = part.substr(colon + 1);
+        dealii::ComponentMask components(n_components, true);
+        if (may_be_free)
+          formulas = mark_free(formulas, components);
+        if (components.n_selected_components() == 0)
+          throw InputError(location + " = " + trim(text) + ", boundary " +
+                           name +
+                           " is free in all components, at least one must be "
+                           "a formula.");
+        functions[id] = {
+          std::make_unique<ParsedFunction>(formulas, n_components, location),
+          components};
       }
     return functions;
   }

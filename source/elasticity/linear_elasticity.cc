@@ -123,20 +123,23 @@ namespace stiction
       parameters.source.locate("Boundary conditions/Traction");
     support_location_ = displacement_location;
 
-    boundary_               = std::make_unique<BoundaryData>();
-    boundary_->displacement = parse_boundary_functions(
-      parameters.boundary.prescribed_displacement, displacement_location);
-    boundary_->traction =
-      parse_boundary_functions(parameters.boundary.traction, traction_location);
+    boundary_ = std::make_unique<BoundaryData>();
+    boundary_->displacement =
+      parse_boundary_functions(parameters.boundary.prescribed_displacement,
+                               displacement_location,
+                               body_.boundary_names(),
+                               3,
+                               true);
+    boundary_->traction = parse_boundary_functions(
+      parameters.boundary.traction, traction_location, body_.boundary_names());
 
-    for (const auto &condition : boundary_->displacement)
-      body_.require_boundary(condition.first, displacement_location);
     for (const auto &condition : boundary_->traction)
       {
-        body_.require_boundary(condition.first, traction_location);
-        if (boundary_->displacement.count(condition.first) != 0)
+        const auto prescribed = boundary_->displacement.find(condition.first);
+        if (prescribed != boundary_->displacement.end() &&
+            prescribed->second.components.n_selected_components() == 3)
           throw InputError(traction_location + ": boundary " +
-                           std::to_string(condition.first) +
+                           body_.boundary_names().describe(condition.first) +
                            " already has a prescribed displacement, a "
                            "traction there is carried by the support alone; "
                            "allowed is one of the two.");
@@ -149,8 +152,9 @@ namespace stiction
         VectorTools::interpolate_boundary_values(body_.mapping(),
                                                  body_.dof_handler(),
                                                  condition.first,
-                                                 *condition.second,
-                                                 constraints_);
+                                                 *condition.second.function,
+                                                 constraints_,
+                                                 condition.second.components);
     });
     constraints_.close();
   }
@@ -178,7 +182,7 @@ namespace stiction
                 boundary_->traction.count(face->boundary_id()) != 0)
               {
                 const ParsedFunction &traction =
-                  *boundary_->traction.at(face->boundary_id());
+                  *boundary_->traction.at(face->boundary_id()).function;
                 values.reinit(cell, face);
                 cell->get_dof_indices(indices);
                 for (const unsigned int q : values.quadrature_point_indices())

@@ -1,6 +1,8 @@
 #ifndef stiction_elasticity_body_h
 #define stiction_elasticity_body_h
 
+#include <stiction/elasticity/boundary_names.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -8,7 +10,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <array>
-#include <string>
+
 #include <vector>
 
 namespace stiction
@@ -88,11 +90,12 @@ namespace stiction
       return bounding_box_;
     }
 
-    /// Throws InputError, beginning with @p location, if no face of the mesh
-    /// has this boundary id.
-    void
-    require_boundary(dealii::types::boundary_id id,
-                     const std::string &location) const;
+    /// The boundaries of the mesh, with their names.
+    const BoundaryNames &
+    boundary_names() const
+    {
+      return boundary_names_;
+    }
 
   private:
     void
@@ -111,6 +114,7 @@ namespace stiction
     dealii::IndexSet locally_relevant_dofs_;
     std::vector<Node> nodes_;
     dealii::BoundingBox<3> bounding_box_;
+    BoundaryNames boundary_names_;
   };
 } // namespace stiction
 

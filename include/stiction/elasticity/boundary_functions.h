@@ -1,8 +1,11 @@
 #ifndef stiction_elasticity_boundary_functions_h
 #define stiction_elasticity_boundary_functions_h
 
+#include <stiction/elasticity/boundary_names.h>
+
 #include <deal.II/base/function.h>
 #include <deal.II/base/types.h>
+#include <deal.II/fe/component_mask.h>
 
 #include <map>
 #include <memory>
@@ -44,20 +47,36 @@ namespace stiction
 
 
 
+  /// What a user says about a boundary: a vector of formulas.
+  struct BoundaryFunction
+  {
+    std::unique_ptr<ParsedFunction> function;
+    /// Which components are spoken of; the others are said to be 'free'.
+    dealii::ComponentMask components;
+  };
+
   /// Vector-valued formulas by boundary id.
   using BoundaryFunctions =
-    std::map<dealii::types::boundary_id, std::unique_ptr<ParsedFunction>>;
+    std::map<dealii::types::boundary_id, BoundaryFunction>;
 
 
 
-  /// Reads 'id : fx; fy; fz | id : fx; fy; fz ...'; an empty text gives an
-  /// empty map. '||' is muParser's "or" and does not separate.
+  /// Reads 'boundary : fx; fy; fz | boundary : fx; fy; fz ...', a boundary
+  /// being a name or a number; an empty text gives an empty map. '||' is
+  /// muParser's "or" and does not separate.
   ///
-  /// Throws InputError for an id that is not a number or stands twice, and as
-  /// ParsedFunction.
+  /// @param n_components formulas for each boundary.
+  /// @param may_be_free whether 'free' may stand in place of a formula (but not
+  ///   of all).
+  ///
+  /// Throws InputError for a boundary that the mesh does not have or that
+  /// stands twice, and as ParsedFunction.
   BoundaryFunctions
   parse_boundary_functions(const std::string &text,
-                           const std::string &location);
+                           const std::string &location,
+                           const BoundaryNames &names,
+                           unsigned int n_components = 3,
+                           bool may_be_free          = false);
 } // namespace stiction
 
 #endif
