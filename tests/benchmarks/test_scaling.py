@@ -303,7 +303,7 @@ class WholeBenchmark(unittest.TestCase):
         return dict(re.findall(r"^- \((\w+)\) .*\*\*(.*)\*\*", text, re.MULTILINE))
 
     def test_everything_is_met(self):
-        sizes = "8x5x1r3,4x3x1r5,4x3x1r6"
+        sizes = "8x5x1r3,4x3x1r4,4x3x1r5,4x3x1r6"
         status, said, complained = self.call("--sizes", sizes, "--repeat", "1")
         self.assertEqual((status, complained), (0, ""), said)
         self.assertEqual(set(self.verdicts().values()), {"met"}, said)
@@ -323,7 +323,7 @@ class WholeBenchmark(unittest.TestCase):
         self.assertFalse([n for n in os.listdir(self.folder) if "running" in n])
 
     def test_nothing_is_met(self):
-        sizes = "8x5x1r3,4x3x1r5,4x3x1r6"
+        sizes = "8x5x1r3,4x3x1r4,4x3x1r5,4x3x1r6"
         options = ["--sizes", sizes, "--repeat", "1", "--getfem-yardstick", "1"]
         status, said, _ = self.call(*options, fault="everything")
         self.assertEqual(status, 0, said)
