@@ -51,6 +51,11 @@ namespace stiction
   {
     MaterialParameters();
 
+    /// Whether all materials are isotropic and volume strains pointwise: then
+    /// Lamé's two numbers say all of a cell.
+    bool
+    is_simple() const;
+
     double youngs_modulus     = 2.119e11;
     double poisson_ratio      = 0.277;
     double density            = 7850.;

@@ -24,6 +24,7 @@ namespace stiction
                        const PrescribedDisplacement &prescribed,
                        const Parameters &parameters,
                        const std::string &name,
+                       const std::string &load_name,
                        const std::string &text,
                        const unsigned int n_components)
     {
@@ -41,7 +42,7 @@ namespace stiction
           throw InputError(location + ": boundary " +
                            body.boundary_names().describe(load.first) +
                            " already has a prescribed displacement, a " +
-                           Utilities::to_lower(name) +
+                           load_name +
                            " there is carried by the support alone; "
                            "allowed is one of the two.");
       return functions;
@@ -69,12 +70,14 @@ namespace stiction
                                    prescribed,
                                    parameters,
                                    "Traction",
+                                   "traction",
                                    parameters.boundary.traction,
                                    3))
     , pressure_(read_boundary_load(body,
                                    prescribed,
                                    parameters,
                                    "Pressure",
+                                   "pressure",
                                    parameters.boundary.pressure,
                                    1))
     , body_force_(read_volume_load(parameters,

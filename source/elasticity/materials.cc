@@ -7,10 +7,14 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,13 +102,10 @@ namespace stiction
     };
 
     Material
-    read_material(const MaterialList &list,
-                  const std::string &name,
-                  const std::vector<std::string> &words,
-                  const double density)
+    read_isotropic(const MaterialList &list,
+                   const std::string &name,
+                   const std::vector<std::string> &words)
     {
-      if (words.size() != 3 || words[0] != "isotropic")
-        list.refuse("material " + name + " must read " + list.form());
       const double E  = list.number(words[1]);
       const double nu = list.number(words[2]);
       if (!is_sane(E))
@@ -113,21 +114,110 @@ namespace stiction
       if (!(nu > -1. && nu < 0.5))
         list.refuse("Poisson's ratio of material " + name + " is " + words[2] +
                     ", must be above -1 and below 0.5");
-      return Material(E, nu, density);
+      return Material::isotropic(E, nu);
+    }
+
+    Material
+    read_orthotropic(const MaterialList &list,
+                     const std::string &name,
+                     const std::vector<std::string> &words)
+    {
+      std::array<double, 9> numbers{};
+      for (unsigned int i = 0; i < 9; ++i)
+        {
+          numbers[i] = list.number(words[i + 1]);
+          if ((i < 3 || i >= 6) && !is_sane(numbers[i]))
+            list.refuse("a modulus of material " + name + " is " +
+                        words[i + 1] +
+                        ", must be a number > 0 Pa, from 1e-30 to 1e30");
+        }
+      try
+        {
+          return Material::orthotropic(numbers);
+        }
+      catch (const std::domain_error &)
+        {
+          list.refuse("material " + name +
+                      " would give energy when strained, nu12^2 E2/E1, nu13^2 "
+                      "E3/E1, nu23^2 E3/E2 and their sum with 2 nu12 nu13 nu23 "
+                      "E3/E1 must be below 1");
+        }
+    }
+
+    Material
+    read_material(const MaterialList &list,
+                  const std::string &name,
+                  const std::vector<std::string> &words)
+    {
+      if (words.size() == 3 && words[0] == "isotropic")
+        return read_isotropic(list, name, words);
+      if (words.size() == 10 && words[0] == "orthotropic")
+        return read_orthotropic(list, name, words);
+      list.refuse("material " + name + " must read " + list.form());
     }
   } // namespace
 
 
 
-  Material::Material(const double youngs_modulus,
-                     const double poisson_ratio,
-                     const double density)
-    : youngs_modulus(youngs_modulus)
-    , lame_lambda(youngs_modulus * poisson_ratio /
-                  ((1. + poisson_ratio) * (1. - 2. * poisson_ratio)))
-    , shear_modulus(youngs_modulus / (2. * (1. + poisson_ratio)))
-    , density(density)
+  Material
+  Material::isotropic(const double E, const double nu)
   {
+    Material material;
+    material.is_isotropic   = true;
+    material.lame_lambda    = E * nu / ((1. + nu) * (1. - 2. * nu));
+    material.shear_modulus  = E / (2. * (1. + nu));
+    material.youngs_modulus = E;
+
+    const auto unit = dealii::unit_symmetric_tensor<3>();
+    material.stiffness =
+      material.lame_lambda * outer_product(unit, unit) +
+      2. * material.shear_modulus * dealii::identity_tensor<3>();
+    return material;
+  }
+
+
+
+  Material
+  Material::orthotropic(const std::array<double, 9> &E1_to_G23)
+  {
+    const double *const E  = &E1_to_G23[0];
+    const double *const nu = &E1_to_G23[3];
+    const double *const G  = &E1_to_G23[6];
+
+    // the compliance of the normal strains, without units: times √(E_a E_b)
+    Eigen::Matrix3d compliance = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d root;
+    unsigned int pair = 0; // 12, 13, 23
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        root(a) = std::sqrt(E[a]);
+        for (unsigned int b = a + 1; b < 3; ++b, ++pair)
+          compliance(a, b) = compliance(b, a) =
+            -nu[pair] * std::sqrt(E[b] / E[a]);
+      }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(compliance);
+    if (!(eigen.eigenvalues()(0) > 1e-10))
+      throw std::domain_error("the stiffness is not positive definite");
+    const Eigen::Matrix3d normal =
+      root.asDiagonal() * compliance.inverse() * root.asDiagonal();
+
+    Material material;
+    material.is_isotropic   = false;
+    material.lame_lambda    = 0.;
+    material.shear_modulus  = std::max({G[0], G[1], G[2]});
+    material.youngs_modulus = std::max({E[0], E[1], E[2]});
+    pair                    = 0;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        material.stiffness[a][a][a][a] = normal(a, a);
+        for (unsigned int b = a + 1; b < 3; ++b, ++pair)
+          {
+            material.stiffness[a][a][b][b] = normal(a, b);
+            material.stiffness[b][b][a][a] = normal(a, b);
+            material.stiffness[a][b][a][b] = G[pair];
+          }
+      }
+    return material;
   }
 
 
@@ -135,29 +225,34 @@ namespace stiction
   dealii::SymmetricTensor<2, 3>
   Material::stress(const dealii::SymmetricTensor<2, 3> &strain) const
   {
-    return lame_lambda * trace(strain) *
-             dealii::unit_symmetric_tensor<3, double>() +
-           2. * shear_modulus * strain;
+    if (is_isotropic)
+      return lame_lambda * trace(strain) *
+               dealii::unit_symmetric_tensor<3, double>() +
+             2. * shear_modulus * strain;
+    return stiffness * strain;
   }
 
 
 
   Materials::Materials(const Body &body, const Parameters &parameters)
   {
-    const Material common(parameters.material.youngs_modulus,
-                          parameters.material.poisson_ratio,
-                          parameters.material.density);
+    Material common = Material::isotropic(parameters.material.youngs_modulus,
+                                          parameters.material.poisson_ratio);
+    common.density  = parameters.material.density;
     for (const material_id id : body.material_names().ids())
       by_id_.emplace(id, common);
 
     const MaterialList materials(parameters,
                                  "Material/Materials",
                                  parameters.material.materials,
-                                 "'material : isotropic; E; nu'");
+                                 "'material : isotropic; E; nu' or 'material : "
+                                 "orthotropic; E1; E2; E3; nu12; nu13; nu23; "
+                                 "G12; G13; G23'");
     materials.for_each(
       body,
       [&](const material_id id, const std::string &name, const auto &words) {
-        by_id_.at(id) = read_material(materials, name, words, common.density);
+        by_id_.at(id)         = read_material(materials, name, words);
+        by_id_.at(id).density = common.density;
       });
 
     const MaterialList densities(parameters,

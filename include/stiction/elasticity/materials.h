@@ -4,6 +4,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/types.h>
 
+#include <array>
 #include <map>
 
 namespace stiction
@@ -12,18 +13,42 @@ namespace stiction
   class Parameters;
   struct HexahedralCell;
 
-  /// What a part of the body is made of: isotropic, linear elastic.
+  /// What a part of the body is made of: linear elastic.
   struct Material
   {
-    /// From Young's modulus in Pa and Poisson's ratio.
-    Material(double youngs_modulus, double poisson_ratio, double density);
+    /// @param youngs_modulus, poisson_ratio in Pa; from -1 to 0.5 without the
+    ///   ends.
+    static Material
+    isotropic(double youngs_modulus, double poisson_ratio);
+
+    /// With the axes x, y, z.
+    ///
+    /// @param E1_to_G23 E1, E2, E3; ν12, ν13, ν23; G12, G13, G23; moduli in Pa.
+    ///   ν12 is the contraction along 2 under a tension along 1, so that the
+    ///   compliance has -ν12/E1 in row 1, column 2.
+    ///
+    /// Throws std::domain_error if the stiffness is not positive definite.
+    static Material
+    orthotropic(const std::array<double, 9> &E1_to_G23);
 
     /// Of a small strain. Unit: Pa.
     dealii::SymmetricTensor<2, 3>
     stress(const dealii::SymmetricTensor<2, 3> &strain) const;
 
-    /// Pa and kg/m³; lame_lambda and shear_modulus are Lamé's λ and G = μ.
-    double youngs_modulus, lame_lambda, shear_modulus, density;
+    bool is_isotropic;
+
+    /// Lamé's λ and G = μ if it is isotropic; otherwise G is the largest one.
+    /// Unit: Pa.
+    double lame_lambda, shear_modulus;
+
+    /// In the direction where it is largest. Unit: Pa.
+    double youngs_modulus;
+
+    /// σ = stiffness : ε. Unit: Pa.
+    dealii::SymmetricTensor<4, 3> stiffness;
+
+    /// Unit: kg/m³.
+    double density = 0.;
   };
 
 
