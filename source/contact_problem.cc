@@ -8,6 +8,7 @@
 #include <stiction/contact_problem.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
@@ -134,6 +135,7 @@ namespace stiction
                                                                     : "s"));
     require_memory_for_mesh(parameters_, communicator_);
     body_ = std::make_unique<Body>(parameters_.geometry, communicator_);
+    assign_material_ids(*body_, parameters_);
     log_->line(
       format("Body: %llu cells, %llu nodes, %llu unknowns",
              static_cast<unsigned long long>(

@@ -92,6 +92,48 @@ namespace stiction
                   "approaches 0.5.",
                   prm,
                   Patterns::Double());
+    add_parameter("Density",
+                  density,
+                  "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
+                  "makes weight. Unit: kg/m^3.",
+                  prm,
+                  Patterns::Double());
+    add_parameter(
+      "Materials",
+      materials,
+      "Materials other than the one above, by the id or name they "
+      "have in the mesh: 'material : isotropic; E; nu' or 'material "
+      ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
+      "with the axes x, y, z, nu12 being the contraction along y "
+      "under a pull along x, several separated by '|'. Cells of any other "
+      "material have the "
+      "numbers above. Empty: so have all cells.",
+      prm,
+      Patterns::Anything());
+    add_parameter("Densities",
+                  densities,
+                  "Mass densities other than the one above: 'material : "
+                  "density', several separated by '|'. Unit: kg/m^3.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Material ids",
+                  material_ids,
+                  "Which material is where, as a formula in x, y, z, t: its "
+                  "value at the centre of a coarse cell, an integer from 0 to "
+                  "1000, is the material id of that cell, 'if(z < 0.5, 0, 1)' "
+                  "makes two layers. Empty: the ids that the mesh has; all "
+                  "cells of a brick have 0.",
+                  prm,
+                  Patterns::Anything());
+  }
+
+
+
+  bool
+  MaterialParameters::is_simple() const
+  {
+    return volume_strain == "pointwise" &&
+           materials.find("orthotropic") == std::string::npos;
   }
 
 
@@ -103,7 +145,7 @@ namespace stiction
                   prescribed_displacement,
                   "Boundary and displacement, 'boundary : ux; uy; uz', several "
                   "separated by '|'. A boundary is given by its number or its "
-                  "name. Each component is a formula in x, y, z, or 'free': "
+                  "name. Each component is a formula in x, y, z, t, or 'free': "
                   "'left : 0; free; free' is a roller or a plane of symmetry. "
                   "Unit: m. Zeros clamp the face.",
                   prm,
@@ -112,9 +154,37 @@ namespace stiction
                   traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
-                  "y, z. Unit: Pa.",
+                  "y, z, t. Unit: Pa.",
                   prm,
                   Patterns::Anything());
+    add_parameter("Pressure",
+                  pressure,
+                  "Boundary and pressure, 'boundary : p', several separated by "
+                  "'|': acts against the outward normal of the undeformed "
+                  "face, in addition to a traction. A formula in x, y, z, t. "
+                  "Unit: Pa.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Body force",
+                  body_force,
+                  "Force on the volume, 'fx; fy; fz', each a formula in x, y, "
+                  "z, t. Empty: none. Unit: N/m^3.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Gravity",
+                  gravity,
+                  "Acceleration 'gx; gy; gz', each a formula in x, y, z, t, "
+                  "whose product with the density is a force on the volume, in "
+                  "addition to 'Body force'. '0; 0; -9.81' is weight along -z. "
+                  "Empty: none. Unit: m/s^2.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Time",
+                  time,
+                  "The value of t in all formulas: how far the loads have "
+                  "grown, or a time in s. The problem itself is static.",
+                  prm,
+                  Patterns::Double());
     add_parameter(
       "Contact boundary",
       contact_boundary,
@@ -122,13 +192,14 @@ namespace stiction
       "which lies opposite to it along its outward normal.",
       prm,
       Patterns::Anything());
-    add_parameter("Initial gap",
-                  initial_gap,
-                  "Distance from the undeformed contact boundary to the "
-                  "foundation along the outward normal, a formula in x, y, z. "
-                  "Negative: initial interference. Unit: m.",
-                  prm,
-                  Patterns::Anything());
+    add_parameter(
+      "Initial gap",
+      initial_gap,
+      "Distance from the undeformed contact boundary to the "
+      "foundation along the outward normal, a formula in x, y, z, t. "
+      "Negative: initial interference. Unit: m.",
+      prm,
+      Patterns::Anything());
   }
 
 
@@ -144,17 +215,19 @@ namespace stiction
                   "contact pressure.",
                   prm,
                   Patterns::Selection("frictionless|given|coulomb"));
-    add_parameter("Coefficient",
-                  coefficient,
-                  "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z.",
-                  prm,
-                  Patterns::Anything());
-    add_parameter("Slip stress",
-                  slip_stress,
-                  "Slip stress >= 0 of given friction, a formula in x, y, z. "
-                  "Unit: Pa.",
-                  prm,
-                  Patterns::Anything());
+    add_parameter(
+      "Coefficient",
+      coefficient,
+      "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Slip stress",
+      slip_stress,
+      "Slip stress >= 0 of given friction, a formula in x, y, z, t. "
+      "Unit: Pa.",
+      prm,
+      Patterns::Anything());
   }
 
 

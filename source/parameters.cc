@@ -3,6 +3,7 @@
 #include <stiction/parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace stiction
@@ -149,6 +150,12 @@ namespace stiction
     require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
+    require(material.density == 0. || is_sane(material.density),
+            "Material/Density",
+            "must be 0 or a number > 0 kg/m^3, from 1e-30 to 1e30");
+    require(std::abs(boundary.time) <= 1e30,
+            "Boundary conditions/Time",
+            "must be a number of at most 1e30");
 
     std::ostringstream too_many;
     too_many << "makes " << geometry.n_cells() << " cells, allowed are at most "

@@ -51,8 +51,18 @@ namespace stiction
   {
     MaterialParameters();
 
-    double youngs_modulus = 2.119e11;
-    double poisson_ratio  = 0.277;
+    /// Whether all materials are isotropic and volume strains pointwise: then
+    /// Lamé's two numbers say all of a cell.
+    bool
+    is_simple() const;
+
+    double youngs_modulus     = 2.119e11;
+    double poisson_ratio      = 0.277;
+    double density            = 7850.;
+    std::string materials     = "";
+    std::string densities     = "";
+    std::string material_ids  = "";
+    std::string volume_strain = "pointwise";
   };
 
   struct BoundaryParameters : dealii::ParameterAcceptor
@@ -61,6 +71,10 @@ namespace stiction
 
     std::string prescribed_displacement = "2 : 0; 0; 0";
     std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
+    std::string pressure = "";
+    std::string body_force       = "";
+    std::string gravity          = "";
+    double time                  = 1.;
     std::string contact_boundary = "4";
     std::string initial_gap      = "0";
   };

@@ -4,6 +4,7 @@
 #include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
 #include <stiction/elasticity/stiffness_operator.h>
 #include <stiction/elasticity/trace_hierarchy.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace stiction
 {
@@ -38,14 +40,6 @@ namespace stiction
         for (unsigned int c = 0; c < 3; ++c)
           dofs[i + c * m] = first_dofs[i] + c;
       return Trace(std::move(dofs));
-    }
-
-    double
-    youngs_modulus(const LinearElasticity &elasticity)
-    {
-      const double lambda = elasticity.lame_lambda();
-      const double G      = elasticity.shear_modulus();
-      return G * (3. * lambda + 2. * G) / (lambda + G);
     }
 
     // Σ‖v_j‖ over chosen owned nodes of all ranks.
@@ -73,7 +67,7 @@ namespace stiction
     , trace_(surface.trace())
     , gaps_(surface.gaps())
     , areas_(surface.areas())
-    , youngs_modulus_(youngs_modulus(elasticity))
+    , youngs_modulus_(elasticity.materials().largest_youngs_modulus())
     , boundary_area_(surface.boundary_area())
     , slip_bound_(surface.slip_bound())
   {
@@ -86,6 +80,7 @@ namespace stiction
         }
     set_frames_from(surface);
     find_inner_nodes();
+    find_youngs_moduli(elasticity.materials());
     load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
   }
 
@@ -98,8 +93,7 @@ namespace stiction
                              const unsigned int level)
     : own_stiffness_(
         std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
-                                                    elasticity.lame_lambda(),
-                                                    elasticity.shear_modulus()))
+                                                    elasticity.materials()))
     , stiffness_(own_stiffness_.get())
     , own_load_(std::make_unique<LA::Vector>(
         hierarchy.level(level).zero_vector<double>()))
@@ -147,6 +141,7 @@ namespace stiction
         ? qp::SlipBound::coulomb(bound)
         : qp::SlipBound::given(weights.transpose() * finer.slip_bound_.data());
     find_inner_nodes();
+    find_youngs_moduli(elasticity.materials());
     load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
   }
 
@@ -191,6 +186,37 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       if (load_->in_local_range(trace_.dofs()[i]))
         is_inside_[mesh().local_node(trace_.dofs()[i])] = false;
+  }
+
+
+
+  void
+  ContactLevel::find_youngs_moduli(const Materials &materials)
+  {
+    youngs_moduli_ = Eigen::VectorXd::Constant(n_nodes(), youngs_modulus_);
+    if (materials.are_one())
+      return;
+    std::map<unsigned int, Eigen::Index> places; // of local nodes
+    const auto &partitioner = *mesh().partitioner();
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (partitioner.in_local_range(trace_.dofs()[i]) ||
+          partitioner.is_ghost_entry(trace_.dofs()[i]))
+        places[mesh().local_node(trace_.dofs()[i])] = i;
+    youngs_moduli_.setZero();
+    mesh().for_each_cell([&](const HexahedralCell &cell) {
+      for (const unsigned int node : cell.nodes)
+        {
+          const auto place = places.find(node);
+          if (place != places.end())
+            youngs_moduli_(place->second) =
+              std::max(youngs_moduli_(place->second),
+                       materials.of(cell.material_id).youngs_modulus);
+        }
+    });
+    const ArrayView<double> moduli(youngs_moduli_.data(),
+                                   youngs_moduli_.size());
+    Utilities::MPI::max(
+      ArrayView<const double>(moduli), mesh().communicator(), moduli);
   }
 
 

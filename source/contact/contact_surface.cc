@@ -166,7 +166,10 @@ namespace stiction
   {
     const auto read = [&](const std::string &entry,
                           const std::string &expression) {
-      return ParsedFunction(expression, 1, parameters.source.locate(entry));
+      return ParsedFunction(expression,
+                            1,
+                            parameters.source.locate(entry),
+                            parameters.boundary.time);
     };
     const ParsedFunction gap =
       read("Boundary conditions/Initial gap", parameters.boundary.initial_gap);

@@ -36,11 +36,27 @@ namespace stiction
     GridGenerator::subdivided_hyper_rectangle(
       triangulation_, geometry.subdivisions, Point<3>(), corner, true);
     boundary_names_ = BoundaryNames::brick();
+    material_names_ = BoundaryNames({0}, {});
 
     // the coarse mesh is known to every rank, so this needs no communication
     bounding_box_ = GridTools::compute_bounding_box(triangulation_);
 
     triangulation_.refine_global(geometry.global_refinement);
+  }
+
+
+
+  void
+  Body::set_material_ids(
+    const std::function<types::material_id(const Point<3> &)> &id_at)
+  {
+    std::vector<types::material_id> ids;
+    for (const auto &cell : triangulation_.cell_iterators_on_level(0))
+      ids.push_back(id_at(cell->center()));
+    std::size_t i = 0;
+    for (const auto &cell : triangulation_.cell_iterators_on_level(0))
+      cell->recursively_set_material_id(ids[i++]);
+    material_names_ = BoundaryNames({ids.begin(), ids.end()}, {});
   }
 
 

@@ -127,7 +127,8 @@ namespace stiction
 
   ParsedFunction::ParsedFunction(const std::string &expression,
                                  const unsigned int n_components,
-                                 std::string location)
+                                 std::string location,
+                                 const double time)
     : dealii::Function<3>(n_components)
     , expression_(trim(expression))
     , location_(std::move(location))
@@ -153,22 +154,32 @@ namespace stiction
       {
         const SilentErrors silence;
         parser_->initialize(
-          "x,y,z", expression_, {{"pi", dealii::numbers::PI}}, false);
+          "x,y,z,t", expression_, {{"pi", dealii::numbers::PI}}, true);
+        set_time(time);
         // muParser reads a formula when it is first evaluated
         for (unsigned int c = 0; c < n_components; ++c)
           parser_->value(dealii::Point<3>(), c);
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(location_ + " = " + expression_ +
-                         ", is not a formula in x, y, z: " + reason(exception) +
-                         ".");
+        throw InputError(
+          location_ + " = " + expression_ +
+          ", is not a formula in x, y, z, t: " + reason(exception) + ".");
       }
   }
 
 
 
   ParsedFunction::~ParsedFunction() = default;
+
+
+
+  void
+  ParsedFunction::set_time(const double time)
+  {
+    dealii::Function<3>::set_time(time);
+    parser_->set_time(time);
+  }
 
 
 
@@ -195,7 +206,8 @@ namespace stiction
                            const std::string &location,
                            const BoundaryNames &names,
                            const unsigned int n_components,
-                           const bool may_be_free)
+                           const bool may_be_free,
+                           const double time)
   {
     BoundaryFunctions functions;
     if (trim(text).empty())
@@ -229,9 +241,9 @@ namespace stiction
                            name +
                            " is free in all components, at least one must be "
                            "a formula.");
-        functions[id] = {
-          std::make_unique<ParsedFunction>(formulas, n_components, location),
-          components};
+        functions[id] = {std::make_unique<ParsedFunction>(
+                           formulas, n_components, location, time),
+                         components};
       }
     return functions;
   }

@@ -2,6 +2,7 @@
 #include <stiction/contact/contact_surface.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/errors.h>
 #include <stiction/output/files.h>
 #include <stiction/output/vtu.h>
@@ -23,28 +24,28 @@ namespace stiction
 
   namespace
   {
-    // The stress tensor of the isotropic material, all nine components for
-    // ParaView.
+    // The stress tensor, all nine components for ParaView.
     class Stress : public DataPostprocessorTensor<3>
     {
     public:
-      Stress(const double lame_lambda, const double shear_modulus)
+      explicit Stress(const Materials &materials)
         : DataPostprocessorTensor<3>("stress", update_gradients)
-        , lame_lambda_(lame_lambda)
-        , shear_modulus_(shear_modulus)
+        , materials_(materials)
       {
       }
 
+      // At a point of the cell.
       SymmetricTensor<2, 3>
-      stress(const std::vector<Tensor<1, 3>> &gradients) const
+      stress(const DataPostprocessorInputs::Vector<3> &inputs,
+             const unsigned int point) const
       {
+        const auto &gradients = inputs.solution_gradients[point];
         SymmetricTensor<2, 3> strain;
         for (unsigned int a = 0; a < 3; ++a)
           for (unsigned int b = a; b < 3; ++b)
             strain[a][b] = (gradients[a][b] + gradients[b][a]) / 2.;
-        return lame_lambda_ * trace(strain) *
-                 unit_symmetric_tensor<3, double>() +
-               2. * shear_modulus_ * strain;
+        const auto cell = inputs.template get_cell<3>();
+        return materials_.of(cell->material_id()).stress(strain);
       }
 
       void
@@ -54,7 +55,7 @@ namespace stiction
       {
         for (unsigned int p = 0; p < quantities.size(); ++p)
           {
-            const auto sigma = stress(inputs.solution_gradients[p]);
+            const auto sigma = stress(inputs, p);
             for (unsigned int a = 0; a < 3; ++a)
               for (unsigned int b = 0; b < 3; ++b)
                 quantities[p](Tensor<2, 3>::component_to_unrolled_index(
@@ -63,7 +64,7 @@ namespace stiction
       }
 
     private:
-      const double lame_lambda_, shear_modulus_;
+      const Materials &materials_;
     };
 
 
@@ -84,8 +85,7 @@ namespace stiction
       {
         for (unsigned int p = 0; p < quantities.size(); ++p)
           quantities[p](0) =
-            std::sqrt(1.5) *
-            deviator(stress_.stress(inputs.solution_gradients[p])).norm();
+            std::sqrt(1.5) * deviator(stress_.stress(inputs, p)).norm();
       }
 
     private:
@@ -278,7 +278,7 @@ namespace stiction
     with_ghosts = u;
     with_ghosts.update_ghost_values();
 
-    const Stress stress(elasticity.lame_lambda(), elasticity.shear_modulus());
+    const Stress stress(elasticity.materials());
     const VonMisesStress von_mises(stress);
     DataOut<3> out;
     out.attach_dof_handler(body.dof_handler());

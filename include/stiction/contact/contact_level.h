@@ -18,6 +18,7 @@ namespace stiction
   struct ContactState;
   class LinearElasticity;
   class MeshHierarchy;
+  class Materials;
   class MeshLevel;
   class TraceHierarchy;
   template<typename Number>
@@ -83,7 +84,7 @@ namespace stiction
     Eigen::VectorXd
     nodal_stiffness() const
     {
-      return youngs_modulus_ * areas_.cwiseSqrt();
+      return youngs_moduli_.cwiseProduct(areas_.cwiseSqrt());
     }
 
     /// Gives u its prescribed values, and v zeros in their places.
@@ -150,6 +151,9 @@ namespace stiction
     void
     find_inner_nodes();
 
+    void
+    find_youngs_moduli(const Materials &materials);
+
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
     const StiffnessOperator<double> *stiffness_;
     std::unique_ptr<LA::Vector> own_load_;
@@ -165,7 +169,8 @@ namespace stiction
     Trace trace_;
     std::vector<Eigen::Matrix3d> frames_; ///< rows n, t1, t2
     Eigen::VectorXd gaps_, areas_;
-    double youngs_modulus_;
+    Eigen::VectorXd youngs_moduli_; ///< around the nodes
+    double youngs_modulus_;         ///< the largest in the body
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
   };

@@ -10,7 +10,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <array>
-
+#include <functional>
 #include <vector>
 
 namespace stiction
@@ -97,6 +97,20 @@ namespace stiction
       return boundary_names_;
     }
 
+    /// The materials of the mesh, with their names.
+    const BoundaryNames &
+    material_names() const
+    {
+      return material_names_;
+    }
+
+    /// Gives all cells that came of a coarse cell the material id of the
+    /// centre of that coarse cell. Nothing changes if the function throws.
+    void
+    set_material_ids(
+      const std::function<dealii::types::material_id(const dealii::Point<3> &)>
+        &id_at);
+
   private:
     void
     make_grid(const GeometryParameters &geometry);
@@ -115,6 +129,7 @@ namespace stiction
     std::vector<Node> nodes_;
     dealii::BoundingBox<3> bounding_box_;
     BoundaryNames boundary_names_;
+    BoundaryNames material_names_;
   };
 } // namespace stiction
 

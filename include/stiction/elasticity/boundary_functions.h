@@ -19,7 +19,7 @@ namespace dealii
 
 namespace stiction
 {
-  /// A formula of the user in x, y, z with n components separated by ';', as
+  /// A formula of the user in x, y, z, t with n components separated by ';', as
   /// deal.II functions go. Values that are not finite are refused when they
   /// are met.
   class ParsedFunction : public dealii::Function<3>
@@ -27,13 +27,19 @@ namespace stiction
   public:
     /// @param location the beginning of a sentence about the entry, see
     ///   ParameterFile::locate().
+    /// @param time the value of t, until set_time().
     ///
     /// Throws InputError if the number of components is wrong or a component
     /// is not a formula muParser can read.
     ParsedFunction(const std::string &expression,
                    unsigned int n_components,
-                   std::string location);
+                   std::string location,
+                   double time = 1.);
     ~ParsedFunction() override;
+
+    /// Gives t another value.
+    void
+    set_time(double time) override;
 
     /// Throws InputError if the value is not a finite number.
     double
@@ -68,6 +74,7 @@ namespace stiction
   /// @param n_components formulas for each boundary.
   /// @param may_be_free whether 'free' may stand in place of a formula (but not
   ///   of all).
+  /// @param time the value of t.
   ///
   /// Throws InputError for a boundary that the mesh does not have or that
   /// stands twice, and as ParsedFunction.
@@ -76,7 +83,8 @@ namespace stiction
                            const std::string &location,
                            const BoundaryNames &names,
                            unsigned int n_components = 3,
-                           bool may_be_free          = false);
+                           bool may_be_free          = false,
+                           double time               = 1.);
 } // namespace stiction
 
 #endif

@@ -74,7 +74,8 @@ namespace stiction
     LA::VectorOf<Number>
     zero_vector() const;
 
-    /// Calls back with every cell this rank owns; the material is not set.
+    /// Calls back with every cell this rank owns, with its material id but
+    /// without Lamé's numbers, see Materials::assign().
     void
     for_each_cell(
       const std::function<void(const HexahedralCell &)> &callback) const;

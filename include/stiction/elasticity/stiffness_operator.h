@@ -8,21 +8,22 @@
 
 namespace stiction
 {
+  class Materials;
   class MeshLevel;
 
   /// The product with the stiffness matrix K of a level of the mesh, without a
-  /// matrix and without any boundary condition. Unit: N/m.
+  /// matrix and without any boundary condition.
   template<typename Number>
   class StiffnessOperator
   {
   public:
     using Vector = LA::VectorOf<Number>;
 
-    /// @param lame_lambda, shear_modulus Lamé's numbers, Pa. The level must
-    ///   outlive the object.
+    /// @param unit of the entries of K, in N/m. The level must outlive the
+    ///   object.
     StiffnessOperator(const MeshLevel &level,
-                      double lame_lambda,
-                      double shear_modulus);
+                      const Materials &materials,
+                      double unit = 1.);
 
     const MeshLevel &
     level() const
