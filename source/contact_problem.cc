@@ -133,8 +133,12 @@ namespace stiction
         dealii::Utilities::MPI::n_mpi_processes(communicator_),
         dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1 ? ""
                                                                     : "s"));
-    require_memory_for_mesh(parameters_, communicator_);
-    body_ = std::make_unique<Body>(parameters_.geometry, communicator_);
+    const auto check_size = [&](const double n_cells) {
+      require_memory_for_mesh(parameters_, n_cells, communicator_);
+    };
+    check_size(parameters_.geometry.n_cells());
+    body_ =
+      std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
     assign_material_ids(*body_, parameters_);
     log_->line(
       format("Body: %llu cells, %llu nodes, %llu unknowns",

@@ -34,8 +34,18 @@ namespace stiction
 
 
   void
-  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
+  require_memory_for_mesh(const Parameters &parameters,
+                          const double n_cells,
+                          MPI_Comm communicator)
   {
+    const std::string entry =
+      parameters.source.describe(parameters.geometry.entry_of_size());
+    if (n_cells > GeometryParameters::max_cells)
+      throw InputError(entry +
+                       format(", makes %g cells, allowed are at most %g.",
+                              n_cells,
+                              GeometryParameters::max_cells));
+
     // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
     // or what runs with ten million unknowns took without one; then all nodes
     // of all cells for the volume output.
@@ -43,16 +53,15 @@ namespace stiction
       (parameters.is_matrix_free() ? 2.2e3 : 6e3) +
       (parameters.output.write_solution ? 2.6e3 : 0.);
 
-    const double bytes     = parameters.geometry.n_cells() * bytes_per_cell;
+    const double bytes     = n_cells * bytes_per_cell;
     const double available = available_memory(communicator);
     if (bytes > available)
       throw InputError(
-        parameters.source.describe(parameters.geometry.entry_of_size()) +
-        format(", makes %.3g cells that need about %.3g GB of memory, at most "
-               "%.3g GB are here.",
-               parameters.geometry.n_cells(),
-               bytes / 1e9,
-               available / 1e9));
+        entry + format(", makes %.3g cells that need about %.3g GB of memory, "
+                       "at most %.3g GB are here.",
+                       n_cells,
+                       bytes / 1e9,
+                       available / 1e9));
   }
 
 

@@ -9,25 +9,72 @@ namespace stiction
   GeometryParameters::GeometryParameters()
     : ParameterAcceptor("Geometry")
   {
-    add_parameter("Type",
-                  type,
-                  "The shape of the body. brick: (0,Lx) x (0,Ly) x (0,Lz). Its "
-                  "faces have the boundary ids and names 0 left: x = 0, "
-                  "1 right: x = Lx, 2 front: y = 0, 3 back: y = Ly, 4 bottom: "
-                  "z = 0, 5 top: z = Lz.",
-                  prm,
-                  Patterns::Selection("brick"));
+    add_parameter(
+      "Type",
+      type,
+      "The shape of the body, with the numbers and names of its boundaries. "
+      "brick: (0,Lx) x (0,Ly) x (0,Lz), 0 left: x = 0, 1 right: x = Lx, "
+      "2 front: y = 0, 3 back: y = Ly, 4 bottom: z = 0, 5 top: z = Lz. "
+      "cylinder: around the z axis, 0 side, 1 bottom: z = 0, 2 top: z = "
+      "Length. half ball: the lower half of a ball that touches z = 0 from "
+      "above, with its centre at (0, 0, Radius), 0 curved, 1 flat: the face z "
+      "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
+      "have the numbers it gives them. file: a mesh of hexahedra from 'Mesh "
+      "file'. Refined curved boundaries follow the shape, those of a file "
+      "stay as the file has them.",
+      prm,
+      Patterns::Selection("brick|cylinder|half ball|generator|file"));
     add_parameter("Lengths",
                   lengths,
-                  "Edge lengths in x, y, z. Unit: m. The default is the "
-                  "reference brick.",
+                  "Edge lengths of the brick in x, y, z; other types ignore "
+                  "it. Unit: m. The default is the reference brick.",
                   prm,
                   Patterns::List(Patterns::Double(), 3, 3));
     add_parameter("Subdivisions",
                   subdivisions,
-                  "Number of coarse cells along x, y, z.",
+                  "Number of coarse cells of the brick along x, y, z; other "
+                  "types ignore it.",
                   prm,
                   Patterns::List(Patterns::Integer(1, 100000), 3, 3));
+    add_parameter("Radius",
+                  radius,
+                  "Radius of the cylinder or the half ball. Unit: m.",
+                  prm,
+                  Patterns::Double());
+    add_parameter("Length",
+                  length,
+                  "Length of the cylinder, from z = 0; it gets coarse cells "
+                  "about as long as its radius. Unit: m.",
+                  prm,
+                  Patterns::Double());
+    add_parameter("Generator",
+                  generator,
+                  "Name of a function of deal.II's GridGenerator that makes "
+                  "hexahedra in three dimensions, for example 'hyper_L' or "
+                  "'subdivided_hyper_cube'.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Generator arguments",
+                  generator_arguments,
+                  "Arguments of the generator after the mesh, separated by "
+                  "':', points and lists by ','. The last one is often "
+                  "'colorize': with 'true' the boundaries get different "
+                  "numbers, as deal.II documents for each generator.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Mesh file",
+                  mesh_file,
+                  "The file of the mesh, relative to the working directory: "
+                  "Gmsh (.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy "
+                  "VTK (.vtk), as text. Cells must be linear hexahedra. "
+                  "Boundaries and materials have the numbers and names of "
+                  "Gmsh's physical groups; in .inp files those of *SURFACE "
+                  "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
+                  "they come; in .vtk files the numbers of the cell data "
+                  "'MaterialID', of quadrilaterals and of hexahedra. Faces "
+                  "and cells that have none get the number 0. Unit: m.",
+                  prm,
+                  Patterns::Anything());
     add_parameter("Global refinement",
                   global_refinement,
                   "How many times every cell is cut into eight.",
@@ -37,7 +84,8 @@ namespace stiction
                   table_1_level,
                   "Row k = 1...6 (or beyond) of Table 1 of the paper: sets "
                   "Lengths, Subdivisions and Global refinement to a mesh with "
-                  "the table's numbers n/m. 0: the three entries above count.",
+                  "the table's numbers n/m, for the brick alone. 0: these "
+                  "entries count themselves.",
                   prm,
                   Patterns::Integer(0, 100));
     add_parameter("Table 1 reading",
@@ -58,6 +106,8 @@ namespace stiction
   GeometryParameters::n_cells() const
   {
     double cells = std::pow(8., global_refinement);
+    if (!is_brick())
+      return cells;
     for (const unsigned int n : subdivisions)
       cells *= n;
     return cells;
@@ -68,11 +118,24 @@ namespace stiction
   std::string
   GeometryParameters::entry_of_size() const
   {
+    if (!is_brick())
+      return global_refinement > 0 ? "Geometry/Global refinement"
+                                   : entry_of_shape();
     return table_1_level > 0 ? "Geometry/Table 1 level"
            : global_refinement == 0 ||
                n_cells() / std::pow(8., global_refinement) > max_cells
              ? "Geometry/Subdivisions"
              : "Geometry/Global refinement";
+  }
+
+
+
+  std::string
+  GeometryParameters::entry_of_shape() const
+  {
+    return type == "file"        ? "Geometry/Mesh file"
+           : type == "generator" ? "Geometry/Generator"
+                                 : "Geometry/Type";
   }
 
 

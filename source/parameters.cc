@@ -8,6 +8,19 @@
 
 namespace stiction
 {
+  namespace
+  {
+    // Numbers near the ends of the range of a double would overflow in their
+    // products; no unit system needs them.
+    bool
+    is_sane(const double value)
+    {
+      return value >= 1e-30 && value <= 1e30;
+    }
+  } // namespace
+
+
+
   Parameters::Reset::Reset()
   {
     dealii::ParameterAcceptor::clear();
@@ -29,6 +42,7 @@ namespace stiction
     if (export_directory)
       source.assign(
         "--export", "Output", "Export directory", *export_directory, prm);
+    geometry.location = source.describe(geometry.entry_of_shape());
     if (has_body)
       {
         apply_table_1_level();
@@ -101,6 +115,9 @@ namespace stiction
     const unsigned int k = geometry.table_1_level;
     if (k == 0)
       return;
+    require(geometry.is_brick(),
+            "Geometry/Table 1 level",
+            "is a brick, must be 0 for another 'Geometry/Type'");
     // refined once, so that a multigrid method finds two levels
     geometry.global_refinement = 1;
     if (geometry.table_1_reading == "nodes")
@@ -131,19 +148,7 @@ namespace stiction
   void
   Parameters::check_body() const
   {
-    // Numbers near the ends of the range of a double would overflow in their
-    // products; no unit system needs them.
-    const auto is_sane = [](const double value) {
-      return value >= 1e-30 && value <= 1e30;
-    };
-    const auto extremes =
-      std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
-    require(is_sane(*extremes.first) && is_sane(*extremes.second),
-            "Geometry/Lengths",
-            "each must be a number > 0 m, from 1e-30 to 1e30");
-    require(*extremes.second <= 1e4 * *extremes.first,
-            "Geometry/Lengths",
-            "the longest may be at most 10000 times the shortest");
+    check_geometry();
     require(is_sane(material.youngs_modulus),
             "Material/Young's modulus",
             "must be a number > 0 Pa, from 1e-30 to 1e30");
@@ -157,16 +162,43 @@ namespace stiction
             "Boundary conditions/Time",
             "must be a number of at most 1e30");
 
+    check_table_1();
+    check_method(friction.law() == FrictionLaw::coulomb);
+    check_solvers();
+  }
+
+
+
+  void
+  Parameters::check_geometry() const
+  {
+    const auto extremes =
+      std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
+    const double shortest = *extremes.first, longest = *extremes.second;
+    const bool is_cylinder = geometry.type == "cylinder";
+    require(!geometry.is_brick() || (is_sane(shortest) && is_sane(longest)),
+            "Geometry/Lengths",
+            "each must be a number > 0 m, from 1e-30 to 1e30");
+    require(!geometry.is_brick() || longest <= 1e4 * shortest,
+            "Geometry/Lengths",
+            "the longest may be at most 10000 times the shortest");
+    require((!is_cylinder && geometry.type != "half ball") ||
+              is_sane(geometry.radius),
+            "Geometry/Radius",
+            "must be a number > 0 m, from 1e-30 to 1e30");
+    require(!is_cylinder || (is_sane(geometry.length) &&
+                             geometry.length <= 1e4 * geometry.radius &&
+                             geometry.radius <= 1e4 * geometry.length),
+            "Geometry/Length",
+            "must be a number > 0 m, at most 10000 times the radius and at "
+            "least a 10000th of it");
+
     std::ostringstream too_many;
     too_many << "makes " << geometry.n_cells() << " cells, allowed are at most "
              << GeometryParameters::max_cells;
     require(geometry.n_cells() <= GeometryParameters::max_cells,
             geometry.entry_of_size(),
             too_many.str());
-
-    check_table_1();
-    check_method(friction.law() == FrictionLaw::coulomb);
-    check_solvers();
   }
 
 
@@ -178,8 +210,8 @@ namespace stiction
       return;
 
     // n/m of the table come out only with the face clamped that goes with it
-    const BoundaryNames names = BoundaryNames::brick();
-    const auto displacement   = parse_boundary_functions(
+    const MeshNames names   = MeshNames::brick_boundaries();
+    const auto displacement = parse_boundary_functions(
       boundary.prescribed_displacement,
       source.locate("Boundary conditions/Prescribed displacement"),
       names,

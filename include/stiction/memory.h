@@ -12,10 +12,12 @@ namespace stiction
   double
   available_memory(MPI_Comm communicator);
 
-  /// Throws InputError if the mesh of the parameter file cannot fit into the
-  /// memory, before it is made. Collective.
+  /// Throws InputError if a mesh of so many cells has too many for the program
+  /// or cannot fit into the memory, before it is made. Collective.
   void
-  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator);
+  require_memory_for_mesh(const Parameters &parameters,
+                          double n_cells,
+                          MPI_Comm communicator);
 
   /// Throws InputError if the dual operator in the form of the parameter file
   /// cannot fit. Collective.

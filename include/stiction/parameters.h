@@ -30,8 +30,16 @@ namespace stiction
     /// Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
     static constexpr double max_cells = 4e8;
 
+    bool
+    is_brick() const
+    {
+      return type == "brick";
+    }
+
     /// Number of cells after refinement; a double, because it may be anything
-    /// before it is checked.
+    /// before it is checked. For bodies other than the brick the least
+    /// possible: the cells that their coarse mesh has are known only when it
+    /// is there.
     double
     n_cells() const;
 
@@ -39,12 +47,26 @@ namespace stiction
     std::string
     entry_of_size() const;
 
+    /// The entry that says what the body is: the type, the generator or the
+    /// file.
+    std::string
+    entry_of_shape() const;
+
     std::string type                       = "brick";
     std::vector<double> lengths            = {4., 3., 1.};
     std::vector<unsigned int> subdivisions = {4, 3, 1};
+    double radius                          = 1.;
+    double length                          = 2.;
+    std::string generator                  = "hyper_cube";
+    std::string generator_arguments        = "0 : 1 : true";
+    std::string mesh_file                  = "";
     unsigned int global_refinement         = 1;
     unsigned int table_1_level             = 0;
     std::string table_1_reading            = "nodes";
+
+    /// The beginning of a sentence about entry_of_shape() and its value; read()
+    /// of Parameters fills it.
+    std::string location = "Geometry";
   };
 
   struct MaterialParameters : dealii::ParameterAcceptor
@@ -221,6 +243,10 @@ namespace stiction
     /// other. Throws InputError.
     void
     check_body() const;
+
+    /// The part of it about the shape and size of the body.
+    void
+    check_geometry() const;
 
     /// The part of it about a row of Table 1, which wants its own boundaries.
     void

@@ -72,15 +72,17 @@ namespace stiction
           if (cell->face(f)->at_boundary() &&
               cell->face(f)->boundary_id() == boundary_id_)
             {
-              const auto face = cell->face(f);
               values.reinit(cell, f);
-              for (const unsigned int v : face->vertex_indices())
+              for (unsigned int corner = 0; corner < 4; ++corner)
                 {
-                  const auto first = face->vertex_dof_index(v, 0);
+                  // as the cell counts, which may see its face turned
+                  const unsigned int v =
+                    GeometryInfo<3>::face_to_cell_vertices(f, corner);
+                  const auto first = cell->vertex_dof_index(v, 0);
                   Tensor<1, 3> normal;
                   double area = 0.;
-                  // vertices come first among the unknowns of a face
-                  const unsigned int i = fe.face_to_cell_index(3 * v, f);
+                  // vertices come first among the unknowns of a cell
+                  const unsigned int i = 3 * v;
                   for (const unsigned int q : values.quadrature_point_indices())
                     {
                       const double w = values.shape_value(i, q) * values.JxW(q);
@@ -95,8 +97,8 @@ namespace stiction
                   for (unsigned int c = 0; c < 3; ++c)
                     {
                       share[c] =
-                        static_cast<double>(face->vertex_dof_index(v, c));
-                      share[3 + c] = face->vertex(v)[c];
+                        static_cast<double>(cell->vertex_dof_index(v, c));
+                      share[3 + c] = cell->vertex(v)[c];
                       share[6 + c] += normal[c];
                     }
                   share[9] += area;

@@ -204,7 +204,7 @@ namespace stiction
   BoundaryFunctions
   parse_boundary_functions(const std::string &text,
                            const std::string &location,
-                           const BoundaryNames &names,
+                           const MeshNames &names,
                            const unsigned int n_components,
                            const bool may_be_free,
                            const double time)

@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_body_h
 #define stiction_elasticity_body_h
 
-#include <stiction/elasticity/boundary_names.h>
+#include <stiction/elasticity/mesh_names.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria.h>
@@ -22,8 +22,16 @@ namespace stiction
   class Body
   {
   public:
-    /// Makes the mesh and numbers the unknowns.
-    Body(const GeometryParameters &geometry, MPI_Comm communicator);
+    /// Makes the mesh and numbers the unknowns. Collective.
+    ///
+    /// @param check_size is told how many cells the mesh will have once they
+    ///   are known, before the cells are refined; it may throw.
+    ///
+    /// Throws InputError if the geometry cannot be made or its file not read,
+    /// see CoarseMesh.
+    Body(const GeometryParameters &geometry,
+         MPI_Comm communicator,
+         const std::function<void(double n_cells)> &check_size = {});
 
     MPI_Comm
     communicator() const
@@ -91,14 +99,16 @@ namespace stiction
     }
 
     /// The boundaries of the mesh, with their names.
-    const BoundaryNames &
+    const MeshNames &
     boundary_names() const
     {
       return boundary_names_;
     }
 
-    /// The materials of the mesh, with their names.
-    const BoundaryNames &
+    /// The materials of the mesh, which are the material ids of its cells,
+    /// with their names. Bodies that are not read from a file have the
+    /// material 0 without a name.
+    const MeshNames &
     material_names() const
     {
       return material_names_;
@@ -113,7 +123,11 @@ namespace stiction
 
   private:
     void
-    make_grid(const GeometryParameters &geometry);
+    make_grid(const GeometryParameters &geometry,
+              const std::function<void(double n_cells)> &check_size);
+
+    void
+    find_bounding_box();
 
     void
     distribute_dofs();
@@ -128,8 +142,8 @@ namespace stiction
     dealii::IndexSet locally_relevant_dofs_;
     std::vector<Node> nodes_;
     dealii::BoundingBox<3> bounding_box_;
-    BoundaryNames boundary_names_;
-    BoundaryNames material_names_;
+    MeshNames boundary_names_;
+    MeshNames material_names_;
   };
 } // namespace stiction
 

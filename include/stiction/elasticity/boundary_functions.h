@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_boundary_functions_h
 #define stiction_elasticity_boundary_functions_h
 
-#include <stiction/elasticity/boundary_names.h>
+#include <stiction/elasticity/mesh_names.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/types.h>
@@ -81,7 +81,7 @@ namespace stiction
   BoundaryFunctions
   parse_boundary_functions(const std::string &text,
                            const std::string &location,
-                           const BoundaryNames &names,
+                           const MeshNames &names,
                            unsigned int n_components = 3,
                            bool may_be_free          = false,
                            double time               = 1.);
