@@ -62,6 +62,7 @@ namespace stiction
     std::string prescribed_displacement = "2 : 0; 0; 0";
     std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
     std::string contact_boundary = "4";
+    std::string obstacle         = "foundation";
     std::string initial_gap      = "0";
   };
 
@@ -69,9 +70,17 @@ namespace stiction
   {
     FrictionParameters();
 
-    /// The entry Law as a value.
-    FrictionLaw
-    law() const;
+    /// The entry Law as values: one, or one a contact boundary.
+    std::vector<FrictionLaw>
+    laws() const;
+
+    /// Whether Coulomb's law holds on a contact boundary.
+    bool
+    has_coulomb() const;
+
+    /// The one law of all contact boundaries as in the entry, or 'mixed'.
+    std::string
+    name() const;
 
     std::string law_name    = "coulomb";
     std::string coefficient = "0.3";
