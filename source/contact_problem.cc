@@ -56,8 +56,7 @@ namespace stiction
     , log_(std::make_unique<Log>(communicator))
     , history_(std::make_unique<ConvergenceHistory>(
         *log_,
-        step_name(parameters.contact_solver,
-                  parameters.friction.law() == FrictionLaw::coulomb),
+        step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
         parameters.contact_solver.is_primal(),
         parameters.output.print_progress))
   {
@@ -165,6 +164,7 @@ namespace stiction
     const auto phase = phases_.scope("mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
     elasticity_->require_support();
+    const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(parameters_,
                                      3. *
                                        static_cast<double>(surface_->n_nodes()),
@@ -172,10 +172,21 @@ namespace stiction
     log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
                       static_cast<long long>(surface_->n_nodes()),
                       static_cast<long long>(3 * surface_->n_nodes()),
-                      surface_->law() == FrictionLaw::coulomb
-                        ? "Coulomb friction"
-                      : surface_->law() == FrictionLaw::given ? "given friction"
-                                                              : "no friction"));
+                      law == "coulomb" ? "Coulomb friction"
+                      : law == "given" ? "given friction"
+                      : law == "mixed" ? "several laws of friction"
+                                       : "no friction"));
+    if (surface_->n_facing_away() > 0)
+      log_->line(
+        format("  %llu nodes face away from the obstacle and are none",
+               static_cast<unsigned long long>(surface_->n_facing_away())));
+    if (!parameters_.output.export_directory.empty() &&
+        surface_->slip_bound().is_mixed())
+      throw InputError(
+        parameters_.source.describe("Output/Export directory") +
+        ", problem files know one law of friction for all nodes, "
+        "so 'Friction/Law' must not have both 'given' and "
+        "'coulomb'.");
   }
 
 
@@ -408,7 +419,7 @@ namespace stiction
         json({{"stiffness_solves", stiffness_solver_->n_solves()},
               {"krylov_iterations", stiffness_solver_->n_iterations()}}));
     summary["solver"].update(
-      json({{"law", parameters_.friction.law_name},
+      json({{"law", parameters_.friction.name()},
             {"elastic_solve_iterations",
              measured ? json(elastic_solve_iterations_) : json(nullptr)},
             {"elastic_solve_equivalents",
@@ -439,6 +450,14 @@ namespace stiction
                          judge_->certificate(),
                          parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
+    const double depth =
+      surface_->penetration_of_facing_away(judge_->displacement());
+    if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
+      log_->line(
+        format("WARNING: a node that faces away from its obstacle came "
+               "%.2g m into it; such nodes are no contact nodes, and "
+               "the certificate does not speak of them.",
+               depth));
     log_->line("Open " +
                (parameters_.output.write_solution
                   ? directory + "/solution.pvtu and "

@@ -1,5 +1,7 @@
+#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction
@@ -251,15 +253,44 @@ namespace stiction
     add_parameter(
       "Contact boundary",
       contact_boundary,
-      "Name or number of the boundary that may touch the rigid foundation, "
-      "which lies opposite to it along its outward normal.",
+      "Name or number of the boundary that may touch an obstacle, several "
+      "separated by '|'. A node that belongs to several of them is taken as "
+      "one of the first of them alone. The entries Obstacle and Initial gap "
+      "here and all those of the section Friction have one value for all "
+      "contact boundaries, or one for each, separated by '|' in the same "
+      "order.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Obstacle",
+      obstacle,
+      "What the contact boundary may touch, rigid. foundation: it lies "
+      "opposite to the boundary along its outward normal, at the distance "
+      "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
+      "its normal towards the body. sphere : cx; cy; cz; R, centre and "
+      "radius. cylinder : px; py; pz; ax; ay; az; R, infinite, by a point of "
+      "its axis, the axis' direction and the radius. R < 0: a cavity of "
+      "radius -R with the body inside. paraboloid : px; py; pz; ax; ay; az; "
+      "R, all points with s + r^2/(2R) < 0, s being the coordinate along the "
+      "axis a (towards the body) from the apex p and r the distance from the "
+      "axis; R is the radius at the apex, R < 0 a cup. formula : psi, a "
+      "function of x, y, z, t that is positive outside the obstacle. file : "
+      "NAME.stl, a surface of triangles, open or closed, whose vertices go "
+      "round counterclockwise as seen from outside (the path as the shell "
+      "sees it). Unit: m; numbers may be formulas in t. With psi the distance "
+      "from the obstacle (or the formula), a node has the normal -grad "
+      "psi/|grad psi| and the gap psi/|grad psi| where it is before "
+      "deformation, which are kept: contact is linearised. Nodes whose "
+      "outward normal is more than 84 degrees away from that normal face "
+      "away from the obstacle and cannot touch it; they must not be inside.",
       prm,
       Patterns::Anything());
     add_parameter(
       "Initial gap",
       initial_gap,
       "Distance from the undeformed contact boundary to the "
-      "foundation along the outward normal, a formula in x, y, z, t. "
+      "foundation along the outward normal, a formula in x, y, z, t; "
+      "for other obstacles it is added to their distance. "
       "Negative: initial interference. Unit: m.",
       prm,
       Patterns::Anything());
@@ -270,14 +301,16 @@ namespace stiction
   FrictionParameters::FrictionParameters()
     : ParameterAcceptor("Friction")
   {
-    add_parameter("Law",
-                  law_name,
-                  "frictionless; given: the tangential traction is at most the "
-                  "slip stress, at every node of the contact boundary (Tresca "
-                  "friction); coulomb: at most the coefficient times the "
-                  "contact pressure.",
-                  prm,
-                  Patterns::Selection("frictionless|given|coulomb"));
+    add_parameter(
+      "Law",
+      law_name,
+      "frictionless; given: the tangential traction is at most the "
+      "slip stress, at every node of the contact boundary (Tresca "
+      "friction); coulomb: at most the coefficient times the "
+      "contact pressure. One for all contact boundaries, or one for "
+      "each, separated by '|'.",
+      prm,
+      Patterns::Anything());
     add_parameter(
       "Coefficient",
       coefficient,
@@ -295,14 +328,36 @@ namespace stiction
 
 
 
-  FrictionLaw
-  FrictionParameters::law() const
+  std::vector<FrictionLaw>
+  FrictionParameters::laws() const
   {
-    if (law_name == "given")
-      return FrictionLaw::given;
-    if (law_name == "coulomb")
-      return FrictionLaw::coulomb;
-    return FrictionLaw::frictionless;
+    std::vector<FrictionLaw> laws;
+    for (const std::string &law : split_at_bars(law_name))
+      laws.push_back(law == "given"     ? FrictionLaw::given
+                     : law == "coulomb" ? FrictionLaw::coulomb
+                                        : FrictionLaw::frictionless);
+    return laws;
+  }
+
+
+
+  bool
+  FrictionParameters::has_coulomb() const
+  {
+    const std::vector<FrictionLaw> all = laws();
+    return std::count(all.begin(), all.end(), FrictionLaw::coulomb) > 0;
+  }
+
+
+
+  std::string
+  FrictionParameters::name() const
+  {
+    const std::vector<std::string> names = split_at_bars(law_name);
+    return std::count(names.begin(), names.end(), names.front()) ==
+               static_cast<std::ptrdiff_t>(names.size())
+             ? names.front()
+             : "mixed";
   }
 
 

@@ -163,7 +163,11 @@ namespace stiction
             "must be a number of at most 1e30");
 
     check_table_1();
-    check_method(friction.law() == FrictionLaw::coulomb);
+    for (const std::string &law : split_at_bars(friction.law_name))
+      require(law == "frictionless" || law == "given" || law == "coulomb",
+              "Friction/Law",
+              "each law must be 'frictionless', 'given' or 'coulomb'");
+    check_method(friction.has_coulomb());
     check_solvers();
   }
 
@@ -221,6 +225,7 @@ namespace stiction
     require(
       displacement.size() == 1 && displacement.count(clamped) == 1 &&
         displacement.at(clamped).components.n_selected_components() == 3 &&
+        split_at_bars(boundary.contact_boundary).size() == 1 &&
         names.id(boundary.contact_boundary,
                  source.locate("Boundary conditions/Contact boundary")) == 4,
       "Geometry/Table 1 reading",

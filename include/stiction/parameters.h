@@ -98,6 +98,7 @@ namespace stiction
     std::string gravity          = "";
     double time                  = 1.;
     std::string contact_boundary = "4";
+    std::string obstacle         = "foundation";
     std::string initial_gap      = "0";
   };
 
@@ -105,9 +106,17 @@ namespace stiction
   {
     FrictionParameters();
 
-    /// The entry Law as a value.
-    FrictionLaw
-    law() const;
+    /// The entry Law as values: one, or one a contact boundary.
+    std::vector<FrictionLaw>
+    laws() const;
+
+    /// Whether Coulomb's law holds on a contact boundary.
+    bool
+    has_coulomb() const;
+
+    /// The one law of all contact boundaries as in the entry, or 'mixed'.
+    std::string
+    name() const;
 
     std::string law_name    = "coulomb";
     std::string coefficient = "0.3";

@@ -128,18 +128,19 @@ namespace stiction
     const auto &weights   = trace_hierarchy.prolongation(level + 1);
     const auto n_vertices = static_cast<Eigen::Index>(on_finer.size());
     gaps_.resize(n_vertices);
-    Eigen::VectorXd bound(n_vertices);
+    Eigen::VectorXd coefficient(n_vertices);
     for (Eigen::Index j = 0; j < n_vertices; ++j)
       {
-        gaps_(j) = finer.gaps_(on_finer[j]);
-        bound(j) = finer.slip_bound_.data()(on_finer[j]);
+        gaps_(j)       = finer.gaps_(on_finer[j]);
+        coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
         frames_.push_back(finer.frames_[on_finer[j]]);
       }
     areas_ = weights.transpose() * finer.areas_;
-    slip_bound_ =
-      finer.slip_bound_.is_coulomb()
-        ? qp::SlipBound::coulomb(bound)
-        : qp::SlipBound::given(weights.transpose() * finer.slip_bound_.data());
+    const Eigen::VectorXd constant =
+      weights.transpose() * finer.slip_bound_.constant();
+    slip_bound_ = finer.slip_bound_.is_coulomb()
+                    ? qp::SlipBound::mixed(constant, coefficient)
+                    : qp::SlipBound::given(constant);
     find_inner_nodes();
     find_youngs_moduli(elasticity.materials());
     load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });

@@ -1,6 +1,6 @@
+#include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/elasticity/body.h>
-#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
@@ -13,11 +13,36 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 namespace stiction
 {
   using namespace dealii;
+
+  namespace
+  {
+    // The place of a boundary in the list, the list's size if it is not there.
+    std::size_t
+    index_of(const std::vector<ContactBoundary> &boundaries,
+             const types::boundary_id id)
+    {
+      std::size_t b = 0;
+      while (b < boundaries.size() && boundaries[b].id() != id)
+        ++b;
+      return b;
+    }
+
+    std::vector<types::global_dof_index>
+    by_blocks(const std::array<std::vector<types::global_dof_index>, 3> &blocks)
+    {
+      std::vector<types::global_dof_index> all;
+      for (const auto &block : blocks)
+        all.insert(all.end(), block.begin(), block.end());
+      return all;
+    }
+  } // namespace
+
+
 
   void
   set_tangents(ContactNode &node)
@@ -33,18 +58,35 @@ namespace stiction
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const Parameters &parameters)
-    : law_(parameters.friction.law())
+    : boundaries_(ContactBoundary::read(parameters, elasticity.body()))
   {
-    const std::string entry = "Boundary conditions/Contact boundary";
-    boundary_id_            = elasticity.body().boundary_names().id(
-      dealii::Utilities::trim(parameters.boundary.contact_boundary),
-      parameters.source.locate(entry));
     collect_nodes(elasticity);
-    if (nodes_.empty())
-      throw InputError(parameters.source.describe(entry) +
-                       ", the displacement is prescribed at every node of "
-                       "this boundary, must be a boundary with free nodes.");
-    evaluate_data(parameters);
+    require_nodes(
+      parameters,
+      boundaries_.size() == 1
+        ? "the displacement is prescribed at every node of this "
+          "boundary, must be a boundary with free nodes"
+        : "the displacement is prescribed at every node that belongs "
+          "to no boundary before this one, must be a boundary with "
+          "free nodes of its own");
+    place_obstacles();
+    require_nodes(parameters,
+                  "no free node of this boundary faces its obstacle, whose "
+                  "surface must lie opposite to the boundary, its normal "
+                  "towards the body");
+    evaluate_data();
+  }
+
+
+
+  ContactSurface::~ContactSurface() = default;
+
+
+
+  bool
+  ContactSurface::is_contact_boundary(const types::boundary_id id) const
+  {
+    return index_of(boundaries_, id) < boundaries_.size();
   }
 
 
@@ -54,9 +96,24 @@ namespace stiction
   {
     const Body &body = elasticity.body();
 
-    // What the owners of the faces around a node each know of it.
-    using Share = std::array<double, 10>; // dofs, position, area × n, area
+    // What the owners of the faces around a node each know of it: dofs,
+    // position, area × n, area, contact boundary.
+    using Share = std::array<double, 11>;
     std::map<types::global_dof_index, Share> shares;
+
+    // A node belongs to the first of its boundaries, which is why the others'
+    // shares are dropped.
+    const auto add = [&](const Share &share) {
+      const auto place =
+        shares.emplace(static_cast<types::global_dof_index>(share[0]), share);
+      Share &sum = place.first->second;
+      if (place.second || share[10] > sum[10])
+        return;
+      std::copy(share.begin(), share.begin() + 6, sum.begin());
+      for (unsigned int k = 6; k < 10; ++k)
+        sum[k] = share[k] + (share[10] < sum[10] ? 0. : sum[k]);
+      sum[10] = share[10];
+    };
 
     const QGauss<2> quadrature(2);
     const FiniteElement<3> &fe = body.dof_handler().get_fe();
@@ -70,7 +127,7 @@ namespace stiction
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == boundary_id_)
+              is_contact_boundary(cell->face(f)->boundary_id()))
             {
               values.reinit(cell, f);
               for (unsigned int corner = 0; corner < 4; ++corner)
@@ -93,15 +150,18 @@ namespace stiction
                   if (elasticity.constraints().is_constrained(first))
                     continue;
 
-                  Share &share = shares.emplace(first, Share{}).first->second;
+                  Share share{};
                   for (unsigned int c = 0; c < 3; ++c)
                     {
                       share[c] =
                         static_cast<double>(cell->vertex_dof_index(v, c));
                       share[3 + c] = cell->vertex(v)[c];
-                      share[6 + c] += normal[c];
+                      share[6 + c] = normal[c];
                     }
-                  share[9] += area;
+                  share[9]  = area;
+                  share[10] = static_cast<double>(
+                    index_of(boundaries_, cell->face(f)->boundary_id()));
+                  add(share);
                 }
             }
     boundary_area_ = Utilities::MPI::sum(boundary_area_, body.communicator());
@@ -113,15 +173,7 @@ namespace stiction
     for (const auto &theirs :
          Utilities::MPI::all_gather(body.communicator(), mine))
       for (const Share &share : theirs)
-        {
-          Share &sum =
-            shares
-              .emplace(static_cast<types::global_dof_index>(share[0]), Share{})
-              .first->second;
-          std::copy(share.begin(), share.begin() + 6, sum.begin());
-          for (unsigned int k = 6; k < share.size(); ++k)
-            sum[k] += share[k];
-        }
+        add(share);
 
     // The unknowns' numbers depend on the partition, places do not. Rounded,
     // because a vertex may have been computed along different edges.
@@ -153,7 +205,8 @@ namespace stiction
             node.normal[c]   = sorted[i][6 + c];
           }
         node.normal /= node.normal.norm();
-        node.area = sorted[i][9];
+        node.area     = sorted[i][9];
+        node.boundary = static_cast<unsigned int>(sorted[i][10]);
         set_tangents(node);
         node_of_dof_[dofs[i]] = static_cast<Eigen::Index>(i);
         nodes_.push_back(node);
@@ -164,57 +217,92 @@ namespace stiction
 
 
   void
-  ContactSurface::evaluate_data(const Parameters &parameters)
+  ContactSurface::require_nodes(const Parameters &parameters,
+                                const std::string &reason) const
   {
-    const auto read = [&](const std::string &entry,
-                          const std::string &expression) {
-      return ParsedFunction(expression,
-                            1,
-                            parameters.source.locate(entry),
-                            parameters.boundary.time);
-    };
-    const ParsedFunction gap =
-      read("Boundary conditions/Initial gap", parameters.boundary.initial_gap);
-    const ParsedFunction coefficient =
-      read("Friction/Coefficient", parameters.friction.coefficient);
-    const ParsedFunction slip_stress =
-      read("Friction/Slip stress", parameters.friction.slip_stress);
+    std::vector<unsigned int> n(boundaries_.size(), 0);
+    for (const ContactNode &node : nodes_)
+      ++n[node.boundary];
+    const auto empty = std::find(n.begin(), n.end(), 0u);
+    if (empty == n.end())
+      return;
+    throw InputError(
+      parameters.source.describe("Boundary conditions/Contact boundary") +
+      (n.size() == 1
+         ? ""
+         : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
+      ", " + reason + ".");
+  }
 
-    const auto not_negative = [&](const ParsedFunction &function,
-                                  const std::string &entry,
-                                  const Point<3> &p) {
-      const double value = function.value(p);
-      if (value < 0.)
-        {
-          std::ostringstream message;
-          message << parameters.source.describe(entry) << ", gives " << value
-                  << " at (" << p << "), must be >= 0 everywhere.";
-          throw InputError(message.str());
-        }
-      return value;
-    };
 
-    gaps_.resize(n_nodes());
-    areas_.resize(n_nodes());
-    Eigen::VectorXd bound = Eigen::VectorXd::Zero(n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+
+  void
+  ContactSurface::place_obstacles()
+  {
+    const std::size_t m = nodes_.size();
+    std::vector<ContactNode> facing;
+    std::array<std::vector<types::global_dof_index>, 3> dofs, dofs_away;
+    for (std::size_t i = 0; i < m; ++i)
       {
         ContactNode &node = nodes_[i];
-        node.gap          = gap.value(node.position);
-        if (law_ == FrictionLaw::coulomb)
-          node.coefficient =
-            not_negative(coefficient, "Friction/Coefficient", node.position);
-        if (law_ == FrictionLaw::given)
-          node.slip_stress =
-            not_negative(slip_stress, "Friction/Slip stress", node.position);
-        gaps_(i)  = node.gap;
-        areas_(i) = node.area;
-        bound(i)  = law_ == FrictionLaw::coulomb ? node.coefficient
-                                                 : node.area * node.slip_stress;
+        const bool faces  = boundaries_[node.boundary].place(node);
+        set_tangents(node);
+        (faces ? facing : facing_away_).push_back(node);
+        for (unsigned int c = 0; c < 3; ++c)
+          (faces ? dofs : dofs_away)[c].push_back(trace_.dofs()[i + c * m]);
       }
-    slip_bound_ = law_ == FrictionLaw::coulomb
-                    ? qp::SlipBound::coulomb(std::move(bound))
-                    : qp::SlipBound::given(std::move(bound));
+    if (facing_away_.empty())
+      return;
+    nodes_ = std::move(facing);
+    node_of_dof_.clear();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      node_of_dof_[dofs[0][i]] = static_cast<Eigen::Index>(i);
+    trace_             = Trace(by_blocks(dofs));
+    facing_away_trace_ = Trace(by_blocks(dofs_away));
+  }
+
+
+
+  double
+  ContactSurface::penetration_of_facing_away(const LA::Vector &u) const
+  {
+    const Eigen::VectorXd moved = facing_away_trace_.restriction(u);
+    const std::size_t m         = facing_away_.size();
+    double depth                = 0.;
+    for (std::size_t i = 0; i < m; ++i)
+      {
+        Point<3> p = facing_away_[i].position;
+        for (unsigned int c = 0; c < 3; ++c)
+          p[c] += moved(static_cast<Eigen::Index>(i + c * m));
+        depth =
+          std::max(depth, boundaries_[facing_away_[i].boundary].penetration(p));
+      }
+    return depth;
+  }
+
+
+
+  void
+  ContactSurface::evaluate_data()
+  {
+    gaps_.resize(n_nodes());
+    areas_.resize(n_nodes());
+    Eigen::VectorXd constant(n_nodes()), coefficient(n_nodes());
+    bool is_coulomb = false;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        ContactNode &node               = nodes_[i];
+        const ContactBoundary &boundary = boundaries_[node.boundary];
+        boundary.set_friction(node);
+        gaps_(i)       = node.gap;
+        areas_(i)      = node.area;
+        constant(i)    = node.area * node.slip_stress;
+        coefficient(i) = node.coefficient;
+        is_coulomb     = is_coulomb || boundary.law() == FrictionLaw::coulomb;
+      }
+    slip_bound_ = is_coulomb ? qp::SlipBound::mixed(std::move(constant),
+                                                    std::move(coefficient))
+                             : qp::SlipBound::given(std::move(constant));
   }
 
 

@@ -85,24 +85,6 @@ namespace stiction
       return "";
     }
 
-    // At single bars only: '||' is the logical or.
-    std::vector<std::string>
-    split_at_bars(const std::string &text)
-    {
-      std::vector<std::string> parts(1);
-      for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] != '|')
-          parts.back() += text[i];
-        else if (i + 1 < text.size() && text[i + 1] == '|')
-          {
-            parts.back() += "||";
-            ++i;
-          }
-        else
-          parts.emplace_back();
-      return parts;
-    }
-
     // Zeros in place of components that are 'free', which are taken out of the
     // mask.
     std::string
@@ -197,6 +179,29 @@ namespace stiction
         throw InputError(message.str());
       }
     return value;
+  }
+
+
+
+  std::vector<std::string>
+  split_at_bars(const std::string &text)
+  {
+    std::vector<std::string> parts(1);
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] != '|')
+        parts.back() += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '|')
+        {
+          parts.back() += "||";
+          ++i;
+        }
+      else
+        {
+          parts.back() = trim(parts.back());
+          parts.emplace_back();
+        }
+    parts.back() = trim(parts.back());
+    return parts;
   }
 
 

@@ -107,7 +107,7 @@ namespace stiction
           if (cell->is_locally_owned())
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary() &&
-                  face->boundary_id() == surface.boundary_id())
+                  surface.is_contact_boundary(face->boundary_id()))
                 {
                   DataOutBase::Patch<2, 3> patch;
                   patch.n_subdivisions = 1;
@@ -117,6 +117,8 @@ namespace stiction
                   for (const unsigned int v : face->vertex_indices())
                     {
                       patch.vertices[v] = face->vertex(v);
+                      patch.data(boundary, v) =
+                        static_cast<float>(face->boundary_id());
                       fill(patch,
                            v,
                            surface.node_of(face->vertex_dof_index(v, 0)),
@@ -147,7 +149,8 @@ namespace stiction
                 "gap",
                 "status",
                 "area",
-                "slip_bound"};
+                "slip_bound",
+                "boundary"};
       }
 
       std::vector<
@@ -179,7 +182,8 @@ namespace stiction
         status   = gap + 1,
         area     = status + 1,
         bound    = area + 1,
-        n_fields = bound + 1
+        boundary = bound + 1,
+        n_fields = boundary + 1
       };
 
       static void
@@ -189,7 +193,7 @@ namespace stiction
            const ContactSurface &surface,
            const Certificate &certificate)
       {
-        if (i < 0) // clamped: not a contact node
+        if (i < 0) // clamped or facing away: not a contact node
           {
             patch.data(status, v) = -1.f;
             return;

@@ -11,25 +11,27 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace stiction
 {
+  class ContactBoundary;
   class LinearElasticity;
   class Parameters;
-  enum class FrictionLaw;
 
-  /// One node of the contact boundary that may touch the foundation.
+  /// One node of a contact boundary that may touch its obstacle.
   struct ContactNode
   {
     dealii::Point<3> position;     ///< undeformed, m
     dealii::Tensor<1, 3> normal;   ///< n, unit, towards the obstacle
     dealii::Tensor<1, 3> tangent1; ///< t1, unit
     dealii::Tensor<1, 3> tangent2; ///< t2 = t1 × n
-    double gap         = 0.;       ///< d along n, m; negative: interference
-    double area        = 0.; ///< A = ∫ φ over the contact boundary, m²
-    double coefficient = 0.; ///< F of Coulomb's law
-    double slip_stress = 0.; ///< τ_c of given friction, Pa
+    double gap            = 0.;    ///< d along n, m; negative: interference
+    double area           = 0.; ///< A = ∫ φ over the contact boundary, m²
+    double coefficient    = 0.; ///< F of Coulomb's law
+    double slip_stress    = 0.; ///< τ_c of given friction, Pa
+    unsigned int boundary = 0;  ///< whose node it is, of boundaries()
   };
 
 
@@ -40,18 +42,22 @@ namespace stiction
   ///
   /// The list is known to all ranks, in an order that does not depend on
   /// their number. Vectors over it are stored by blocks (normal; first
-  /// tangent; second tangent), each of length m = n_nodes(). Nodes of the
-  /// contact boundary whose displacement is prescribed are not contact nodes.
+  /// tangent; second tangent), each of length m = n_nodes(). Nodes of a
+  /// contact boundary whose displacement is prescribed are not contact nodes,
+  /// nor are those that face away from the obstacle. A node of several contact
+  /// boundaries is one of the first of them, with its area there alone.
   class ContactSurface
   {
   public:
     /// Collects the contact nodes. Collective.
     ///
-    /// Throws InputError if the contact boundary does not exist, is prescribed
-    /// itself, has no free node, or if a formula (gap, coefficient, slip
-    /// stress) cannot be read or has a value that is not allowed.
+    /// Throws InputError if a contact boundary does not exist, is prescribed
+    /// itself, has no node that can touch its obstacle, or if what is said of
+    /// it (obstacle, gap, coefficient, slip stress) cannot be read or has a
+    /// value that is not allowed.
     ContactSurface(const LinearElasticity &elasticity,
                    const Parameters &parameters);
+    ~ContactSurface();
 
     Eigen::Index
     n_nodes() const
@@ -65,10 +71,11 @@ namespace stiction
       return nodes_;
     }
 
-    FrictionLaw
-    law() const
+    /// The contact boundaries, in the order of the parameter file.
+    const std::vector<ContactBoundary> &
+    boundaries() const
     {
-      return law_;
+      return boundaries_;
     }
 
     /// Initial gaps d_i in m, length m.
@@ -85,19 +92,28 @@ namespace stiction
       return areas_;
     }
 
-    /// |Γc|: the area of the whole contact boundary, its clamped rim included.
+    /// |Γc|: the area of all contact boundaries, clamped rims included.
     double
     boundary_area() const
     {
       return boundary_area_;
     }
 
-    /// The boundary id of the contact boundary.
-    dealii::types::boundary_id
-    boundary_id() const
+    /// Whether a boundary of the mesh is a contact boundary.
+    bool
+    is_contact_boundary(dealii::types::boundary_id id) const;
+
+    /// Nodes left out because they face away from the obstacle.
+    std::size_t
+    n_facing_away() const
     {
-      return boundary_id_;
+      return facing_away_.size();
     }
+
+    /// How far the displacement u brings a node that faces away from the
+    /// obstacle into it, m, which nothing prevents. Collective.
+    double
+    penetration_of_facing_away(const LA::Vector &u) const;
 
     /// The contact node with this unknown as its first, -1 if there is none.
     Eigen::Index
@@ -134,7 +150,7 @@ namespace stiction
     to_cartesian(const Eigen::VectorXd &v) const;
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
-    /// F(x_i) max(λ_ν,i, 0) by the law. Unit: N.
+    /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
     const qp::SlipBound &
     slip_bound() const
     {
@@ -150,12 +166,21 @@ namespace stiction
     void
     collect_nodes(const LinearElasticity &elasticity);
 
+    /// Throws InputError with the reason unless every boundary has nodes.
     void
-    evaluate_data(const Parameters &parameters);
+    require_nodes(const Parameters &parameters,
+                  const std::string &reason) const;
 
-    dealii::types::boundary_id boundary_id_;
-    FrictionLaw law_;
-    std::vector<ContactNode> nodes_;
+    /// Normals and gaps, and out with the nodes that face away.
+    void
+    place_obstacles();
+
+    void
+    evaluate_data();
+
+    std::vector<ContactBoundary> boundaries_;
+    std::vector<ContactNode> nodes_, facing_away_;
+    Trace facing_away_trace_;
     Trace trace_;
     Eigen::VectorXd gaps_, areas_;
     qp::SlipBound slip_bound_;

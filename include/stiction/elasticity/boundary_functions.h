@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -67,9 +68,15 @@ namespace stiction
 
 
 
+  /// The parts of a text between single bars, without blanks around them:
+  /// '||' is muParser's "or" and does not separate.
+  std::vector<std::string>
+  split_at_bars(const std::string &text);
+
+
+
   /// Reads 'boundary : fx; fy; fz | boundary : fx; fy; fz ...', a boundary
-  /// being a name or a number; an empty text gives an empty map. '||' is
-  /// muParser's "or" and does not separate.
+  /// being a name or a number; an empty text gives an empty map.
   ///
   /// @param n_components formulas for each boundary.
   /// @param may_be_free whether 'free' may stand in place of a formula (but not
