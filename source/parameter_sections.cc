@@ -153,7 +153,9 @@ namespace stiction
                   "times the normal force, slip is along its outward normal. "
                   "Figures of the certificate are then those of the ellipse "
                   "scaled to a disc, of radius F1 (slip_bound in "
-                  "contact.pvtu).",
+                  "contact.pvtu). One axis may be up to 100 times the "
+                  "other; beyond 10 times, newton multigrid may not get "
+                  "there.",
                   prm,
                   Patterns::Anything());
     add_parameter("Slip stress",

@@ -7,6 +7,11 @@
 #include "tests.h"
 
 #include <stiction/contact/nodal_blocks.h>
+#include <stiction/contact/newton_multigrid.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +94,22 @@ namespace
     return n_compared == nodes.size() ? error / largest : 1.;
   }
 
+  // The largest friction at a partly held node over its normal force.
+  double
+  friction_in_plane(const Run &run)
+  {
+    double largest     = 0.;
+    const auto &lambda = run.problem->solution().lambda;
+    const auto &nodes  = run.problem->contact_surface().nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const Eigen::Vector3d y = at_node(lambda, static_cast<Eigen::Index>(i));
+        if (nodes[i].scale[0] == 0. && y(0) > 0.)
+          largest = std::max(largest, std::abs(y(2)) / y(0));
+      }
+    return largest;
+  }
+
   // Contact forces in directions that are held.
   double
   in_held_directions(const Run &run)
@@ -107,13 +128,13 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const std::string top         = "top : 0; 2e-4; -1e-4*(1 + y)";
+  const std::string top         = "top : 0; 4e-5; -1e-4*(1 + y)";
   const std::string quarter_top = "top : 0; 0; -1e-4";
   const Settings squeezed       = {
-          "Boundary conditions/Traction=left : 6e7; 0; 0 | right : -6e7; 0; 0"};
+          "Boundary conditions/Traction=left : 2e7; 0; 0 | right : -2e7; 0; 0"};
   const Settings squeezed_half = {
-    "Boundary conditions/Traction=left : 6e7; 0; 0"};
-  for (const std::string coefficient : {"0.3", "0.4; 0.15"})
+    "Boundary conditions/Traction=left : 2e7; 0; 0"};
+  for (const std::string coefficient : {"0.3", "0.5; 0.3"})
     {
       const Settings friction = {"Friction/Coefficient=" + coefficient};
       const Settings newton   = methods.front().second + friction;
@@ -146,6 +167,8 @@ main(int argc, char *argv[])
                 << yes(difference(half, whole, false) < 1e-8)
                 << ", quarter agrees to 1e-8 "
                 << yes(difference(quarter, all_four, true) < 1e-8)
+                << ", friction acts in the plane of symmetry "
+                << yes(friction_in_plane(half) > 0.1)
                 << ", no force in held directions "
                 << yes(in_held_directions(half) == 0. &&
                        in_held_directions(quarter) == 0.)
@@ -155,7 +178,8 @@ main(int argc, char *argv[])
 
   // Energies balance if nothing but the clamped top and the fixed rollers holds
   // the body; a moved roller does work.
-  const Settings moved = brick(1, 1, "right : 1e-4; free; free | " + top) + squeezed_half +
+  const Settings moved = brick(1, 1, "right : 1e-4; free; free | " + top) +
+                         squeezed_half +
                          Settings{"Friction/Coefficient=0.4; 0.15",
                                   "Friction/First direction=1; 1; 0"};
   const Run newton(shipped("brick.prm"), moved + methods.front().second);
@@ -178,4 +202,25 @@ main(int argc, char *argv[])
                    1e-6)
             << std::endl;
     }
+
+  // Given friction by the method of multipliers alone, which is what Newton's
+  // method in displacements falls back to.
+  const Settings given = {"Friction/Law=given",
+                          "Friction/Slip stress=1e7; 4e6",
+                          "Contact solver/Tolerance=1e-9"};
+  const Run dual(shipped("brick.prm"), moved + given + methods.front().second);
+  LevelNewton::Options options;
+  options.only_fallback = true;
+  NewtonMultigrid newton_multigrid(
+    dual.problem->elasticity(), dual.problem->contact_surface(), true, options);
+  const auto solution =
+    newton_multigrid.solve(1e-9, 1000, [](const ContactStep &) {});
+  const Eigen::VectorXd &lambda = dual.problem->solution().lambda;
+  out() << "method of multipliers alone: converged " << yes(solution.converged)
+        << ", agrees to 1e-6 "
+        << yes((solution.lambda - lambda).norm() < 1e-6 * lambda.norm())
+        << ", slips and sticks "
+        << yes(dual.summary()["contact"]["slip"].get<int>() > 0 &&
+               dual.summary()["contact"]["stick"].get<int>() > 0)
+        << std::endl;
 }

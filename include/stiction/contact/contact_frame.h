@@ -114,7 +114,7 @@ namespace stiction
   ///
   /// Where displacement components are prescribed, it lies in what is free: the
   /// normal loses these components, a prescribed direction becomes t1 (two of
-  /// them t1 and t2) and is held. Calling it again changes nothing.
+  /// them t1 and t2) and is held. Calling it again does no harm.
   ///
   /// @return whether it can be in contact: at least 1e-3 of the normal is free.
   ///   If not, the frame is as it was.
