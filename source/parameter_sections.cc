@@ -314,14 +314,37 @@ namespace stiction
     add_parameter(
       "Coefficient",
       coefficient,
-      "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t.",
+      "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t. "
+      "Two formulas, '0.3; 0.1': orthotropic friction, F1 along "
+      "the first and F2 along the second principal direction; the "
+      "tangential force lies in the ellipse with these semi-axes "
+      "times the normal force, slip is along its outward normal. "
+      "Figures of the certificate are then those of the ellipse "
+      "scaled to a disc, of radius F1 (slip_bound in "
+      "contact.pvtu). One axis may be up to 100 times the "
+      "other; beyond 10 times, newton multigrid may not get "
+      "there.",
       prm,
       Patterns::Anything());
     add_parameter(
       "Slip stress",
       slip_stress,
-      "Slip stress >= 0 of given friction, a formula in x, y, z, t. "
-      "Unit: Pa.",
+      "Slip stress >= 0 of given friction, a formula in x, y, z, t, "
+      "or two for an ellipse, as for the coefficient. Unit: Pa.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "First direction",
+      first_direction,
+      "The first principal direction of orthotropic friction, a "
+      "vector of three formulas in x, y, z, t separated by ';': its "
+      "part tangential to the contact boundary counts, which must "
+      "not vanish. The second one is at right angles to it. Empty: "
+      "the tangential part of the x-axis, of the y-axis where the "
+      "normal is within 26 degrees of the x-axis. At a node that "
+      "is held in one tangential direction ('free' in 'Prescribed "
+      "displacement'), friction acts along the other one, up to "
+      "where the ellipse ends there.",
       prm,
       Patterns::Anything());
   }

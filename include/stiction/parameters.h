@@ -118,9 +118,10 @@ namespace stiction
     std::string
     name() const;
 
-    std::string law_name    = "coulomb";
-    std::string coefficient = "0.3";
-    std::string slip_stress = "1.5e7";
+    std::string law_name        = "coulomb";
+    std::string coefficient     = "0.3";
+    std::string slip_stress     = "1.5e7";
+    std::string first_direction = "";
   };
 
   struct ContactSolverParameters : dealii::ParameterAcceptor

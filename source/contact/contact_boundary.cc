@@ -1,5 +1,6 @@
 #include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/friction_data.h>
 #include <stiction/contact/obstacle.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/boundary_functions.h>
@@ -82,6 +83,8 @@ namespace stiction
       values("Friction/Coefficient", parameters.friction.coefficient);
     const auto slip_stresses =
       values("Friction/Slip stress", parameters.friction.slip_stress);
+    const auto directions =
+      values("Friction/First direction", parameters.friction.first_direction);
     const auto formula = [&](const std::string &of, const std::string &text) {
       return std::make_unique<ParsedFunction>(
         text, 1, source.locate(of), parameters.boundary.time);
@@ -100,19 +103,22 @@ namespace stiction
         if (!ids.insert(boundary.id_).second)
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
-        boundary.law_      = laws.size() == 1 ? laws.front() : laws[b];
+
         boundary.obstacle_ = Obstacle::read(obstacles[b],
                                             source.locate(obstacle_entry),
                                             size,
                                             parameters.boundary.time,
                                             body.communicator());
         boundary.gap_ = formula("Boundary conditions/Initial gap", gaps[b]);
-        boundary.coefficient_ =
-          formula("Friction/Coefficient", coefficients[b]);
-        boundary.slip_stress_ =
-          formula("Friction/Slip stress", slip_stresses[b]);
+        boundary.friction_ = std::make_unique<FrictionData>(
+          laws.size() == 1 ? laws.front() : laws[b],
+          coefficients[b],
+          slip_stresses[b],
+          directions[b],
+          source,
+          parameters.boundary.time);
         boundary.size_   = size;
-        boundary.source_ = source;
+        boundary.source_ = &source;
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;
@@ -128,7 +134,7 @@ namespace stiction
       return true;
 
     const auto refuse = [&](const std::string &reason) {
-      throw InputError(source_.describe(obstacle_entry) + ", " + reason + ".");
+      throw InputError(source_->describe(obstacle_entry) + ", " + reason + ".");
     };
     const Obstacle::Value value = obstacle_->at(node.position);
     const double slope          = value.gradient.norm();
@@ -155,25 +161,18 @@ namespace stiction
 
 
 
+  FrictionLaw
+  ContactBoundary::law() const
+  {
+    return friction_->law();
+  }
+
+
+
   void
   ContactBoundary::set_friction(ContactNode &node) const
   {
-    const auto not_negative = [&](const ParsedFunction &function,
-                                  const std::string &entry) {
-      const double value = function.value(node.position);
-      if (value < 0.)
-        {
-          std::ostringstream message;
-          message << source_.describe(entry) << ", gives " << value << " at "
-                  << text_of(node.position) << ", must be >= 0 everywhere.";
-          throw InputError(message.str());
-        }
-      return value;
-    };
-    if (law_ == FrictionLaw::coulomb)
-      node.coefficient = not_negative(*coefficient_, "Friction/Coefficient");
-    if (law_ == FrictionLaw::given)
-      node.slip_stress = not_negative(*slip_stress_, "Friction/Slip stress");
+    friction_->set(node);
   }
 
 

@@ -42,18 +42,29 @@ namespace stiction
       return Trace(std::move(dofs));
     }
 
-    // Σ‖v_j‖ over chosen owned nodes of all ranks.
-    template<typename Predicate>
+    // The components of a node as bits.
+    constexpr unsigned char all_components = 7;
+
+    // Σ‖v_j‖ over chosen components of the owned nodes of all ranks.
+    template<typename Components>
     double
-    sum_of_norms(const LA::Vector &v, const Predicate &is_chosen)
+    sum_of_norms(const LA::Vector &v, const Components &chosen)
     {
       double sum               = 0.;
       const double *const data = v.begin();
       for (std::size_t i = 0; i < v.locally_owned_size() / 3; ++i)
-        if (is_chosen(i))
+        if (chosen(i) == all_components)
           sum += std::sqrt(data[3 * i] * data[3 * i] +
                            data[3 * i + 1] * data[3 * i + 1] +
                            data[3 * i + 2] * data[3 * i + 2]);
+        else if (chosen(i) != 0)
+          {
+            double square = 0.;
+            for (unsigned int c = 0; c < 3; ++c)
+              if ((chosen(i) >> c & 1) != 0)
+                square += data[3 * i + c] * data[3 * i + c];
+            sum += std::sqrt(square);
+          }
       return Utilities::MPI::sum(sum, v.get_mpi_communicator());
     }
   } // namespace
@@ -78,10 +89,12 @@ namespace stiction
           prescribed_.push_back(
             elasticity.constraints().get_inhomogeneity(dof));
         }
-    set_frames_from(surface);
+    for (const ContactNode &node : surface.nodes())
+      frames_.push_back(node);
     find_inner_nodes();
     find_youngs_moduli(elasticity.materials());
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
+    load_sum_ =
+      sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
 
 
@@ -143,7 +156,8 @@ namespace stiction
                     : qp::SlipBound::given(constant);
     find_inner_nodes();
     find_youngs_moduli(elasticity.materials());
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
+    load_sum_ =
+      sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
 
 
@@ -161,32 +175,14 @@ namespace stiction
 
 
   void
-  ContactLevel::set_frames_from(const ContactSurface &surface)
-  {
-    for (const ContactNode &node : surface.nodes())
-      {
-        Eigen::Matrix3d frame;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            frame(0, c) = node.normal[c];
-            frame(1, c) = node.tangent1[c];
-            frame(2, c) = node.tangent2[c];
-          }
-        frames_.push_back(frame);
-      }
-  }
-
-
-
-  void
   ContactLevel::find_inner_nodes()
   {
-    is_inside_.assign(mesh().n_owned_nodes(), true);
+    free_components_.assign(mesh().n_owned_nodes(), all_components);
     for (const unsigned int k : fixed_)
-      is_inside_[k / 3] = false;
+      free_components_[k / 3] &= static_cast<unsigned char>(~(1u << k % 3));
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       if (load_->in_local_range(trace_.dofs()[i]))
-        is_inside_[mesh().local_node(trace_.dofs()[i])] = false;
+        free_components_[mesh().local_node(trace_.dofs()[i])] = 0;
   }
 
 
@@ -274,12 +270,32 @@ namespace stiction
 
 
   Eigen::VectorXd
+  ContactLevel::nodal_stiffness() const
+  {
+    Eigen::VectorXd stiffness = youngs_modulus_ * areas_.cwiseSqrt();
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      stiffness(i) /= frames_[i].scales().cwiseAbs2().maxCoeff();
+    return stiffness;
+  }
+
+
+
+  Eigen::VectorXd
   ContactLevel::apply_B(const LA::Vector &v) const
   {
     Eigen::VectorXd local = trace_.restriction(v);
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(local, i, frames_[i] * at_node(local, i));
+      set_at_node(
+        local, i, frames_[i].displacement_to_local(at_node(local, i)));
     return local;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::contact_forces(const LA::Vector &R) const
+  {
+    return force_to_local(trace_.restriction(R));
   }
 
 
@@ -295,12 +311,13 @@ namespace stiction
 
 
   void
-  ContactLevel::add_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const
+  ContactLevel::add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const
   {
-    Eigen::VectorXd cartesian = v;
+    Eigen::VectorXd cartesian(w.size());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(cartesian, i, frames_[i].transpose() * at_node(v, i));
-    trace_.add_extension(cartesian, dst);
+      set_at_node(
+        cartesian, i, frames_[i].displacement_to_cartesian(at_node(w, i)));
+    trace_.add_extension(cartesian, u);
   }
 
 
@@ -311,16 +328,49 @@ namespace stiction
     for (const auto dof : trace_.dofs())
       if (dst.in_local_range(dof))
         dst(dof) = 0.;
-    add_transpose_B(v, dst);
+    trace_.add_extension(force_to_cartesian(v), dst);
   }
 
 
 
-  Eigen::Matrix3d
-  ContactLevel::to_cartesian(const Eigen::Index node,
-                             const Eigen::Matrix3d &local) const
+  Eigen::VectorXd
+  ContactLevel::force_to_cartesian(const Eigen::VectorXd &lambda) const
   {
-    return frames_[node].transpose() * local * frames_[node];
+    Eigen::VectorXd force(lambda.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(force, i, frames_[i].force_to_cartesian(at_node(lambda, i)));
+    return force;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::force_to_local(const Eigen::VectorXd &force) const
+  {
+    Eigen::VectorXd lambda(force.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(lambda, i, frames_[i].force_to_local(at_node(force, i)));
+    return lambda;
+  }
+
+
+
+  NodalSupport
+  ContactLevel::support(const Eigen::Index node,
+                        const Eigen::Matrix3d &projection,
+                        const Eigen::Matrix3d &spring) const
+  {
+    const ContactFrame &frame = frames_[node];
+    const Eigen::Matrix3d R   = frame.axes();
+    const Eigen::Vector3d is_free =
+      (frame.scales().array() > 0.).matrix().cast<double>();
+    const Eigen::Matrix3d M = frame.scales().asDiagonal() * R;
+
+    NodalSupport support;
+    support.projection =
+      R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
+    support.spring = M.transpose() * spring * M;
+    return support;
   }
 
 
@@ -351,7 +401,8 @@ namespace stiction
 
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      contact_forces += at_node(lambda, i).norm();
+      contact_forces +=
+        at_node(lambda, i).cwiseProduct(frames_[i].scales()).norm();
 
     Scales scales;
     scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
@@ -376,6 +427,7 @@ namespace stiction
   double
   ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
   {
-    return sum_of_norms(v, [&](const std::size_t i) { return is_inside_[i]; });
+    return sum_of_norms(
+      v, [&](const std::size_t i) { return free_components_[i]; });
   }
 } // namespace stiction

@@ -1,5 +1,6 @@
 #include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/errors.h>
@@ -44,18 +45,6 @@ namespace stiction
 
 
 
-  void
-  set_tangents(ContactNode &node)
-  {
-    Tensor<1, 3> e;
-    e[std::abs(node.normal[0]) > 0.9 ? 1 : 0] = 1.;
-    node.tangent1 = e - (e * node.normal) * node.normal;
-    node.tangent1 /= node.tangent1.norm();
-    node.tangent2 = cross_product_3d(node.tangent1, node.normal);
-  }
-
-
-
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const Parameters &parameters)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body()))
@@ -97,8 +86,9 @@ namespace stiction
     const Body &body = elasticity.body();
 
     // What the owners of the faces around a node each know of it: dofs,
-    // position, area × n, area, contact boundary.
-    using Share = std::array<double, 11>;
+    // position, area × n, area, contact boundary, prescribed components as
+    // bits.
+    using Share = std::array<double, 12>;
     std::map<types::global_dof_index, Share> shares;
 
     // A node belongs to the first of its boundaries, which is why the others'
@@ -147,7 +137,12 @@ namespace stiction
                       normal += w * values.normal_vector(q);
                     }
                   boundary_area_ += area;
-                  if (elasticity.constraints().is_constrained(first))
+                  unsigned int prescribed = 0;
+                  for (unsigned int c = 0; c < 3; ++c)
+                    if (elasticity.constraints().is_constrained(
+                          cell->vertex_dof_index(v, c)))
+                      prescribed |= 1u << c;
+                  if (prescribed == 7)
                     continue;
 
                   Share share{};
@@ -161,6 +156,7 @@ namespace stiction
                   share[9]  = area;
                   share[10] = static_cast<double>(
                     index_of(boundaries_, cell->face(f)->boundary_id()));
+                  share[11] = prescribed;
                   add(share);
                 }
             }
@@ -192,26 +188,30 @@ namespace stiction
               sorted.end(),
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
-    const std::size_t m = sorted.size();
-    std::vector<types::global_dof_index> dofs(3 * m);
-    for (std::size_t i = 0; i < m; ++i)
+    std::array<std::vector<types::global_dof_index>, 3> dofs;
+    for (const Share &share : sorted)
       {
         ContactNode node;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            dofs[i + c * m] =
-              static_cast<types::global_dof_index>(sorted[i][c]);
-            node.position[c] = sorted[i][3 + c];
-            node.normal[c]   = sorted[i][6 + c];
+            node.position[c] = share[3 + c];
+            node.normal[c]   = share[6 + c];
+            node.prescribed[c] =
+              (static_cast<unsigned int>(share[10]) >> c & 1u) != 0;
           }
         node.normal /= node.normal.norm();
-        node.area     = sorted[i][9];
-        node.boundary = static_cast<unsigned int>(sorted[i][10]);
-        set_tangents(node);
-        node_of_dof_[dofs[i]] = static_cast<Eigen::Index>(i);
+        node.area     = share[9];
+        node.boundary = static_cast<unsigned int>(share[10]);
+        if (!set_tangents(node))
+          continue;
+        for (unsigned int c = 0; c < 3; ++c)
+          dofs[c].push_back(static_cast<types::global_dof_index>(share[c]));
+        node_of_dof_[dofs[0].back()] = n_nodes();
         nodes_.push_back(node);
       }
-    trace_ = Trace(std::move(dofs));
+    for (unsigned int c = 1; c < 3; ++c)
+      dofs[0].insert(dofs[0].end(), dofs[c].begin(), dofs[c].end());
+    trace_ = Trace(std::move(dofs[0]));
   }
 
 
@@ -245,13 +245,24 @@ namespace stiction
     for (std::size_t i = 0; i < m; ++i)
       {
         ContactNode &node = nodes_[i];
-        const bool faces  = boundaries_[node.boundary].place(node);
-        set_tangents(node);
-        (faces ? facing : facing_away_).push_back(node);
+        if (!boundaries_[node.boundary].place(node))
+          {
+            facing_away_.push_back(node);
+            for (unsigned int c = 0; c < 3; ++c)
+              dofs_away[c].push_back(trace_.dofs()[i + c * m]);
+            continue;
+          }
+        const Tensor<1, 3> normal = node.normal;
+        if (!set_tangents(node))
+          continue;
+        // of a normal that is partly held, the free part has to close the gap
+        if (node.is_held())
+          node.gap /= normal * node.normal;
+        facing.push_back(node);
         for (unsigned int c = 0; c < 3; ++c)
-          (faces ? dofs : dofs_away)[c].push_back(trace_.dofs()[i + c * m]);
+          dofs[c].push_back(trace_.dofs()[i + c * m]);
       }
-    if (facing_away_.empty())
+    if (facing.size() == m)
       return;
     nodes_ = std::move(facing);
     node_of_dof_.clear();
@@ -319,7 +330,10 @@ namespace stiction
   Eigen::VectorXd
   ContactSurface::apply_B(const LA::Vector &u) const
   {
-    return to_local(trace_.restriction(u));
+    Eigen::VectorXd w = trace_.restriction(u);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(w, i, nodes_[i].displacement_to_local(at_node(w, i)));
+    return w;
   }
 
 
@@ -329,24 +343,22 @@ namespace stiction
                                   const Eigen::VectorXd &lambda,
                                   LA::Vector &dst) const
   {
-    trace_.add_extension(factor * to_cartesian(lambda), dst);
+    trace_.add_extension(factor * force_to_cartesian(lambda), dst);
   }
 
 
 
-  Eigen::VectorXd
-  ContactSurface::to_local(const Eigen::VectorXd &v) const
+  void
+  ContactSurface::add_displacement(const double factor,
+                                   const Eigen::VectorXd &w,
+                                   LA::Vector &u) const
   {
-    const Eigen::Index m = n_nodes();
-    Eigen::VectorXd w(v.size());
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        const Tensor<1, 3> x({v(i), v(i + m), v(i + 2 * m)});
-        w(i)         = nodes_[i].normal * x;
-        w(i + m)     = nodes_[i].tangent1 * x;
-        w(i + 2 * m) = nodes_[i].tangent2 * x;
-      }
-    return w;
+    Eigen::VectorXd cartesian(w.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(cartesian,
+                  i,
+                  factor * nodes_[i].displacement_to_cartesian(at_node(w, i)));
+    trace_.add_extension(cartesian, u);
   }
 
 
@@ -355,14 +367,9 @@ namespace stiction
   ContactSurface::rotate_to_local(Eigen::MatrixXd &C) const
   {
     const Eigen::Index m = n_nodes();
-    std::vector<Eigen::Matrix3d> R(m);
-    for (Eigen::Index i = 0; i < m; ++i)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          R[i](0, c) = nodes_[i].normal[c];
-          R[i](1, c) = nodes_[i].tangent1[c];
-          R[i](2, c) = nodes_[i].tangent2[c];
-        }
+    std::vector<Eigen::Matrix3d> M;
+    for (const ContactNode &node : nodes_)
+      M.push_back(node.scales().asDiagonal() * node.axes());
     for (Eigen::Index j = 0; j < m; ++j)
       for (Eigen::Index i = 0; i < m; ++i)
         {
@@ -370,7 +377,7 @@ namespace stiction
           for (Eigen::Index b = 0; b < 3; ++b)
             for (Eigen::Index a = 0; a < 3; ++a)
               block(a, b) = C(i + a * m, j + b * m);
-          block = (R[i] * block * R[j].transpose()).eval();
+          block = (M[i] * block * M[j].transpose()).eval();
           for (Eigen::Index b = 0; b < 3; ++b)
             for (Eigen::Index a = 0; a < 3; ++a)
               C(i + a * m, j + b * m) = block(a, b);
@@ -380,19 +387,24 @@ namespace stiction
 
 
   Eigen::VectorXd
-  ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
+  ContactSurface::force_to_cartesian(const Eigen::VectorXd &lambda) const
   {
-    const Eigen::Index m = n_nodes();
-    Eigen::VectorXd w(v.size());
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        const Tensor<1, 3> x = v(i) * nodes_[i].normal +
-                               v(i + m) * nodes_[i].tangent1 +
-                               v(i + 2 * m) * nodes_[i].tangent2;
-        for (unsigned int c = 0; c < 3; ++c)
-          w(i + c * m) = x[c];
-      }
-    return w;
+    Eigen::VectorXd force(lambda.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(force, i, nodes_[i].force_to_cartesian(at_node(lambda, i)));
+    return force;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactSurface::held() const
+  {
+    Eigen::VectorXd held(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(
+        held, i, (nodes_[i].scales().array() == 0.).matrix().cast<double>());
+    return held;
   }
 
 

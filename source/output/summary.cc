@@ -3,6 +3,7 @@
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
@@ -205,7 +206,22 @@ namespace stiction
 
     json tangential_force = nullptr;
     if (surface.is_plane())
-      tangential_force = {lambda.segment(m, m).sum(), lambda.tail(m).sum()};
+      {
+        // whatever the principal directions of friction
+        ContactFrame plane;
+        plane.normal = surface.nodes()[0].normal;
+        set_tangents(plane);
+        const Eigen::VectorXd force = surface.force_to_cartesian(lambda);
+        Eigen::VectorXd first(m), second(m);
+        for (Eigen::Index i = 0; i < m; ++i)
+          {
+            const Eigen::Vector3d local =
+              plane.force_to_local(at_node(force, i));
+            first(i)  = local(1);
+            second(i) = local(2);
+          }
+        tangential_force = {first.sum(), second.sum()};
+      }
 
     json result                = counts_to_json(certificate, tolerance);
     result["normal_force"]     = lambda.head(m).sum();

@@ -1,5 +1,6 @@
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/materials.h>
@@ -203,11 +204,10 @@ namespace stiction
         const auto &lambda      = certificate.lambda();
         const auto &r           = certificate.gradient();
 
-        const Tensor<1, 3> force = lambda(i) * node.normal +
-                                   lambda(i + m) * node.tangent1 +
-                                   lambda(i + 2 * m) * node.tangent2;
-        const Tensor<1, 3> slip_vector =
-          -r(i + m) * node.tangent1 - r(i + 2 * m) * node.tangent2;
+        const Eigen::Vector3d force =
+          node.force_to_cartesian(at_node(lambda, i));
+        const Eigen::Vector3d slip_vector =
+          node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
         patch.data(pressure, v) = static_cast<float>(lambda(i) / node.area);
         patch.data(gap, v)      = static_cast<float>(r(i));

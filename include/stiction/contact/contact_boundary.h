@@ -1,7 +1,7 @@
 #ifndef stiction_contact_contact_boundary_h
 #define stiction_contact_contact_boundary_h
 
-#include <stiction/parameter_file.h>
+
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
@@ -14,9 +14,11 @@ namespace stiction
 {
   class Body;
   struct ContactNode;
+  class FrictionData;
   enum class FrictionLaw;
   class Obstacle;
   class ParsedFunction;
+  class ParameterFile;
   class Parameters;
 
   /// What the user says of one contact boundary: what it may touch, at which
@@ -25,6 +27,8 @@ namespace stiction
   {
   public:
     /// All contact boundaries, in the order of the parameter file. Collective.
+    /// The parameters must outlive them.
+
     ///
     /// Throws InputError for a boundary that the mesh does not have or that
     /// stands twice, for entries with neither one value nor one a boundary, and
@@ -49,10 +53,7 @@ namespace stiction
     }
 
     FrictionLaw
-    law() const
-    {
-      return law_;
-    }
+    law() const;
 
     /// Gives a node of this boundary, whose normal is the outward one, its gap
     /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ at its place: the
@@ -66,8 +67,8 @@ namespace stiction
     bool
     place(ContactNode &node) const;
 
-    /// Gives a node of this boundary its friction data. Throws InputError if
-    /// one is negative.
+    /// Gives a node of this boundary its friction data, see
+    /// FrictionData::set().
     void
     set_friction(ContactNode &node) const;
 
@@ -81,11 +82,12 @@ namespace stiction
 
     std::string name_;
     dealii::types::boundary_id id_;
-    FrictionLaw law_;
+
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
-    std::unique_ptr<ParsedFunction> gap_, coefficient_, slip_stress_;
-    double size_ = 0.; ///< of the body, m
-    ParameterFile source_;
+    std::unique_ptr<ParsedFunction> gap_;
+    std::unique_ptr<FrictionData> friction_;
+    double size_                 = 0.; ///< of the body, m
+    const ParameterFile *source_ = nullptr;
   };
 } // namespace stiction
 

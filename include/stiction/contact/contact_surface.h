@@ -1,6 +1,7 @@
 #ifndef stiction_contact_contact_surface_h
 #define stiction_contact_contact_surface_h
 
+#include <stiction/contact/contact_frame.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/trace.h>
 #include <stiction/qp/slip_bound.h>
@@ -21,13 +22,14 @@ namespace stiction
   class Parameters;
 
   /// One node of a contact boundary that may touch its obstacle.
-  struct ContactNode
+  ///
+  /// Of an ellipse of friction, the coefficient and the slip stress are those
+  /// of the disc it becomes in contact variables: along t1, or along the one
+  /// free direction.
+  struct ContactNode : ContactFrame
   {
-    dealii::Point<3> position;     ///< undeformed, m
-    dealii::Tensor<1, 3> normal;   ///< n, unit, towards the obstacle
-    dealii::Tensor<1, 3> tangent1; ///< t1, unit
-    dealii::Tensor<1, 3> tangent2; ///< t2 = t1 × n
-    double gap            = 0.;    ///< d along n, m; negative: interference
+    dealii::Point<3> position;  ///< undeformed, m
+    double gap            = 0.; ///< d along n, m; negative: interference
     double area           = 0.; ///< A = ∫ φ over the contact boundary, m²
     double coefficient    = 0.; ///< F of Coulomb's law
     double slip_stress    = 0.; ///< τ_c of given friction, Pa
@@ -37,15 +39,17 @@ namespace stiction
 
 
   /// The contact nodes with their frames, gaps, areas and friction data, and
-  /// the maps B = (N; T1; T2) and Bᵀ between displacements of the body and
-  /// contact quantities.
+  /// the maps B and Bᵀ between the body and contact quantities: B = (N; T1;
+  /// T2), with the scales of ContactFrame for ellipses of friction and
+  /// directions in which a node is held.
   ///
   /// The list is known to all ranks, in an order that does not depend on
   /// their number. Vectors over it are stored by blocks (normal; first
   /// tangent; second tangent), each of length m = n_nodes(). Nodes of a
-  /// contact boundary whose displacement is prescribed are not contact nodes,
-  /// nor are those that face away from the obstacle. A node of several contact
-  /// boundaries is one of the first of them, with its area there alone.
+  /// contact boundary whose displacement is prescribed, wholly or along the
+  /// normal, are not contact nodes, nor are those that face away from the
+  /// obstacle. A node of several contact boundaries is one of the first of
+  /// them, with its area there alone.
   class ContactSurface
   {
   public:
@@ -126,7 +130,7 @@ namespace stiction
       return trace_;
     }
 
-    /// B u: (n·u; t1·u; t2·u), length 3m. Collective.
+    /// B u: (n·u; s1 t1·u; s2 t2·u), length 3m. Collective.
     Eigen::VectorXd
     apply_B(const LA::Vector &u) const;
 
@@ -136,18 +140,27 @@ namespace stiction
                     const Eigen::VectorXd &lambda,
                     LA::Vector &dst) const;
 
-    /// From components (x; y; z) to (n; t1; t2) at every node: the orthogonal
-    /// matrix R with B = R × restriction.
-    Eigen::VectorXd
-    to_local(const Eigen::VectorXd &v) const;
+    /// u += factor × the displacement of the contact nodes with B u = w, in the
+    /// directions that are not held. Collective.
+    void
+    add_displacement(double factor,
+                     const Eigen::VectorXd &w,
+                     LA::Vector &u) const;
 
-    /// Replaces a matrix of order 3m by R C Rᵀ, in one pass: C may be large.
+    /// Replaces a matrix of order 3m, of displacements (x; y; z) under forces
+    /// (x; y; z), by M C Mᵀ with the nodal matrices M of B, in one pass: C may
+    /// be large.
     void
     rotate_to_local(Eigen::MatrixXd &C) const;
 
-    /// The inverse of to_local(), Rᵀ v.
+    /// The forces Bᵀ λ at the contact nodes, by blocks (x; y; z).
     Eigen::VectorXd
-    to_cartesian(const Eigen::VectorXd &v) const;
+    force_to_cartesian(const Eigen::VectorXd &lambda) const;
+
+    /// 1 for each contact variable in whose direction the node is held, 0 for
+    /// the others.
+    Eigen::VectorXd
+    held() const;
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
     /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
@@ -189,12 +202,6 @@ namespace stiction
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_;
   };
 
-
-
-  /// The unit tangents that go with a unit normal: t1 the normalised
-  /// tangential part of e_x (of e_y if |n_x| > 0.9), t2 = t1 × n.
-  void
-  set_tangents(ContactNode &node);
 } // namespace stiction
 
 #endif
