@@ -8,6 +8,7 @@
 #include <stiction/contact_problem.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/local_refinement.h>
 #include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
@@ -139,12 +140,17 @@ namespace stiction
     body_ =
       std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
     assign_material_ids(*body_, parameters_);
+    refine_contact_boundary(*body_, parameters_);
     log_->line(
       format("Body: %llu cells, %llu nodes, %llu unknowns",
              static_cast<unsigned long long>(
                body_->triangulation().n_global_active_cells()),
              static_cast<unsigned long long>(body_->n_nodes()),
              static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    if (body_->n_hanging_nodes() > 0)
+      log_->line(
+        format("Hanging nodes: %llu",
+               static_cast<unsigned long long>(body_->n_hanging_nodes())));
   }
 
 

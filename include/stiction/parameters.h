@@ -40,8 +40,20 @@ namespace stiction
     /// before it is checked. For bodies other than the brick the least
     /// possible: the cells that their coarse mesh has are known only when it
     /// is there.
+    /// Of local refinement the most it can make.
     double
     n_cells() const;
+
+    /// Of them those of the mesh without local refinement.
+    double
+    n_uniform_cells() const;
+
+    /// Whether all cells are alike and trilinear, see Body::is_simple().
+    bool
+    is_simple() const
+    {
+      return contact_refinement == 0 && element_degree == 1;
+    }
 
     /// The entry ("Section/Entry") to blame if these are too many.
     std::string
@@ -61,6 +73,9 @@ namespace stiction
     std::string generator_arguments        = "0 : 1 : true";
     std::string mesh_file                  = "";
     unsigned int global_refinement         = 1;
+    unsigned int contact_refinement        = 0;
+    std::string contact_refinement_where   = "1";
+    unsigned int element_degree            = 1;
     unsigned int table_1_level             = 0;
     std::string table_1_reading            = "nodes";
 
@@ -210,6 +225,15 @@ namespace stiction
     /// Throws InputError if the method cannot solve a problem with this law.
     void
     check_method(bool is_coulomb) const;
+
+    /// Whether K can be known cell by cell, without a matrix, and there is
+    /// geometric multigrid: a uniform mesh of trilinear cells of isotropic
+    /// materials.
+    bool
+    is_simple() const
+    {
+      return geometry.is_simple() && material.is_simple();
+    }
 
     /// 'Stiffness solver/Type', with automatic replaced by what it stands for.
     std::string

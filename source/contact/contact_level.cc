@@ -83,11 +83,10 @@ namespace stiction
     , slip_bound_(surface.slip_bound())
   {
     for (const auto dof : load_->locally_owned_elements())
-      if (elasticity.constraints().is_constrained(dof))
+      if (elasticity.is_prescribed(dof))
         {
           fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
-          prescribed_.push_back(
-            elasticity.constraints().get_inhomogeneity(dof));
+          prescribed_.push_back(elasticity.prescribed_value(dof));
         }
     for (const ContactNode &node : surface.nodes())
       frames_.push_back(node);

@@ -33,6 +33,13 @@ namespace stiction
       return b;
     }
 
+    // Whether the bit of a component is set.
+    bool
+    has_component(const double bits, const unsigned int c)
+    {
+      return (static_cast<unsigned int>(bits) >> c & 1u) != 0;
+    }
+
     std::vector<types::global_dof_index>
     by_blocks(const std::array<std::vector<types::global_dof_index>, 3> &blocks)
     {
@@ -85,33 +92,55 @@ namespace stiction
   {
     const Body &body = elasticity.body();
 
-    // What the owners of the faces around a node each know of it: dofs,
-    // position, area × n, area, contact boundary, prescribed components as
-    // bits.
-    using Share = std::array<double, 12>;
+    // What a rank knows of a node, or all ranks together.
+    enum : unsigned int
+    {
+      first_dof,
+      boundary,
+      prescribed, // components, as bits
+      area,
+      normal,                // × area
+      position = normal + 3, // from the owner of the node
+      n_data   = position + 3
+    };
+    using Share = std::array<double, n_data>;
     std::map<types::global_dof_index, Share> shares;
-
     // A node belongs to the first of its boundaries, which is why the others'
     // shares are dropped.
-    const auto add = [&](const Share &share) {
-      const auto place =
-        shares.emplace(static_cast<types::global_dof_index>(share[0]), share);
-      Share &sum = place.first->second;
-      if (place.second || share[10] > sum[10])
+    const auto add = [&](const types::global_dof_index dof,
+                         const double weight,
+                         const Share &share) {
+      const auto place = shares.emplace(dof, share);
+      Share &sum       = place.first->second;
+      if (!place.second && share[boundary] > sum[boundary])
         return;
-      std::copy(share.begin(), share.begin() + 6, sum.begin());
-      for (unsigned int k = 6; k < 10; ++k)
-        sum[k] = share[k] + (share[10] < sum[10] ? 0. : sum[k]);
-      sum[10] = share[10];
+      const bool is_new = place.second || share[boundary] < sum[boundary];
+      for (unsigned int k = area; k < position; ++k)
+        sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
+      sum[first_dof]  = static_cast<double>(dof);
+      sum[boundary]   = share[boundary];
+      sum[prescribed] = share[prescribed];
     };
+    const auto add_with_prescribed =
+      [&](const types::global_dof_index dof, const double weight, Share share) {
+        unsigned int components = 0;
+        for (unsigned int c = 0; c < 3; ++c)
+          if (elasticity.is_prescribed(dof + c))
+            components |= 1u << c;
+        if (components == 7)
+          return;
+        share[prescribed] = components;
+        add(dof, weight, share);
+      };
 
-    const QGauss<2> quadrature(2);
     const FiniteElement<3> &fe = body.dof_handler().get_fe();
+    const QGauss<2> quadrature(fe.degree + 1);
     FEFaceValues<3> values(body.mapping(),
                            fe,
                            quadrature,
                            update_values | update_normal_vectors |
                              update_JxW_values);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
 
     for (const auto &cell : body.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -120,44 +149,28 @@ namespace stiction
               is_contact_boundary(cell->face(f)->boundary_id()))
             {
               values.reinit(cell, f);
-              for (unsigned int corner = 0; corner < 4; ++corner)
+              cell->get_dof_indices(dofs);
+              for (unsigned int i = 0; i < dofs.size(); i += 3)
                 {
-                  // as the cell counts, which may see its face turned
-                  const unsigned int v =
-                    GeometryInfo<3>::face_to_cell_vertices(f, corner);
-                  const auto first = cell->vertex_dof_index(v, 0);
-                  Tensor<1, 3> normal;
-                  double area = 0.;
-                  // vertices come first among the unknowns of a cell
-                  const unsigned int i = 3 * v;
+                  if (!fe.has_support_on_face(i, f))
+                    continue;
+                  Share share{};
                   for (const unsigned int q : values.quadrature_point_indices())
                     {
                       const double w = values.shape_value(i, q) * values.JxW(q);
-                      area += w;
-                      normal += w * values.normal_vector(q);
+                      share[area] += w;
+                      for (unsigned int c = 0; c < 3; ++c)
+                        share[normal + c] += w * values.normal_vector(q)[c];
                     }
-                  boundary_area_ += area;
-                  unsigned int prescribed = 0;
-                  for (unsigned int c = 0; c < 3; ++c)
-                    if (elasticity.constraints().is_constrained(
-                          cell->vertex_dof_index(v, c)))
-                      prescribed |= 1u << c;
-                  if (prescribed == 7)
-                    continue;
-
-                  Share share{};
-                  for (unsigned int c = 0; c < 3; ++c)
-                    {
-                      share[c] =
-                        static_cast<double>(cell->vertex_dof_index(v, c));
-                      share[3 + c] = cell->vertex(v)[c];
-                      share[6 + c] = normal[c];
-                    }
-                  share[9]  = area;
-                  share[10] = static_cast<double>(
+                  boundary_area_ += share[area];
+                  share[boundary] = static_cast<double>(
                     index_of(boundaries_, cell->face(f)->boundary_id()));
-                  share[11] = prescribed;
-                  add(share);
+                  if (!elasticity.is_hanging(dofs[i]))
+                    add_with_prescribed(dofs[i], 1., share);
+                  else
+                    for (const auto &master :
+                         *body.hanging_nodes().get_constraint_entries(dofs[i]))
+                      add_with_prescribed(master.first, master.second, share);
                 }
             }
     boundary_area_ = Utilities::MPI::sum(boundary_area_, body.communicator());
@@ -169,49 +182,65 @@ namespace stiction
     for (const auto &theirs :
          Utilities::MPI::all_gather(body.communicator(), mine))
       for (const Share &share : theirs)
-        add(share);
+        add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
+
+    // a node that others hang on need not be on a face of this rank
+    const IndexSet &owned = body.locally_owned_dofs();
+    std::vector<double> positions;
+    for (const auto &share : shares)
+      for (unsigned int c = 0; c < 3; ++c)
+        positions.push_back(
+          owned.is_element(share.first)
+            ? body
+                .locally_owned_nodes()[owned.index_within_set(share.first) / 3]
+                .position[c]
+            : 0.);
+    Utilities::MPI::sum(positions, body.communicator(), positions);
+
+    std::vector<Share> sorted;
+    for (const auto &share : shares)
+      {
+        const std::size_t begin = 3 * sorted.size();
+        sorted.push_back(share.second);
+        std::copy_n(&positions[begin], 3, &sorted.back()[position]);
+      }
 
     // The unknowns' numbers depend on the partition, places do not. Rounded,
     // because a vertex may have been computed along different edges.
-    std::vector<Share> sorted;
-    for (const auto &share : shares)
-      sorted.push_back(share.second);
     const auto corners = body.bounding_box().get_boundary_points();
     const double unit  = 1e-9 * corners.first.distance(corners.second);
     const auto key     = [&](const Share &share) {
       std::array<long long, 3> k;
       for (unsigned int c = 0; c < 3; ++c)
-        k[c] = std::llround((share[3 + c] - corners.first[c]) / unit);
+        k[c] = std::llround((share[position + c] - corners.first[c]) / unit);
       return k;
     };
     std::sort(sorted.begin(),
               sorted.end(),
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
-    std::array<std::vector<types::global_dof_index>, 3> dofs;
+    std::array<std::vector<types::global_dof_index>, 3> dofs_by_blocks;
     for (const Share &share : sorted)
       {
         ContactNode node;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            node.position[c] = share[3 + c];
-            node.normal[c]   = share[6 + c];
-            node.prescribed[c] =
-              (static_cast<unsigned int>(share[10]) >> c & 1u) != 0;
+            node.position[c]   = share[position + c];
+            node.normal[c]     = share[normal + c];
+            node.prescribed[c] = has_component(share[prescribed], c);
           }
         node.normal /= node.normal.norm();
-        node.area     = share[9];
-        node.boundary = static_cast<unsigned int>(share[10]);
+        node.area     = share[area];
+        node.boundary = static_cast<unsigned int>(share[boundary]);
         if (!set_tangents(node))
           continue;
+        const auto dof = static_cast<types::global_dof_index>(share[first_dof]);
         for (unsigned int c = 0; c < 3; ++c)
-          dofs[c].push_back(static_cast<types::global_dof_index>(share[c]));
-        node_of_dof_[dofs[0].back()] = n_nodes();
+          dofs_by_blocks[c].push_back(dof + c);
+        node_of_dof_[dof] = n_nodes();
         nodes_.push_back(node);
       }
-    for (unsigned int c = 1; c < 3; ++c)
-      dofs[0].insert(dofs[0].end(), dofs[c].begin(), dofs[c].end());
-    trace_ = Trace(std::move(dofs[0]));
+    trace_ = Trace(by_blocks(dofs_by_blocks));
   }
 
 

@@ -1,4 +1,6 @@
+#include <stiction/elasticity/assembled_stiffness.h>
 #include <stiction/elasticity/body.h>
+#include <stiction/elasticity/cell_material.h>
 #include <stiction/elasticity/element_stiffness.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/loads.h>
@@ -6,6 +8,7 @@
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/prescribed_displacement.h>
 #include <stiction/elasticity/stiffness_operator.h>
+#include <stiction/elasticity/supported_stiffness.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -30,18 +33,34 @@ namespace stiction
   {
     const Loads loads(body, *prescribed_displacement_, parameters);
     make_constraints();
-    stiffness_ =
-      std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
+    make_stiffness();
     load_ = std::make_unique<LA::Vector>(zero_vector());
     loads.assemble(*materials_, *load_);
     constrain_load();
     if (parameters.needs_stiffness_matrix())
-      assemble_stiffness();
+      constrain_stiffness();
   }
 
 
 
   LinearElasticity::~LinearElasticity() = default;
+
+
+
+  bool
+  LinearElasticity::is_hanging(const types::global_dof_index dof) const
+  {
+    return body_.is_hanging(dof);
+  }
+
+
+
+  void
+  LinearElasticity::distribute(LA::Vector &u) const
+  {
+    if (body_.n_hanging_nodes() > 0)
+      body_.hanging_nodes().distribute(u);
+  }
 
 
 
@@ -106,7 +125,7 @@ namespace stiction
   LinearElasticity::make_constraints()
   {
     constraints_.reinit(body_.locally_relevant_dofs());
-    DoFTools::make_hanging_node_constraints(body_.dof_handler(), constraints_);
+    constraints_.merge(body_.hanging_nodes());
     prescribed_displacement_->add_to(constraints_);
     constraints_.close();
   }
@@ -119,9 +138,9 @@ namespace stiction
     LA::Vector prescribed = zero_vector();
     bool is_moved         = false;
     for (const auto dof : body_.locally_owned_dofs())
-      if (constraints_.is_constrained(dof))
+      if (is_prescribed(dof))
         {
-          prescribed(dof) = constraints_.get_inhomogeneity(dof);
+          prescribed(dof) = prescribed_value(dof);
           is_moved        = is_moved || prescribed(dof) != 0.;
         }
     constrained_load_ = std::make_unique<LA::Vector>(*load_);
@@ -130,14 +149,48 @@ namespace stiction
 
     const LA::Vector diagonal = stiffness_diagonal();
     for (const auto dof : body_.locally_owned_dofs())
-      if (constraints_.is_constrained(dof))
+      if (is_prescribed(dof))
         (*constrained_load_)(dof) = diagonal(dof) * prescribed(dof);
   }
 
 
 
   void
-  LinearElasticity::assemble_stiffness()
+  LinearElasticity::make_stiffness()
+  {
+    if (body_.is_simple() && materials_->are_simple())
+      stiffness_ =
+        std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
+    else
+      stiffness_ = std::make_unique<StiffnessOperator<double>>(
+        *mesh_, assemble_stiffness(body_, [&](const auto &cell) {
+          return CellMaterial{materials_->of(cell->material_id()).stiffness,
+                              materials_->have_mean_dilatation()};
+        }));
+  }
+
+
+
+  void
+  LinearElasticity::constrain_stiffness()
+  {
+    if (stiffness_->matrix() == nullptr)
+      {
+        assemble_simple_stiffness();
+        return;
+      }
+    LA::Vector fixed = zero_vector();
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        fixed(dof) = 1.;
+    constrained_stiffness_ =
+      SupportedStiffness(*stiffness_->matrix(), fixed, {}).release();
+  }
+
+
+
+  void
+  LinearElasticity::assemble_simple_stiffness()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
     const IndexSet &owned            = body_.locally_owned_dofs();

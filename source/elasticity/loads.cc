@@ -109,6 +109,21 @@ namespace stiction
 
 
   void
+  Loads::add(const types::global_dof_index dof,
+             const double force,
+             LA::Vector &load) const
+  {
+    if (!body_.is_hanging(dof))
+      load(dof) += force;
+    else
+      for (const auto &master :
+           *body_.hanging_nodes().get_constraint_entries(dof))
+        load(master.first) += master.second * force;
+  }
+
+
+
+  void
   Loads::add_boundary_loads(LA::Vector &load) const
   {
     const FiniteElement<3> &fe = body_.dof_handler().get_fe();
@@ -142,9 +157,10 @@ namespace stiction
                   force -= pressure->second.function->value(x) *
                            values.normal_vector(q);
                 for (const unsigned int i : values.dof_indices())
-                  load(indices[i]) +=
-                    force[fe.system_to_component_index(i).first] *
-                    values.shape_value(i, q) * values.JxW(q);
+                  add(indices[i],
+                      force[fe.system_to_component_index(i).first] *
+                        values.shape_value(i, q) * values.JxW(q),
+                      load);
               }
           }
   }
@@ -177,9 +193,10 @@ namespace stiction
                 force[c] = (body_force_ ? body_force_->value(x, c) : 0.) +
                            (gravity_ ? density * gravity_->value(x, c) : 0.);
               for (const unsigned int i : values.dof_indices())
-                load(indices[i]) +=
-                  force[fe.system_to_component_index(i).first] *
-                  values.shape_value(i, q) * values.JxW(q);
+                add(indices[i],
+                    force[fe.system_to_component_index(i).first] *
+                      values.shape_value(i, q) * values.JxW(q),
+                    load);
             }
         }
   }

@@ -235,6 +235,7 @@ namespace stiction
 
 
   Materials::Materials(const Body &body, const Parameters &parameters)
+    : have_mean_dilatation_(parameters.material.volume_strain == "cell mean")
   {
     Material common = Material::isotropic(parameters.material.youngs_modulus,
                                           parameters.material.poisson_ratio);
@@ -273,6 +274,17 @@ namespace stiction
                            "1e30");
         by_id_.at(id).density = density;
       });
+  }
+
+
+
+  bool
+  Materials::are_simple() const
+  {
+    return !have_mean_dilatation_ &&
+           std::all_of(by_id_.begin(), by_id_.end(), [](const auto &entry) {
+             return entry.second.is_isotropic;
+           });
   }
 
 

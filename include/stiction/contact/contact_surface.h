@@ -28,9 +28,11 @@ namespace stiction
   /// free direction.
   struct ContactNode : ContactFrame
   {
-    dealii::Point<3> position;  ///< undeformed, m
-    double gap            = 0.; ///< d along n, m; negative: interference
-    double area           = 0.; ///< A = ∫ φ over the contact boundary, m²
+    dealii::Point<3> position; ///< undeformed, m
+    double gap = 0.;           ///< d along n, m; negative: interference
+    /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
+    /// hanging nodes add to it.
+    double area           = 0.;
     double coefficient    = 0.; ///< F of Coulomb's law
     double slip_stress    = 0.; ///< τ_c of given friction, Pa
     unsigned int boundary = 0;  ///< whose node it is, of boundaries()
@@ -48,8 +50,12 @@ namespace stiction
   /// tangent; second tangent), each of length m = n_nodes(). Nodes of a
   /// contact boundary whose displacement is prescribed, wholly or along the
   /// normal, are not contact nodes, nor are those that face away from the
-  /// obstacle. A node of several contact boundaries is one of the first of
-  /// them, with its area there alone.
+  /// obstacle, nor hanging nodes, which follow from others. A node of several
+  /// contact boundaries is one of the first of them, with its area there alone.
+  ///
+  /// The contact force is one number a node and direction, whatever the degree
+  /// of the elements: λ_i works on the displacement of node i alone, so that
+  /// λ_i/A_i is a traction and Σ A_i the area.
   class ContactSurface
   {
   public:

@@ -36,6 +36,12 @@ namespace stiction
     assemble(const Materials &materials, LA::Vector &load) const;
 
   private:
+    /// Adds a force at an unknown; what hangs passes it on.
+    void
+    add(dealii::types::global_dof_index dof,
+        double force,
+        LA::Vector &load) const;
+
     void
     add_boundary_loads(LA::Vector &load) const;
 

@@ -74,6 +74,17 @@ namespace stiction
     void
     assign(HexahedralCell &cell, double unit = 1.) const;
 
+    /// Whether Lamé's two numbers say all of every cell.
+    bool
+    are_simple() const;
+
+    /// Whether ∇·u is to be replaced by its mean over each cell.
+    bool
+    have_mean_dilatation() const
+    {
+      return have_mean_dilatation_;
+    }
+
     /// Whether all cells are made of the same.
     bool
     are_one() const
@@ -90,6 +101,7 @@ namespace stiction
   private:
     /// Those in the body, and no other.
     std::map<dealii::types::material_id, Material> by_id_;
+    bool have_mean_dilatation_;
   };
 
 
