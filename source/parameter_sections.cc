@@ -98,18 +98,15 @@ namespace stiction
                   "makes weight. Unit: kg/m^3.",
                   prm,
                   Patterns::Double());
-    add_parameter(
-      "Materials",
-      materials,
-      "Materials other than the one above, by the id or name they "
-      "have in the mesh: 'material : isotropic; E; nu' or 'material "
-      ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
-      "with the axes x, y, z, nu12 being the contraction along y "
-      "under a pull along x, several separated by '|'. Cells of any other "
-      "material have the "
-      "numbers above. Empty: so have all cells.",
-      prm,
-      Patterns::Anything());
+    add_parameter("Materials",
+                  materials,
+                  "Materials other than the one above, by the id or name they "
+                  "have in the mesh: 'material : isotropic; E; nu', several "
+                  "separated by '|'. Cells of any other "
+                  "material have the "
+                  "numbers above. Empty: so have all cells.",
+                  prm,
+                  Patterns::Anything());
     add_parameter("Densities",
                   densities,
                   "Mass densities other than the one above: 'material : "

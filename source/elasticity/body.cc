@@ -36,6 +36,9 @@ namespace stiction
     GridGenerator::subdivided_hyper_rectangle(
       triangulation_, geometry.subdivisions, Point<3>(), corner, true);
     boundary_names_ = BoundaryNames::brick();
+    // deal.II colours the octants, too
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      cell->set_material_id(0);
     material_names_ = BoundaryNames({0}, {});
 
     // the coarse mesh is known to every rank, so this needs no communication

@@ -254,6 +254,9 @@ namespace stiction
         by_id_.at(id)         = read_material(materials, name, words);
         by_id_.at(id).density = common.density;
       });
+    if (!parameters.material.is_simple())
+      materials.refuse("orthotropic materials are not supported yet, all must "
+                       "be isotropic");
 
     const MaterialList densities(parameters,
                                  "Material/Densities",
