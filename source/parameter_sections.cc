@@ -213,11 +213,21 @@ namespace stiction
       "have in the mesh: 'material : isotropic; E; nu' or 'material "
       ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
       "with the axes x, y, z, nu12 being the contraction along y "
-      "under a pull along x, several separated by '|'. Cells of any other "
-      "material have the "
-      "numbers above. Empty: so have all cells.",
+      "under a pull along x, several separated by '|'. Cells of any "
+      "other material have the numbers above. Empty: so have all "
+      "cells.",
       prm,
       Patterns::Anything());
+    add_parameter(
+      "Volume strain",
+      volume_strain,
+      "pointwise: as the displacements have it; trilinear elements "
+      "then lock as nu approaches 0.5. cell mean: the change of "
+      "volume is the same all over a cell (mean dilatation, B-bar), "
+      "for nearly incompressible materials, nu above 0.49; with an "
+      "assembled stiffness matrix.",
+      prm,
+      Patterns::Selection("pointwise|cell mean"));
     add_parameter("Densities",
                   densities,
                   "Mass densities other than the one above: 'material : "

@@ -47,6 +47,9 @@ namespace stiction
           corner[d] = geometry.lengths[d];
         GridGenerator::subdivided_hyper_rectangle(
           triangulation_, geometry.subdivisions, Point<3>(), corner, true);
+        // deal.II colours the octants, too
+        for (const auto &cell : triangulation_.active_cell_iterators())
+          cell->set_material_id(0);
         boundary_names_ = MeshNames::brick_boundaries();
         material_names_ = MeshNames("material", {0}, {});
         triangulation_.refine_global(geometry.global_refinement);

@@ -256,6 +256,7 @@ namespace stiction
         by_id_.at(id).density = common.density;
       });
 
+
     const MaterialList densities(parameters,
                                  "Material/Densities",
                                  parameters.material.densities,

@@ -6,12 +6,14 @@
 
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 
 using namespace stiction;
 
@@ -216,6 +218,55 @@ namespace
           << yes((steady - moving).norm() < 1e-10 * steady.norm())
           << ", which is one " << yes(steady.norm() > 1e6) << std::endl;
   }
+
+  // Uniaxial and shear stresses give the strains that the nine numbers say.
+  void
+  orthotropic_tensor()
+  {
+    const std::array<double, 9> numbers = {
+      {10., 8., 2., 0.3, 0.4, 0.25, 3., 1.5, 0.7}};
+    const double *const E = &numbers[0], *const nu = &numbers[3],
+                        *const G = &numbers[6];
+    const auto material          = Material::orthotropic(numbers);
+    const double strains[6][6]   = {
+        // ε11, ε22, ε33, ε12, ε13, ε23 of unit stresses
+      {1. / E[0], -nu[0] / E[0], -nu[1] / E[0], 0., 0., 0.},
+      {-nu[0] / E[0], 1. / E[1], -nu[2] / E[1], 0., 0., 0.},
+      {-nu[1] / E[0], -nu[2] / E[1], 1. / E[2], 0., 0., 0.},
+      {0., 0., 0., 0.5 / G[0], 0., 0.},
+      {0., 0., 0., 0., 0.5 / G[1], 0.},
+      {0., 0., 0., 0., 0., 0.5 / G[2]}};
+    const unsigned int rows[]    = {0, 1, 2, 0, 0, 1},
+                       columns[] = {0, 1, 2, 1, 2, 2};
+    double error                 = 0.;
+    for (unsigned int k = 0; k < 6; ++k)
+      {
+        dealii::SymmetricTensor<2, 3> strain, expected;
+        for (unsigned int l = 0; l < 6; ++l)
+          strain[rows[l]][columns[l]] = strains[k][l];
+        expected[rows[k]][columns[k]] = 1.;
+        error = std::max(error, (material.stress(strain) - expected).norm());
+      }
+    // isotropic numbers make the isotropic tensor
+    const auto steel = Material::isotropic(2., 0.3);
+    const double g   = 2. / 2.6;
+    const auto same =
+      Material::orthotropic({{2., 2., 2., 0.3, 0.3, 0.3, g, g, g}});
+    bool is_refused = false;
+    try
+      {
+        Material::orthotropic({{1., 1., 1., 0.5, 0.5, 0.5, 1., 1., 1.}});
+      }
+    catch (const std::domain_error &)
+      {
+        is_refused = true;
+      }
+    out() << "orthotropic: strains of unit stresses to 1e-14 "
+          << yes(error < 1e-14) << ", isotropic numbers give that tensor "
+          << yes((steel.stiffness - same.stiffness).norm() < 1e-14)
+          << ", no volume stiffness is refused " << yes(is_refused)
+          << std::endl;
+  }
 } // namespace
 
 
@@ -231,4 +282,5 @@ main(int argc, char *argv[])
       hydrostatic(method);
     }
   all_formulas_know_t();
+  orthotropic_tensor();
 }
