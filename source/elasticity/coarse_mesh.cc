@@ -20,6 +20,9 @@ namespace stiction
   {
     using Vertices = std::array<Point<3>, 8>; // in deal.II's order
 
+    // deal.II's vertices, in lines along x, among those of MeshData, in turn
+    constexpr unsigned int in_turn[] = {0, 1, 3, 2, 4, 5, 7, 6};
+
     double
     determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
     {
@@ -190,7 +193,7 @@ namespace stiction
         Vertices vertices;
         for (unsigned int v = 0; v < 8; ++v)
           {
-            cell.vertices[v] = from.vertices[GeometryInfo<3>::ucd_to_deal[v]];
+            cell.vertices[v] = from.vertices[in_turn[v]];
             vertices[v]      = points[cell.vertices[v]];
           }
         // some programs list the top first

@@ -77,8 +77,11 @@ namespace stiction
               read_data(line);
           }
         end_of_data();
-        name_surfaces();
-        name_materials();
+        if (mesh_.other_elements.empty())
+          {
+            name_surfaces();
+            name_materials();
+          }
         return std::move(mesh_);
       }
 

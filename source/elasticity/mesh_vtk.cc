@@ -112,6 +112,8 @@ namespace stiction
           read_array("", 3 * n_data_);
         else if (name == "TENSORS")
           read_array("", 9 * n_data_);
+        else if (name == "LOOKUP_TABLE") // colours
+          read_array("", 4 * length(header[2]));
         else if (name == "METADATA")
           {
             // ends with an empty line
