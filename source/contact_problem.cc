@@ -457,7 +457,9 @@ namespace stiction
                          parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
     const double depth =
-      surface_->penetration_of_facing_away(judge_->displacement());
+      solution_->converged
+        ? surface_->penetration_of_facing_away(judge_->displacement())
+        : 0.;
     if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
       log_->line(
         format("WARNING: a node that faces away from its obstacle came "
