@@ -18,6 +18,7 @@
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
 #include <stiction/output/output_directory.h>
+#include <stiction/output/overview.h>
 #include <stiction/output/problem_files.h>
 #include <stiction/output/summary.h>
 #include <stiction/output/vtu.h>
@@ -115,6 +116,7 @@ namespace stiction
         require_writable(parameters_.output.directory,
                          parameters_.source.describe("Output/Directory"));
     });
+    print_overview(*log_, *elasticity_, *surface_, parameters_);
     log_->line("The input is valid; nothing was solved.");
   }
 

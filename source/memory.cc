@@ -33,6 +33,46 @@ namespace stiction
 
 
 
+  double
+  memory_for_mesh(const Parameters &parameters, const double n_cells)
+  {
+    // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
+    // or what runs with ten million unknowns took without one; then all nodes
+    // of all cells for the volume output. Where K is assembled in any case
+    // there are two matrices; one of degree 2 has 64 × 3 entries in the mean
+    // and eight nodes a cell.
+    const bool is_quadratic = parameters.geometry.element_degree == 2;
+    const double matrices   = parameters.is_matrix_free() ? 2.2e3
+                              : parameters.is_simple()    ? 6e3
+                              : is_quadratic              ? 1.3e5
+                                                          : 1e4;
+    return n_cells * (matrices + (parameters.output.write_solution
+                                    ? (is_quadratic ? 8. : 1.) * 2.6e3
+                                    : 0.));
+  }
+
+
+
+  double
+  memory_for_dual_operator(const Parameters &parameters,
+                           const double n_dual_unknowns,
+                           MPI_Comm communicator)
+  {
+    if (parameters.dual_operator.form != "assembled" ||
+        parameters.contact_solver.is_primal())
+      return 0.;
+    int n_ranks = 1;
+    MPI_Comm_size(communicator, &n_ranks);
+
+    // Q on every rank, and on the first one the Schur complement and a copy;
+    // one more on every rank where Q is factorised
+    const double copies =
+      (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks + 2.;
+    return 8. * n_dual_unknowns * n_dual_unknowns * copies;
+  }
+
+
+
   void
   require_memory_for_mesh(const Parameters &parameters,
                           const double n_cells,
@@ -46,22 +86,7 @@ namespace stiction
                               n_cells,
                               GeometryParameters::max_cells));
 
-    // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
-    // or what runs with ten million unknowns took without one; then all nodes
-    // of all cells for the volume output. Where K is assembled in any case
-    // there are two matrices; one of degree 2 has 64 × 3 entries in the mean
-    // and eight nodes a cell.
-    const bool is_quadratic = parameters.geometry.element_degree == 2;
-    const double matrices   = parameters.is_matrix_free() ? 2.2e3
-                              : parameters.is_simple()    ? 6e3
-                              : is_quadratic              ? 1.3e5
-                                                          : 1e4;
-    const double bytes_per_cell =
-      matrices + (parameters.output.write_solution
-                    ? (is_quadratic ? 8. : 1.) * 2.6e3
-                    : 0.);
-
-    const double bytes     = n_cells * bytes_per_cell;
+    const double bytes     = memory_for_mesh(parameters, n_cells);
     const double available = available_memory(communicator);
     if (bytes > available)
       throw InputError(
@@ -79,17 +104,8 @@ namespace stiction
                                    const double n_dual_unknowns,
                                    MPI_Comm communicator)
   {
-    if (parameters.dual_operator.form != "assembled" ||
-        parameters.contact_solver.is_primal())
-      return;
-    int n_ranks = 1;
-    MPI_Comm_size(communicator, &n_ranks);
-
-    // Q on every rank, and on the first one the Schur complement and a copy;
-    // one more on every rank where Q is factorised
-    const double copies =
-      (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks + 2.;
-    const double bytes     = 8. * n_dual_unknowns * n_dual_unknowns * copies;
+    const double bytes =
+      memory_for_dual_operator(parameters, n_dual_unknowns, communicator);
     const double available = available_memory(communicator);
     if (bytes > available)
       throw InputError(parameters.source.describe("Dual operator/Form") +

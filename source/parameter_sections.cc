@@ -268,6 +268,16 @@ namespace stiction
                   "Unit: m. Zeros clamp the face.",
                   prm,
                   Patterns::Anything());
+    add_parameter("Prescribed points",
+                  prescribed_points,
+                  "Place of a node and its displacement, 'x; y; z : ux; uy; "
+                  "uz', several separated by '|', components as above: holds a "
+                  "body at single nodes, to take away what rigid-body motions "
+                  "are left. A node of the mesh must be there. A single node "
+                  "that carries a force moves the more the finer the mesh is. "
+                  "Unit: m.",
+                  prm,
+                  Patterns::Anything());
     add_parameter("Traction",
                   traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "

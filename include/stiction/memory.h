@@ -12,6 +12,16 @@ namespace stiction
   double
   available_memory(MPI_Comm communicator);
 
+  /// Estimates in bytes, all ranks together: of a mesh of so many cells with
+  /// all that is made on it, and of the dual operator, 0 if it is not
+  /// assembled.
+  double
+  memory_for_mesh(const Parameters &parameters, double n_cells);
+  double
+  memory_for_dual_operator(const Parameters &parameters,
+                           double n_dual_unknowns,
+                           MPI_Comm communicator);
+
   /// Throws InputError if a mesh of so many cells has too many for the program
   /// or cannot fit into the memory, before it is made. Collective.
   void

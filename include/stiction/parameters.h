@@ -107,6 +107,7 @@ namespace stiction
     BoundaryParameters();
 
     std::string prescribed_displacement = "2 : 0; 0; 0";
+    std::string prescribed_points       = "";
     std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
     std::string pressure = "";
     std::string body_force       = "";

@@ -190,7 +190,8 @@ namespace stiction
   ContactLevel::find_youngs_moduli(const Materials &materials)
   {
     youngs_moduli_ = Eigen::VectorXd::Constant(n_nodes(), youngs_modulus_);
-    if (materials.are_one())
+    // where cells are not simple the largest one does
+    if (materials.are_one() || stiffness_->matrix() != nullptr)
       return;
     std::map<unsigned int, Eigen::Index> places; // of local nodes
     const auto &partitioner = *mesh().partitioner();

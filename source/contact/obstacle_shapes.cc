@@ -139,7 +139,7 @@ namespace stiction
     if (n_given != n)
       throw InputError(entry + ", must read '" + name + " : " +
                        form->second.second + "'.");
-    const std::vector<double> v = read_numbers(numbers, n, location);
+    const std::vector<double> v = read_numbers(numbers, n, location, time);
 
     const Point<3> point(v[0], v[1], v[2]);
     Tensor<1, 3> direction;

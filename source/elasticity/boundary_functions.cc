@@ -206,6 +206,24 @@ namespace stiction
 
 
 
+  BoundaryFunction
+  parse_components(const std::string &formulas,
+                   const std::string &location,
+                   const std::string &part,
+                   const double time)
+  {
+    dealii::ComponentMask components(3, true);
+    const std::string marked = mark_free(formulas, components);
+    if (components.n_selected_components() == 0)
+      throw InputError(location + ", " + part +
+                       " is free in all components, at least one must be a "
+                       "formula.");
+    return {std::make_unique<ParsedFunction>(marked, 3, location, time),
+            components};
+  }
+
+
+
   BoundaryFunctions
   parse_boundary_functions(const std::string &text,
                            const std::string &location,
@@ -237,18 +255,14 @@ namespace stiction
           throw InputError(location + " = " + trim(text) + ", boundary " +
                            name + " stands twice, must stand once.");
 
-        std::string formulas = part.substr(colon + 1);
-        dealii::ComponentMask components(n_components, true);
-        if (may_be_free)
-          formulas = mark_free(formulas, components);
-        if (components.n_selected_components() == 0)
-          throw InputError(location + " = " + trim(text) + ", boundary " +
-                           name +
-                           " is free in all components, at least one must be "
-                           "a formula.");
-        functions[id] = {std::make_unique<ParsedFunction>(
-                           formulas, n_components, location, time),
-                         components};
+        functions[id] =
+          may_be_free
+            ? parse_components(
+                part.substr(colon + 1), location, "boundary " + name, time)
+            : BoundaryFunction{
+                std::make_unique<ParsedFunction>(
+                  part.substr(colon + 1), n_components, location, time),
+                dealii::ComponentMask(n_components, true)};
       }
     return functions;
   }

@@ -31,11 +31,12 @@ namespace stiction
         std::make_unique<PrescribedDisplacement>(body, parameters))
     , mesh_(std::make_unique<MeshLevel>(body))
   {
-    const Loads loads(body, *prescribed_displacement_, parameters);
+    loads_ =
+      std::make_unique<Loads>(body, *prescribed_displacement_, parameters);
     make_constraints();
     make_stiffness();
     load_ = std::make_unique<LA::Vector>(zero_vector());
-    loads.assemble(*materials_, *load_);
+    loads_->assemble(*materials_, *load_);
     constrain_load();
     if (parameters.needs_stiffness_matrix())
       constrain_stiffness();

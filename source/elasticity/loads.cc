@@ -5,6 +5,7 @@
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_values.h>
@@ -123,6 +124,63 @@ namespace stiction
 
 
 
+  Tensor<1, 3>
+  Loads::traction(const types::boundary_id boundary,
+                  const Point<3> &x,
+                  const Tensor<1, 3> &normal) const
+  {
+    Tensor<1, 3> sum;
+    const auto pull = traction_.find(boundary);
+    for (unsigned int c = 0; c < 3 && pull != traction_.end(); ++c)
+      sum[c] = pull->second.function->value(x, c);
+    const auto pressure = pressure_.find(boundary);
+    if (pressure != pressure_.end())
+      sum -= pressure->second.function->value(x) * normal;
+    return sum;
+  }
+
+
+
+  std::map<types::boundary_id, Loads::OnBoundary>
+  Loads::on_boundaries() const
+  {
+    std::map<types::boundary_id, OnBoundary> sums;
+    for (const auto id : body_.boundary_names().ids())
+      sums[id] = {};
+    const QGauss<2> quadrature(body_.dof_handler().get_fe().degree + 1);
+    FEFaceValues<3> values(body_.mapping(),
+                           body_.dof_handler().get_fe(),
+                           quadrature,
+                           update_quadrature_points | update_JxW_values |
+                             update_normal_vectors);
+    for (const auto &cell : body_.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            {
+              const auto id   = face->boundary_id();
+              OnBoundary &sum = sums[id];
+              values.reinit(cell, face);
+              for (const unsigned int q : values.quadrature_point_indices())
+                {
+                  sum.area += values.JxW(q);
+                  sum.force +=
+                    values.JxW(q) * traction(id,
+                                             values.quadrature_point(q),
+                                             values.normal_vector(q));
+                }
+            }
+    for (auto &boundary : sums)
+      {
+        OnBoundary &sum = boundary.second;
+        sum.area        = Utilities::MPI::sum(sum.area, body_.communicator());
+        sum.force       = Utilities::MPI::sum(sum.force, body_.communicator());
+      }
+    return sums;
+  }
+
+
+
   void
   Loads::add_boundary_loads(LA::Vector &load) const
   {
@@ -139,23 +197,16 @@ namespace stiction
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const auto &face : cell->face_iterators())
           {
-            const auto traction   = traction_.find(face->boundary_id());
-            const auto pressure   = pressure_.find(face->boundary_id());
-            const bool is_pulled  = traction != traction_.end();
-            const bool is_pressed = pressure != pressure_.end();
-            if (!face->at_boundary() || (!is_pulled && !is_pressed))
+            const auto id = face->boundary_id();
+            if (!face->at_boundary() ||
+                (traction_.count(id) == 0 && pressure_.count(id) == 0))
               continue;
             values.reinit(cell, face);
             cell->get_dof_indices(indices);
             for (const unsigned int q : values.quadrature_point_indices())
               {
-                const Point<3> &x = values.quadrature_point(q);
-                Tensor<1, 3> force;
-                for (unsigned int c = 0; is_pulled && c < 3; ++c)
-                  force[c] = traction->second.function->value(x, c);
-                if (is_pressed)
-                  force -= pressure->second.function->value(x) *
-                           values.normal_vector(q);
+                const Tensor<1, 3> force = traction(
+                  id, values.quadrature_point(q), values.normal_vector(q));
                 for (const unsigned int i : values.dof_indices())
                   add(indices[i],
                       force[fe.system_to_component_index(i).first] *

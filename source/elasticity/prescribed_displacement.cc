@@ -5,10 +5,12 @@
 #include <stiction/parameters.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -59,7 +61,43 @@ namespace stiction
                                  3,
                                  true,
                                  parameters.boundary.time))
+    , points_location_(
+        parameters.source.locate("Boundary conditions/Prescribed points"))
   {
+    const std::string &text = parameters.boundary.prescribed_points;
+    if (Utilities::trim(text).empty())
+      return;
+    for (const std::string &part : split_at_bars(text))
+      {
+        const std::size_t colon = part.find(':');
+        if (colon == std::string::npos)
+          throw InputError(points_location_ + " = " + text +
+                           ", must read 'x; y; z : ux; uy; uz', several "
+                           "separated by '|'.");
+        const std::string place = Utilities::trim(part.substr(0, colon));
+        const ParsedFunction position(place, 3, points_location_);
+        PrescribedPoint point;
+        for (unsigned int c = 0; c < 3; ++c)
+          point.position[c] = position.value(Point<3>(), c);
+        point.displacement = parse_components(part.substr(colon + 1),
+                                              points_location_,
+                                              "the point (" + place + ")",
+                                              parameters.boundary.time);
+        points_.push_back(std::move(point));
+      }
+  }
+
+
+
+  std::string
+  PrescribedDisplacement::components(const types::boundary_id boundary) const
+  {
+    std::string text;
+    const auto condition = functions_.find(boundary);
+    for (unsigned int c = 0; c < 3 && condition != functions_.end(); ++c)
+      if (condition->second.components[c])
+        text += "xyz"[c];
+    return text;
   }
 
 
@@ -131,6 +169,77 @@ namespace stiction
           constraints.set_inhomogeneity(dof.first,
                                         values.at(dof.second).at(dof.first));
         }
+    add_points_to(constraints);
+  }
+
+
+
+  void
+  PrescribedDisplacement::add_points_to(
+    AffineConstraints<double> &constraints) const
+  {
+    const auto corners = body_.bounding_box().get_boundary_points();
+    const double near  = 1e-6 * corners.first.distance(corners.second);
+    for (const PrescribedPoint &point : points_)
+      {
+        double distance             = std::numeric_limits<double>::max();
+        types::global_dof_index dof = 0;
+        Point<3> nearest;
+        for (const Body::Node &node : body_.locally_owned_nodes())
+          if (node.position.distance(point.position) < distance)
+            {
+              distance = node.position.distance(point.position);
+              dof      = node.dofs[0];
+              nearest  = node.position;
+            }
+        const double least =
+          Utilities::MPI::min(distance, body_.communicator());
+        const bool is_here = distance == least;
+        std::ostringstream message;
+        message << points_location_ << ": ";
+        together(body_.communicator(), [&]() {
+          if (!is_here || least <= near)
+            return;
+          message << "there is no node at (" << point.position
+                  << "), the nearest one is at (" << nearest
+                  << "), which must be given.";
+          throw InputError(message.str());
+        });
+        // what is nearest is one node, known to its owner
+        dof = Utilities::MPI::max(is_here ? dof : 0, body_.communicator());
+        together(body_.communicator(), [&]() {
+          if (body_.is_hanging(dof))
+            {
+              message << "the node at (" << point.position
+                      << ") hangs between others, must be one of a coarser "
+                         "cell.";
+              throw InputError(message.str());
+            }
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              if (!point.displacement.components[c] ||
+                  !constraints.can_store_line(dof + c))
+                continue;
+              const double value =
+                point.displacement.function->value(point.position, c);
+              if (!constraints.is_constrained(dof + c))
+                {
+                  constraints.add_line(dof + c);
+                  constraints.set_inhomogeneity(dof + c, value);
+                }
+              else if (constraints.get_inhomogeneity(dof + c) != value)
+                {
+                  message << "prescribes " << value << " along "
+                          << "xyz"[c] << " at (" << point.position
+                          << "), where "
+                          << constraints.get_inhomogeneity(dof + c)
+                          << " is prescribed already, must be the same or "
+                             "'free'.";
+                  throw InputError(message.str());
+                }
+            }
+        });
+      }
   }
 
 

@@ -43,7 +43,7 @@ namespace stiction
       };
       std::vector<Part> parts(surface.boundaries().size());
       const Eigen::VectorXd force =
-        surface.to_cartesian(certificate.lambda()); // on the obstacle
+        surface.force_to_cartesian(certificate.lambda()); // on the obstacle
       const Eigen::Index m = surface.n_nodes();
       for (Eigen::Index i = 0; i < m; ++i)
         {

@@ -75,6 +75,20 @@ namespace stiction
 
 
 
+  /// Reads 'fx; fy; fz', where 'free' may stand in place of a formula, but not
+  /// of all.
+  ///
+  /// @param part whose components these are, for messages: "boundary top".
+  ///
+  /// Throws InputError as ParsedFunction, and if all are free.
+  BoundaryFunction
+  parse_components(const std::string &formulas,
+                   const std::string &location,
+                   const std::string &part,
+                   double time);
+
+
+
   /// Reads 'boundary : fx; fy; fz | boundary : fx; fy; fz ...', a boundary
   /// being a name or a number; an empty text gives an empty map.
   ///

@@ -10,6 +10,7 @@
 namespace stiction
 {
   class Body;
+  class Loads;
   class Materials;
   class MeshLevel;
   class Parameters;
@@ -120,6 +121,18 @@ namespace stiction
       return *stiffness_;
     }
 
+    /// Where the body is held, and what pulls at it.
+    const PrescribedDisplacement &
+    prescribed_displacement() const
+    {
+      return *prescribed_displacement_;
+    }
+    const Loads &
+    loads() const
+    {
+      return *loads_;
+    }
+
     /// Throws InputError, naming the free rigid-body motions, if the
     /// prescribed displacements do not hold the body.
     void
@@ -148,6 +161,7 @@ namespace stiction
     const Body &body_;
     std::unique_ptr<Materials> materials_;
     std::unique_ptr<PrescribedDisplacement> prescribed_displacement_;
+    std::unique_ptr<Loads> loads_;
     dealii::AffineConstraints<double> constraints_;
     std::unique_ptr<MeshLevel> mesh_;
     std::unique_ptr<StiffnessOperator<double>> stiffness_;

@@ -4,6 +4,9 @@
 #include <stiction/elasticity/boundary_functions.h>
 #include <stiction/elasticity/linear_algebra.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <map>
 #include <memory>
 
 namespace stiction
@@ -34,6 +37,23 @@ namespace stiction
     /// Throws InputError if a formula has no finite value.
     void
     assemble(const Materials &materials, LA::Vector &load) const;
+
+    /// The traction t − p n on a boundary, whose outward normal is n. Unit: Pa.
+    dealii::Tensor<1, 3>
+    traction(dealii::types::boundary_id boundary,
+             const dealii::Point<3> &x,
+             const dealii::Tensor<1, 3> &normal) const;
+
+    /// A boundary's area (m²) and the resultant of its loads (N).
+    struct OnBoundary
+    {
+      double area = 0.;
+      dealii::Tensor<1, 3> force;
+    };
+
+    /// Of all boundaries of the mesh. Collective.
+    std::map<dealii::types::boundary_id, OnBoundary>
+    on_boundaries() const;
 
   private:
     /// Adds a force at an unknown; what hangs passes it on.

@@ -3,22 +3,28 @@
 
 #include <stiction/elasticity/boundary_functions.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
   class Body;
   class Parameters;
 
-  /// What the entry Prescribed displacement says: where the body is held or
-  /// moved, component by component.
+  /// What the entries Prescribed displacement and Prescribed points say: where
+  /// the body is held or moved, component by component.
   class PrescribedDisplacement
   {
   public:
-    /// Throws InputError if the entry cannot be read.
+    /// Throws InputError if the entries cannot be read.
     PrescribedDisplacement(const Body &body, const Parameters &parameters);
+
+    /// The components prescribed on a boundary: "xyz", "x", "".
+    std::string
+    components(dealii::types::boundary_id boundary) const;
 
     /// Whether all components are prescribed there, so that a load would go
     /// into the support at once.
@@ -28,8 +34,9 @@ namespace stiction
     /// Adds the prescribed values to constraints that are not closed. Unknowns
     /// that are constrained already are left alone. Collective.
     ///
-    /// Throws InputError if a formula has no finite value, or if two boundaries
-    /// prescribe different values at a node they share.
+    /// Throws InputError if a formula has no finite value, if two boundaries
+    /// prescribe different values at a node they share, or if there is no node
+    /// at a prescribed point, or one that is prescribed otherwise or hangs.
     void
     add_to(dealii::AffineConstraints<double> &constraints) const;
 
@@ -39,9 +46,20 @@ namespace stiction
     require_support(const dealii::AffineConstraints<double> &constraints) const;
 
   private:
+    void
+    add_points_to(dealii::AffineConstraints<double> &constraints) const;
+
+    struct PrescribedPoint
+    {
+      dealii::Point<3> position;
+      BoundaryFunction displacement;
+    };
+
     const Body &body_;
     const std::string location_;
     BoundaryFunctions functions_;
+    const std::string points_location_;
+    std::vector<PrescribedPoint> points_;
   };
 } // namespace stiction
 
