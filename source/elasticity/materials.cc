@@ -60,7 +60,7 @@ namespace stiction
             const std::string name  = trim(part.substr(0, colon));
             if (colon == std::string::npos || name.empty())
               refuse("must read " + form_ + ", several separated by '|'");
-            const material_id id = body.material_names().id(name, location_);
+            const material_id id = id_of(body, name);
             if (std::find(seen.begin(), seen.end(), id) != seen.end())
               refuse("material " + name + " stands twice, must stand once");
             seen.push_back(id);
@@ -69,6 +69,23 @@ namespace stiction
             for (std::string &word : words)
               word = trim(word);
             callback(id, name, words);
+          }
+      }
+
+      material_id
+      id_of(const Body &body, const std::string &name) const
+      {
+        const auto &names = body.material_names();
+        std::string known;
+        for (const material_id id : names.ids())
+          known += (known.empty() ? "" : ", ") + names.describe(id);
+        try
+          {
+            return names.id(name, location_);
+          }
+        catch (const InputError &)
+          {
+            refuse("the mesh has no material " + name + ", it has " + known);
           }
       }
 
