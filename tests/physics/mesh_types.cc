@@ -63,7 +63,7 @@ namespace
     const auto &surface  = run.problem->contact_surface();
     const auto &lambda   = run.problem->solution().lambda;
     const Eigen::Index m = surface.n_nodes();
-    double error_lambda = 0., area = 0.;
+    double error_lambda  = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const auto &node = surface.nodes()[i];
