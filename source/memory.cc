@@ -33,8 +33,8 @@ namespace stiction
 
 
 
-  void
-  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
+  double
+  memory_for_mesh(const Parameters &parameters, const double n_cells)
   {
     // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
     // or what runs with ten million unknowns took without one; then all nodes
@@ -42,8 +42,16 @@ namespace stiction
     const double bytes_per_cell =
       (parameters.is_matrix_free() ? 2.2e3 : 6e3) +
       (parameters.output.write_solution ? 2.6e3 : 0.);
+    return n_cells * bytes_per_cell;
+  }
 
-    const double bytes     = parameters.geometry.n_cells() * bytes_per_cell;
+
+
+  void
+  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
+  {
+    const double bytes =
+      memory_for_mesh(parameters, parameters.geometry.n_cells());
     const double available = available_memory(communicator);
     if (bytes > available)
       throw InputError(
@@ -57,14 +65,14 @@ namespace stiction
 
 
 
-  void
-  require_memory_for_dual_operator(const Parameters &parameters,
-                                   const double n_dual_unknowns,
-                                   MPI_Comm communicator)
+  double
+  memory_for_dual_operator(const Parameters &parameters,
+                           const double n_dual_unknowns,
+                           MPI_Comm communicator)
   {
     if (parameters.dual_operator.form != "assembled" ||
         parameters.contact_solver.is_primal())
-      return;
+      return 0.;
     int n_ranks = 1;
     MPI_Comm_size(communicator, &n_ranks);
 
@@ -72,7 +80,18 @@ namespace stiction
     // one more on every rank where Q is factorised
     const double copies =
       (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks + 2.;
-    const double bytes     = 8. * n_dual_unknowns * n_dual_unknowns * copies;
+    return 8. * n_dual_unknowns * n_dual_unknowns * copies;
+  }
+
+
+
+  void
+  require_memory_for_dual_operator(const Parameters &parameters,
+                                   const double n_dual_unknowns,
+                                   MPI_Comm communicator)
+  {
+    const double bytes =
+      memory_for_dual_operator(parameters, n_dual_unknowns, communicator);
     const double available = available_memory(communicator);
     if (bytes > available)
       throw InputError(parameters.source.describe("Dual operator/Form") +

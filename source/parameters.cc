@@ -150,6 +150,10 @@ namespace stiction
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
 
+    require(refinement.fraction > 0. && refinement.fraction <= 1.,
+            "Refinement/Fraction",
+            "must be above 0 and at most 1");
+
     std::ostringstream too_many;
     too_many << "makes " << geometry.n_cells() << " cells, allowed are at most "
              << GeometryParameters::max_cells;

@@ -12,6 +12,20 @@ namespace stiction
   double
   available_memory(MPI_Comm communicator);
 
+  /// What a mesh with so many cells and all that belongs to it take, in bytes,
+  /// about.
+  double
+  memory_for_mesh(const Parameters &parameters, double n_cells);
+
+  /// What the dual operator in the form of the parameter file takes on all
+  /// ranks, in bytes; 0 where it is not assembled.
+  ///
+  /// @param n_dual_unknowns 3m.
+  double
+  memory_for_dual_operator(const Parameters &parameters,
+                           double n_dual_unknowns,
+                           MPI_Comm communicator);
+
   /// Throws InputError if the mesh of the parameter file cannot fit into the
   /// memory, before it is made. Collective.
   void
@@ -19,8 +33,6 @@ namespace stiction
 
   /// Throws InputError if the dual operator in the form of the parameter file
   /// cannot fit. Collective.
-  ///
-  /// @param n_dual_unknowns 3m.
   void
   require_memory_for_dual_operator(const Parameters &parameters,
                                    double n_dual_unknowns,

@@ -55,6 +55,15 @@ namespace stiction
     double poisson_ratio  = 0.277;
   };
 
+  struct RefinementParameters : dealii::ParameterAcceptor
+  {
+    RefinementParameters();
+
+    unsigned int adaptive_steps   = 0;
+    double fraction               = 0.5;
+    unsigned int maximum_unknowns = 0;
+  };
+
   struct BoundaryParameters : dealii::ParameterAcceptor
   {
     BoundaryParameters();
@@ -190,6 +199,7 @@ namespace stiction
     }
 
     GeometryParameters geometry;
+    RefinementParameters refinement;
     MaterialParameters material;
     BoundaryParameters boundary;
     FrictionParameters friction;
