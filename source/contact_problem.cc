@@ -9,6 +9,7 @@
 #include <stiction/contact_problem.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/local_refinement.h>
 #include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
@@ -189,6 +190,7 @@ namespace stiction
                                                                     : "s"));
     require_memory_for_mesh(parameters_, communicator_);
     body_ = std::make_unique<Body>(parameters_.geometry, communicator_);
+    refine_contact_boundary(*body_, parameters_);
     describe_body();
   }
 
@@ -203,6 +205,10 @@ namespace stiction
                body_->triangulation().n_global_active_cells()),
              static_cast<unsigned long long>(body_->n_nodes()),
              static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    if (body_->n_hanging_nodes() > 0)
+      log_->line(
+        format("Hanging nodes: %llu",
+               static_cast<unsigned long long>(body_->n_hanging_nodes())));
   }
 
 

@@ -38,10 +38,18 @@ namespace stiction
   {
     // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
     // or what runs with ten million unknowns took without one; then all nodes
-    // of all cells for the volume output.
+    // of all cells for the volume output. Where K is assembled in any case
+    // there are two matrices; one of degree 2 has 64 × 3 entries in the mean
+    // and eight nodes a cell.
+    const bool is_quadratic = parameters.geometry.element_degree == 2;
+    const double matrices   = parameters.is_matrix_free() ? 2.2e3
+                              : parameters.is_simple()    ? 6e3
+                              : is_quadratic              ? 1.3e5
+                                                          : 1e4;
     const double bytes_per_cell =
-      (parameters.is_matrix_free() ? 2.2e3 : 6e3) +
-      (parameters.output.write_solution ? 2.6e3 : 0.);
+      matrices + (parameters.output.write_solution
+                    ? (is_quadratic ? 8. : 1.) * 2.6e3
+                    : 0.);
     return n_cells * bytes_per_cell;
   }
 

@@ -1,5 +1,6 @@
 #include <stiction/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction
@@ -33,6 +34,34 @@ namespace stiction
                   "How many times every cell is cut into eight.",
                   prm,
                   Patterns::Integer(0, 12));
+    add_parameter("Contact refinement",
+                  contact_refinement,
+                  "How many more times the cells at the contact boundary are "
+                  "cut into eight, and cells around them so that neighbours "
+                  "differ by one level. The nodes that hang between small and "
+                  "large cells follow their neighbours; contact is imposed at "
+                  "the others.",
+                  prm,
+                  Patterns::Integer(0, 6));
+    add_parameter("Contact refinement where",
+                  contact_refinement_where,
+                  "A formula in x, y, z: 'Contact refinement' cuts the cells "
+                  "whose face on the contact boundary has its centre where "
+                  "this is above 0, 'x < 1' being 1 where it holds and 0 "
+                  "where it does not.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Element degree",
+                  element_degree,
+                  "1: trilinear displacements, 8 nodes a cell; 2: "
+                  "triquadratic ones, 27 nodes. Either way contact and "
+                  "friction are imposed node by node, with one contact force "
+                  "a node of the contact boundary, and its pressure is the "
+                  "force over the nodal area, the integral of the node's "
+                  "shape function (all positive: of a face of degree 2, 1/36 "
+                  "for a corner, 1/9 for an edge, 4/9 for the centre).",
+                  prm,
+                  Patterns::Integer(1, 2));
     add_parameter("Table 1 level",
                   table_1_level,
                   "Row k = 1...6 (or beyond) of Table 1 of the paper: sets "
@@ -55,7 +84,7 @@ namespace stiction
 
 
   double
-  GeometryParameters::n_cells() const
+  GeometryParameters::n_uniform_cells() const
   {
     double cells = std::pow(8., global_refinement);
     for (const unsigned int n : subdivisions)
@@ -65,12 +94,27 @@ namespace stiction
 
 
 
+  double
+  GeometryParameters::n_cells() const
+  {
+    // each local refinement makes seven more of every cell of a layer, the
+    // largest there is
+    const double layer =
+      n_uniform_cells() / std::pow(2., global_refinement) /
+      *std::min_element(subdivisions.begin(), subdivisions.end());
+    return n_uniform_cells() +
+           7. / 3. * layer * (std::pow(4., contact_refinement) - 1.);
+  }
+
+
+
   std::string
   GeometryParameters::entry_of_size() const
   {
-    return table_1_level > 0 ? "Geometry/Table 1 level"
+    return table_1_level > 0                    ? "Geometry/Table 1 level"
+           : n_cells() > 2. * n_uniform_cells() ? "Geometry/Contact refinement"
            : global_refinement == 0 ||
-               n_cells() / std::pow(8., global_refinement) > max_cells
+               n_uniform_cells() / std::pow(8., global_refinement) > max_cells
              ? "Geometry/Subdivisions"
              : "Geometry/Global refinement";
   }
@@ -298,8 +342,9 @@ namespace stiction
                   "conjugate gradients with geometric multigrid on the levels "
                   "of 'Geometry/Global refinement', without a matrix, for "
                   "large bodies; amg: with algebraic multigrid on the matrix, "
-                  "for large bodies without levels. automatic: multigrid, or "
-                  "amg without levels, for 'Contact solver/Method = newton "
+                  "for large bodies without levels, with local refinement or "
+                  "elements of degree 2. automatic: multigrid, or amg where "
+                  "there is none, for 'Contact solver/Method = newton "
                   "multigrid', otherwise mumps.",
                   prm,
                   Patterns::Selection("automatic|mumps|amg|multigrid"));

@@ -57,7 +57,7 @@ namespace stiction
       return stiffness_solver.type;
     if (!contact_solver.is_primal())
       return "mumps";
-    return geometry.global_refinement > 0 ? "multigrid" : "amg";
+    return is_simple() && geometry.global_refinement > 0 ? "multigrid" : "amg";
   }
 
 
@@ -174,6 +174,11 @@ namespace stiction
     if (geometry.table_1_level == 0)
       return;
 
+    require(geometry.is_simple(),
+            "Geometry/Table 1 level",
+            "counts the nodes of a uniform mesh of trilinear cells, so "
+            "'Contact refinement' must be 0 and 'Element degree' 1, or this 0");
+
     // n/m of the table come out only with the face clamped that goes with it
     const BoundaryNames names = BoundaryNames::brick();
     const auto displacement   = parse_boundary_functions(
@@ -216,6 +221,16 @@ namespace stiction
             "Stiffness solver/Type",
             "needs a coarser mesh, so 'Geometry/Global refinement' must be at "
             "least 1, or the type 'amg'");
+    require(stiffness_solver.type != "multigrid" ||
+              refinement.adaptive_steps == 0,
+            "Stiffness solver/Type",
+            "needs cells alike on each level, so 'Refinement/Adaptive steps' "
+            "must be 0, or the type 'amg'");
+    require(stiffness_solver.type != "multigrid" || is_simple(),
+            "Stiffness solver/Type",
+            "needs trilinear cells alike on each level, so 'Geometry/Contact "
+            "refinement' must be 0 and 'Geometry/Element degree' 1, or the "
+            "type 'amg'");
     require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
             "Stiffness solver/Type",
             "must be 'automatic', 'multigrid' or 'amg' for 'Contact "

@@ -31,9 +31,20 @@ namespace stiction
     static constexpr double max_cells = 4e8;
 
     /// Number of cells after refinement; a double, because it may be anything
-    /// before it is checked.
+    /// before it is checked. Of local refinement the most it can make.
     double
     n_cells() const;
+
+    /// Of them those of the mesh without local refinement.
+    double
+    n_uniform_cells() const;
+
+    /// Whether all cells are alike and trilinear, see Body::is_simple().
+    bool
+    is_simple() const
+    {
+      return contact_refinement == 0 && element_degree == 1;
+    }
 
     /// The entry ("Section/Entry") to blame if these are too many.
     std::string
@@ -43,6 +54,9 @@ namespace stiction
     std::vector<double> lengths            = {4., 3., 1.};
     std::vector<unsigned int> subdivisions = {4, 3, 1};
     unsigned int global_refinement         = 1;
+    unsigned int contact_refinement        = 0;
+    std::string contact_refinement_where   = "1";
+    unsigned int element_degree            = 1;
     unsigned int table_1_level             = 0;
     std::string table_1_reading            = "nodes";
   };
@@ -173,6 +187,14 @@ namespace stiction
     /// Throws InputError if the method cannot solve a problem with this law.
     void
     check_method(bool is_coulomb) const;
+
+    /// Whether K can be known cell by cell, without a matrix, and there is
+    /// geometric multigrid: a mesh of trilinear cells that stays uniform.
+    bool
+    is_simple() const
+    {
+      return geometry.is_simple() && refinement.adaptive_steps == 0;
+    }
 
     /// 'Stiffness solver/Type', with automatic replaced by what it stands for.
     std::string

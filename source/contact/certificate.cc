@@ -82,7 +82,7 @@ namespace stiction
             const double f = load(dof);
             applied[c]     = f;
             all[c]         = f + contact_force(dof);
-            if (elasticity_.constraints().is_constrained(dof))
+            if (elasticity_.is_prescribed(dof))
               {
                 reaction[c] = Ku(dof) - all[c];
                 all[c] += Ku(dof) - f;
@@ -176,7 +176,7 @@ namespace stiction
     surface_.add_transpose_B(-1., lambda_hat, lacking);
     lacking -= elasticity_.internal_force(u);
     for (const auto dof : elasticity_.body().locally_owned_dofs())
-      if (elasticity_.constraints().is_constrained(dof))
+      if (elasticity_.is_prescribed(dof))
         lacking(dof) = 0.;
     lacking.compress(VectorOperation::insert);
 

@@ -78,11 +78,10 @@ namespace stiction
     , slip_bound_(surface.slip_bound())
   {
     for (const auto dof : load_->locally_owned_elements())
-      if (elasticity.constraints().is_constrained(dof))
+      if (elasticity.is_prescribed(dof))
         {
           fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
-          prescribed_.push_back(
-            elasticity.constraints().get_inhomogeneity(dof));
+          prescribed_.push_back(elasticity.prescribed_value(dof));
         }
     set_frames_from(surface);
     find_inner_nodes();

@@ -54,17 +54,36 @@ namespace stiction
   {
     const Body &body = elasticity.body();
 
-    // What the owners of the faces around a node each know of it.
-    using Share = std::array<double, 10>; // dofs, position, area × n, area
+    // What a rank knows of a node, or all ranks together.
+    enum : unsigned int
+    {
+      first_dof,
+      area,
+      normal,                // × area
+      position = normal + 3, // from the owner of the node
+      n_data   = position + 3
+    };
+    using Share = std::array<double, n_data>;
     std::map<types::global_dof_index, Share> shares;
+    const auto add = [&](const types::global_dof_index dof,
+                         const double weight,
+                         const Share &share) {
+      if (elasticity.is_prescribed(dof))
+        return;
+      Share &sum     = shares.emplace(dof, Share{}).first->second;
+      sum[first_dof] = static_cast<double>(dof);
+      for (unsigned int k = area; k < position; ++k)
+        sum[k] += weight * share[k];
+    };
 
-    const QGauss<2> quadrature(2);
     const FiniteElement<3> &fe = body.dof_handler().get_fe();
+    const QGauss<2> quadrature(fe.degree + 1);
     FEFaceValues<3> values(body.mapping(),
                            fe,
                            quadrature,
                            update_values | update_normal_vectors |
                              update_JxW_values);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
 
     for (const auto &cell : body.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -72,34 +91,27 @@ namespace stiction
           if (cell->face(f)->at_boundary() &&
               cell->face(f)->boundary_id() == boundary_id_)
             {
-              const auto face = cell->face(f);
               values.reinit(cell, f);
-              for (const unsigned int v : face->vertex_indices())
+              cell->get_dof_indices(dofs);
+              for (unsigned int i = 0; i < dofs.size(); i += 3)
                 {
-                  const auto first = face->vertex_dof_index(v, 0);
-                  Tensor<1, 3> normal;
-                  double area = 0.;
-                  // vertices come first among the unknowns of a face
-                  const unsigned int i = fe.face_to_cell_index(3 * v, f);
+                  if (!fe.has_support_on_face(i, f))
+                    continue;
+                  Share share{};
                   for (const unsigned int q : values.quadrature_point_indices())
                     {
                       const double w = values.shape_value(i, q) * values.JxW(q);
-                      area += w;
-                      normal += w * values.normal_vector(q);
+                      share[area] += w;
+                      for (unsigned int c = 0; c < 3; ++c)
+                        share[normal + c] += w * values.normal_vector(q)[c];
                     }
-                  boundary_area_ += area;
-                  if (elasticity.constraints().is_constrained(first))
-                    continue;
-
-                  Share &share = shares.emplace(first, Share{}).first->second;
-                  for (unsigned int c = 0; c < 3; ++c)
-                    {
-                      share[c] =
-                        static_cast<double>(face->vertex_dof_index(v, c));
-                      share[3 + c] = face->vertex(v)[c];
-                      share[6 + c] += normal[c];
-                    }
-                  share[9] += area;
+                  boundary_area_ += share[area];
+                  if (!elasticity.is_hanging(dofs[i]))
+                    add(dofs[i], 1., share);
+                  else
+                    for (const auto &master :
+                         *body.hanging_nodes().get_constraint_entries(dofs[i]))
+                      add(master.first, master.second, share);
                 }
             }
     boundary_area_ = Utilities::MPI::sum(boundary_area_, body.communicator());
@@ -112,26 +124,43 @@ namespace stiction
          Utilities::MPI::all_gather(body.communicator(), mine))
       for (const Share &share : theirs)
         {
-          Share &sum =
-            shares
-              .emplace(static_cast<types::global_dof_index>(share[0]), Share{})
-              .first->second;
-          std::copy(share.begin(), share.begin() + 6, sum.begin());
-          for (unsigned int k = 6; k < share.size(); ++k)
+          const auto dof =
+            static_cast<types::global_dof_index>(share[first_dof]);
+          Share &sum     = shares.emplace(dof, Share{}).first->second;
+          sum[first_dof] = share[first_dof];
+          for (unsigned int k = area; k < position; ++k)
             sum[k] += share[k];
         }
 
-    // The unknowns' numbers depend on the partition, places do not. Rounded,
-    // because a vertex may have been computed along different edges.
+    // a node that others hang on need not be on a face of this rank
+    const IndexSet &owned = body.locally_owned_dofs();
+    std::vector<double> positions;
+    for (const auto &share : shares)
+      for (unsigned int c = 0; c < 3; ++c)
+        positions.push_back(
+          owned.is_element(share.first)
+            ? body
+                .locally_owned_nodes()[owned.index_within_set(share.first) / 3]
+                .position[c]
+            : 0.);
+    Utilities::MPI::sum(positions, body.communicator(), positions);
+
     std::vector<Share> sorted;
     for (const auto &share : shares)
-      sorted.push_back(share.second);
+      {
+        const std::size_t begin = 3 * sorted.size();
+        sorted.push_back(share.second);
+        std::copy_n(&positions[begin], 3, &sorted.back()[position]);
+      }
+
+    // The unknowns' numbers depend on the partition, places do not. Rounded,
+    // because a vertex may have been computed along different edges.
     const auto corners = body.bounding_box().get_boundary_points();
     const double unit  = 1e-9 * corners.first.distance(corners.second);
     const auto key     = [&](const Share &share) {
       std::array<long long, 3> k;
       for (unsigned int c = 0; c < 3; ++c)
-        k[c] = std::llround((share[3 + c] - corners.first[c]) / unit);
+        k[c] = std::llround((share[position + c] - corners.first[c]) / unit);
       return k;
     };
     std::sort(sorted.begin(),
@@ -139,24 +168,24 @@ namespace stiction
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
     const std::size_t m = sorted.size();
-    std::vector<types::global_dof_index> dofs(3 * m);
+    std::vector<types::global_dof_index> dofs_by_blocks(3 * m);
     for (std::size_t i = 0; i < m; ++i)
       {
         ContactNode node;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            dofs[i + c * m] =
-              static_cast<types::global_dof_index>(sorted[i][c]);
-            node.position[c] = sorted[i][3 + c];
-            node.normal[c]   = sorted[i][6 + c];
+            dofs_by_blocks[i + c * m] =
+              static_cast<types::global_dof_index>(sorted[i][first_dof]) + c;
+            node.position[c] = sorted[i][position + c];
+            node.normal[c]   = sorted[i][normal + c];
           }
         node.normal /= node.normal.norm();
-        node.area = sorted[i][9];
+        node.area = sorted[i][area];
         set_tangents(node);
-        node_of_dof_[dofs[i]] = static_cast<Eigen::Index>(i);
+        node_of_dof_[dofs_by_blocks[i]] = static_cast<Eigen::Index>(i);
         nodes_.push_back(node);
       }
-    trace_ = Trace(std::move(dofs));
+    trace_ = Trace(std::move(dofs_by_blocks));
   }
 
 

@@ -40,6 +40,7 @@ namespace stiction
   BodyJudge::judge(const LA::Vector &u, const Eigen::VectorXd &lambda)
   {
     u_ = std::make_unique<LA::Vector>(u);
+    elasticity_.distribute(*u_);
     certificate_ =
       std::make_unique<Certificate>(elasticity_, surface_, *u_, lambda);
     return *certificate_;

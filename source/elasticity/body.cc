@@ -1,10 +1,13 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/parameters.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
 
 namespace stiction
 {
@@ -17,7 +20,7 @@ namespace stiction
         communicator,
         Triangulation<3>::limit_level_difference_at_vertices,
         parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
-    , fe_(FE_Q<3>(1), 3)
+    , fe_(FE_Q<3>(geometry.element_degree), 3)
     , dof_handler_(triangulation_)
   {
     make_grid(geometry);
@@ -46,13 +49,31 @@ namespace stiction
 
 
   void
+  Body::refine(const std::vector<bool> &is_cut)
+  {
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
+        cell->set_refine_flag();
+    triangulation_.execute_coarsening_and_refinement();
+    distribute_dofs();
+    collect_nodes();
+  }
+
+
+
+  void
   Body::distribute_dofs()
   {
+    is_uniform_ = !triangulation_.has_hanging_nodes();
     dof_handler_.distribute_dofs(fe_);
-    if (triangulation_.n_global_levels() > 1)
+    if (triangulation_.n_global_levels() > 1 && is_simple())
       dof_handler_.distribute_mg_dofs(); // cheap next to the mesh
     DoFTools::extract_locally_relevant_dofs(dof_handler_,
                                             locally_relevant_dofs_);
+    hanging_nodes_.reinit(locally_relevant_dofs_);
+    if (!is_uniform_)
+      DoFTools::make_hanging_node_constraints(dof_handler_, hanging_nodes_);
+    hanging_nodes_.close();
   }
 
 
@@ -60,20 +81,30 @@ namespace stiction
   void
   Body::collect_nodes()
   {
-    // three consecutive unknowns a node, a rank owns a range of them
+    // three consecutive unknowns a node, on a cell too; a rank owns a range of
+    // them
     const IndexSet &owned = locally_owned_dofs();
     nodes_.resize(owned.n_elements() / 3);
+    std::vector<types::global_dof_index> dofs(fe_.n_dofs_per_cell());
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (cell->is_locally_owned())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const auto first = cell->vertex_dof_index(v, 0);
-            if (!owned.is_element(first))
-              continue;
-            Node &node = nodes_[owned.index_within_set(first) / 3];
-            for (unsigned int c = 0; c < 3; ++c)
-              node.dofs[c] = cell->vertex_dof_index(v, c);
-            node.position = cell->vertex(v);
-          }
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); i += 3)
+            {
+              if (!owned.is_element(dofs[i]))
+                continue;
+              Node &node = nodes_[owned.index_within_set(dofs[i]) / 3];
+              std::copy_n(&dofs[i], 3, node.dofs.begin());
+              node.position = i / 3 < cell->n_vertices() // which come first
+                                ? cell->vertex(i / 3)
+                                : mapping_.transform_unit_to_real_cell(
+                                    cell, fe_.unit_support_point(i));
+            }
+        }
+    types::global_dof_index n_hanging = 0;
+    for (const Node &node : nodes_)
+      n_hanging += is_hanging(node.dofs[0]) ? 1 : 0;
+    n_hanging_nodes_ = Utilities::MPI::sum(n_hanging, communicator());
   }
 } // namespace stiction

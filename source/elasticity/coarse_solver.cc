@@ -7,6 +7,8 @@
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/mumps_factorization.h>
 #include <stiction/elasticity/rigid_body_modes.h>
+#include <stiction/elasticity/stiffness_operator.h>
+#include <stiction/elasticity/supported_stiffness.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
@@ -64,7 +66,10 @@ namespace stiction
             level.partitioner()->is_ghost_entry(dof))
           support_of_[level.local_node(dof)] = i;
       }
-    if (level_.n_dofs() > max_dense)
+    if (elasticity.stiffness().matrix() != nullptr) // then there is one level
+      assembled_ = std::make_unique<SupportedStiffness>(
+        *elasticity.stiffness().matrix(), fixed, supported_nodes);
+    else if (level_.n_dofs() > max_dense)
       make_pattern();
     set_supports(NodalSupports(supported_nodes.size()));
   }
@@ -99,23 +104,37 @@ namespace stiction
   void
   CoarseSolver::set_supports(const NodalSupports &supports)
   {
+    direct_.reset(); // before the new one
+    amg_.reset();
+    if (assembled_)
+      {
+        assembled_->set_supports(supports);
+        factorize(assembled_->matrix(), supports);
+        return;
+      }
     if (level_.n_dofs() <= max_dense)
       {
         factorize_dense(supports);
         return;
       }
-    direct_.reset(); // before the new one
-    amg_.reset();
     *matrix_ = 0.;
     assemble(supports, [&](const Indices &indices, const auto &matrix) {
       matrix_->add(indices, matrix);
     });
     matrix_->compress(VectorOperation::add);
+    factorize(*matrix_, supports);
+  }
+
+
+
+  void
+  CoarseSolver::factorize(const LA::SparseMatrix &matrix,
+                          const NodalSupports &supports)
+  {
     if (level_.n_dofs() <= max_direct)
-      direct_ = std::make_unique<MumpsFactorization>(*matrix_, 3);
+      direct_ = std::make_unique<MumpsFactorization>(matrix, 3);
     else
-      amg_ =
-        std::make_unique<AmgPreconditioner>(*matrix_, held_modes(supports));
+      amg_ = std::make_unique<AmgPreconditioner>(matrix, held_modes(supports));
   }
 
 
@@ -201,14 +220,20 @@ namespace stiction
   std::vector<std::vector<double>>
   CoarseSolver::held_modes(const NodalSupports &supports) const
   {
+    std::vector<std::vector<double>> modes;
     std::vector<Point<3>> positions(level_.n_owned_nodes());
-    level_.for_each_cell([&](const HexahedralCell &cell) {
-      for (unsigned int v = 0; v < 8; ++v)
-        if (cell.nodes[v] < positions.size())
-          for (unsigned int c = 0; c < 3; ++c)
-            positions[cell.nodes[v]][c] = cell.vertices[v][c];
-    });
-    auto modes = rigid_body_modes(elasticity_.body(), positions);
+    if (assembled_)
+      modes = rigid_body_modes(elasticity_.body());
+    else
+      {
+        level_.for_each_cell([&](const HexahedralCell &cell) {
+          for (unsigned int v = 0; v < 8; ++v)
+            if (cell.nodes[v] < positions.size())
+              for (unsigned int c = 0; c < 3; ++c)
+                positions[cell.nodes[v]][c] = cell.vertices[v][c];
+        });
+        modes = rigid_body_modes(elasticity_.body(), positions);
+      }
     for (std::vector<double> &mode : modes)
       {
         for (const auto &support : support_of_)

@@ -1,10 +1,13 @@
+#include <stiction/elasticity/assembled_stiffness.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/boundary_functions.h>
+#include <stiction/elasticity/cell_material.h>
 #include <stiction/elasticity/element_stiffness.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/rigid_body_modes.h>
 #include <stiction/elasticity/stiffness_operator.h>
+#include <stiction/elasticity/supported_stiffness.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
@@ -42,18 +45,34 @@ namespace stiction
                      (2. * (1. + parameters.material.poisson_ratio)))
   {
     read_boundary_conditions(parameters);
-    mesh_      = std::make_unique<MeshLevel>(body);
-    stiffness_ = std::make_unique<StiffnessOperator<double>>(
-      *mesh_, lame_lambda_, shear_modulus_);
+    mesh_ = std::make_unique<MeshLevel>(body);
+    make_stiffness();
     assemble_load();
     constrain_load();
     if (parameters.needs_stiffness_matrix())
-      assemble_stiffness();
+      constrain_stiffness();
   }
 
 
 
   LinearElasticity::~LinearElasticity() = default;
+
+
+
+  bool
+  LinearElasticity::is_hanging(const types::global_dof_index dof) const
+  {
+    return body_.is_hanging(dof);
+  }
+
+
+
+  void
+  LinearElasticity::distribute(LA::Vector &u) const
+  {
+    if (body_.n_hanging_nodes() > 0)
+      body_.hanging_nodes().distribute(u);
+  }
 
 
 
@@ -146,7 +165,7 @@ namespace stiction
       }
 
     constraints_.reinit(body_.locally_relevant_dofs());
-    DoFTools::make_hanging_node_constraints(body_.dof_handler(), constraints_);
+    constraints_.merge(body_.hanging_nodes());
     together(body_.communicator(), [&]() {
       for (const auto &condition : boundary_->displacement)
         VectorTools::interpolate_boundary_values(body_.mapping(),
@@ -173,6 +192,15 @@ namespace stiction
                            update_values | update_quadrature_points |
                              update_JxW_values);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    const auto add = [&](const types::global_dof_index dof,
+                         const double force) {
+      if (!is_hanging(dof))
+        (*load_)(dof) += force;
+      else
+        for (const auto &master :
+             *body_.hanging_nodes().get_constraint_entries(dof))
+          (*load_)(master.first) += master.second * force;
+    };
 
     together(body_.communicator(), [&]() {
       for (const auto &cell : body_.dof_handler().active_cell_iterators())
@@ -187,10 +215,10 @@ namespace stiction
                 cell->get_dof_indices(indices);
                 for (const unsigned int q : values.quadrature_point_indices())
                   for (const unsigned int i : values.dof_indices())
-                    (*load_)(indices[i]) +=
-                      traction.value(values.quadrature_point(q),
-                                     fe.system_to_component_index(i).first) *
-                      values.shape_value(i, q) * values.JxW(q);
+                    add(indices[i],
+                        traction.value(values.quadrature_point(q),
+                                       fe.system_to_component_index(i).first) *
+                          values.shape_value(i, q) * values.JxW(q));
               }
     });
     load_->compress(VectorOperation::add);
@@ -204,9 +232,9 @@ namespace stiction
     LA::Vector prescribed = zero_vector();
     bool is_moved         = false;
     for (const auto dof : body_.locally_owned_dofs())
-      if (constraints_.is_constrained(dof))
+      if (is_prescribed(dof))
         {
-          prescribed(dof) = constraints_.get_inhomogeneity(dof);
+          prescribed(dof) = prescribed_value(dof);
           is_moved        = is_moved || prescribed(dof) != 0.;
         }
     constrained_load_ = std::make_unique<LA::Vector>(*load_);
@@ -215,14 +243,47 @@ namespace stiction
 
     const LA::Vector diagonal = stiffness_diagonal();
     for (const auto dof : body_.locally_owned_dofs())
-      if (constraints_.is_constrained(dof))
+      if (is_prescribed(dof))
         (*constrained_load_)(dof) = diagonal(dof) * prescribed(dof);
   }
 
 
 
   void
-  LinearElasticity::assemble_stiffness()
+  LinearElasticity::make_stiffness()
+  {
+    if (body_.is_simple())
+      stiffness_ = std::make_unique<StiffnessOperator<double>>(
+        *mesh_, lame_lambda_, shear_modulus_);
+    else
+      stiffness_ = std::make_unique<StiffnessOperator<double>>(
+        *mesh_, assemble_stiffness(body_, [&](const auto &) {
+          return isotropic_material(lame_lambda_, shear_modulus_);
+        }));
+  }
+
+
+
+  void
+  LinearElasticity::constrain_stiffness()
+  {
+    if (stiffness_->matrix() == nullptr)
+      {
+        assemble_simple_stiffness();
+        return;
+      }
+    LA::Vector fixed = zero_vector();
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        fixed(dof) = 1.;
+    constrained_stiffness_ =
+      SupportedStiffness(*stiffness_->matrix(), fixed, {}).release();
+  }
+
+
+
+  void
+  LinearElasticity::assemble_simple_stiffness()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
     const IndexSet &owned            = body_.locally_owned_dofs();

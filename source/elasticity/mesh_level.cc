@@ -84,7 +84,14 @@ namespace stiction
               add(sibling);
           }
     };
-    if (Utilities::MPI::n_mpi_processes(body_.communicator()) > 1)
+    if (!body_.is_simple())
+      {
+        // hanging nodes reach across cells
+        IndexSet others = body_.locally_relevant_dofs();
+        others.subtract_set(owned);
+        others.fill_index_vector(ghosts);
+      }
+    else if (Utilities::MPI::n_mpi_processes(body_.communicator()) > 1)
       {
         if (is_active_)
           {

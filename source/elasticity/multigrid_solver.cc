@@ -107,7 +107,7 @@ namespace stiction
     LA::Vector prescribed = elasticity_.zero_vector();
     bool is_moved         = false;
     for (const auto dof : src.locally_owned_elements())
-      if (elasticity_.constraints().is_constrained(dof))
+      if (elasticity_.is_prescribed(dof))
         {
           fixed.push_back(src.get_partitioner()->global_to_local(dof));
           is_moved = is_moved || src(dof) != 0.;

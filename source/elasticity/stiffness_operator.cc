@@ -2,6 +2,10 @@
 #include <stiction/elasticity/stiffness_operator.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <type_traits>
+#include <utility>
 
 namespace stiction
 {
@@ -22,6 +26,18 @@ namespace stiction
       cells.finish();
       return cells;
     }
+
+    template<typename Number>
+    std::vector<Number>
+    blocks_of_matrix(const LA::SparseMatrix &matrix)
+    {
+      const auto owned = matrix.local_range();
+      std::vector<Number> blocks;
+      for (auto i = owned.first; i < owned.second; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          blocks.push_back(static_cast<Number>(matrix.el(i, i / 3 * 3 + c)));
+      return blocks;
+    }
   } // namespace
 
 
@@ -38,9 +54,31 @@ namespace stiction
 
 
   template<typename Number>
+  StiffnessOperator<Number>::StiffnessOperator(
+    const MeshLevel &level,
+    std::unique_ptr<const LA::SparseMatrix> matrix)
+    : level_(level)
+    , matrix_(std::move(matrix))
+  {
+  }
+
+
+
+  template<typename Number>
+  StiffnessOperator<Number>::~StiffnessOperator() = default;
+
+
+
+  template<typename Number>
   void
   StiffnessOperator<Number>::vmult(Vector &dst, const Vector &src) const
   {
+    if constexpr (std::is_same_v<Number, double>)
+      if (matrix_)
+        {
+          matrix_->vmult(dst, src);
+          return;
+        }
     src.update_ghost_values();
     dst = Number(0.);
     cells_.add_product(dst.begin(), src.begin());
@@ -54,6 +92,8 @@ namespace stiction
   std::vector<Number>
   StiffnessOperator<Number>::diagonal_blocks() const
   {
+    if (matrix_)
+      return blocks_of_matrix<Number>(*matrix_);
     std::vector<Number> local(9 *
                               static_cast<std::size_t>(level_.n_local_nodes()));
     cells_.add_diagonal_blocks(local.data());

@@ -9,10 +9,12 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -101,27 +103,35 @@ namespace stiction
       ContactOutput(const LinearElasticity &elasticity,
                     const ContactSurface &surface,
                     const Certificate &certificate)
+        : body_(elasticity.body())
+        , surface_(surface)
+        , certificate_(certificate)
       {
-        const auto &dof_handler = elasticity.body().dof_handler();
-        for (const auto &cell : dof_handler.active_cell_iterators())
+        const FiniteElement<3> &fe = body_.dof_handler().get_fe();
+        // points of a patch are in the order of a table, unknowns first those
+        // of the vertices, then those of the edges
+        const auto order =
+          FETools::lexicographic_to_hierarchic_numbering<2>(fe.degree);
+        std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
+        for (const auto &cell : body_.dof_handler().active_cell_iterators())
           if (cell->is_locally_owned())
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary() &&
                   face->boundary_id() == surface.boundary_id())
                 {
+                  face->get_dof_indices(dofs);
                   DataOutBase::Patch<2, 3> patch;
-                  patch.n_subdivisions = 1;
+                  patch.n_subdivisions = fe.degree;
                   patch.reference_cell = ReferenceCells::Quadrilateral;
                   patch.patch_index    = patches_.size();
-                  patch.data.reinit(n_fields, 4);
+                  patch.data.reinit(n_fields, order.size());
                   for (const unsigned int v : face->vertex_indices())
+                    patch.vertices[v] = face->vertex(v);
+                  for (unsigned int p = 0; p < order.size(); ++p)
                     {
-                      patch.vertices[v] = face->vertex(v);
-                      fill(patch,
-                           v,
-                           surface.node_of(face->vertex_dof_index(v, 0)),
-                           surface,
-                           certificate);
+                      const Values values = values_at(dofs[3 * order[p]]);
+                      for (unsigned int k = 0; k < n_fields; ++k)
+                        patch.data(k, p) = static_cast<float>(values[k]);
                     }
                   patches_.push_back(patch);
                 }
@@ -182,22 +192,42 @@ namespace stiction
         n_fields = bound + 1
       };
 
-      static void
-      fill(DataOutBase::Patch<2, 3> &patch,
-           const unsigned int v,
-           const Eigen::Index i,
-           const ContactSurface &surface,
-           const Certificate &certificate)
+      using Values = std::array<double, n_fields>;
+
+      // At a node of the boundary, interpolated if it hangs; its status is
+      // then that of the first node it follows.
+      Values
+      values_at(const types::global_dof_index first_dof) const
       {
+        if (!body_.is_hanging(first_dof))
+          return values_at_node(surface_.node_of(first_dof));
+        Values sum{};
+        const auto &masters =
+          *body_.hanging_nodes().get_constraint_entries(first_dof);
+        for (auto master = masters.rbegin(); master != masters.rend(); ++master)
+          {
+            const Values values =
+              values_at_node(surface_.node_of(master->first));
+            for (unsigned int k = 0; k < n_fields; ++k)
+              sum[k] += master->second * values[k];
+            sum[status] = values[status];
+          }
+        return sum;
+      }
+
+      Values
+      values_at_node(const Eigen::Index i) const
+      {
+        Values values{};
         if (i < 0) // clamped: not a contact node
           {
-            patch.data(status, v) = -1.f;
-            return;
+            values[status] = -1.;
+            return values;
           }
-        const Eigen::Index m    = surface.n_nodes();
-        const ContactNode &node = surface.nodes()[i];
-        const auto &lambda      = certificate.lambda();
-        const auto &r           = certificate.gradient();
+        const Eigen::Index m    = surface_.n_nodes();
+        const ContactNode &node = surface_.nodes()[i];
+        const auto &lambda      = certificate_.lambda();
+        const auto &r           = certificate_.gradient();
 
         const Tensor<1, 3> force = lambda(i) * node.normal +
                                    lambda(i + m) * node.tangent1 +
@@ -205,21 +235,22 @@ namespace stiction
         const Tensor<1, 3> slip_vector =
           -r(i + m) * node.tangent1 - r(i + 2 * m) * node.tangent2;
 
-        patch.data(pressure, v) = static_cast<float>(lambda(i) / node.area);
-        patch.data(gap, v)      = static_cast<float>(r(i));
-        patch.data(area, v)     = static_cast<float>(node.area);
-        patch.data(bound, v) =
-          static_cast<float>(certificate.slip_bound()(i) / node.area);
-        patch.data(status, v) =
-          static_cast<float>(static_cast<int>(certificate.status(i)));
+        values[pressure] = lambda(i) / node.area;
+        values[gap]      = r(i);
+        values[area]     = node.area;
+        values[bound]    = certificate_.slip_bound()(i) / node.area;
+        values[status]   = static_cast<double>(certificate_.status(i));
         for (unsigned int c = 0; c < 3; ++c)
           {
-            patch.data(traction + c, v) =
-              static_cast<float>(-force[c] / node.area);
-            patch.data(slip + c, v) = static_cast<float>(slip_vector[c]);
+            values[traction + c] = -force[c] / node.area;
+            values[slip + c]     = slip_vector[c];
           }
+        return values;
       }
 
+      const Body &body_;
+      const ContactSurface &surface_;
+      const Certificate &certificate_;
       std::vector<DataOutBase::Patch<2, 3>> patches_;
     };
 
@@ -294,7 +325,7 @@ namespace stiction
     if (error_indicators.size() > 0)
       out.add_data_vector(
         error_indicators, "error_indicator", DataOut<3>::type_cell_data);
-    out.build_patches();
+    out.build_patches(body.dof_handler().get_fe().degree);
     write_pieces(out, directory, "solution", body.communicator());
   }
 

@@ -26,8 +26,10 @@ namespace stiction
     dealii::Tensor<1, 3> normal;   ///< n, unit, towards the obstacle
     dealii::Tensor<1, 3> tangent1; ///< t1, unit
     dealii::Tensor<1, 3> tangent2; ///< t2 = t1 × n
-    double gap         = 0.;       ///< d along n, m; negative: interference
-    double area        = 0.; ///< A = ∫ φ over the contact boundary, m²
+    double gap = 0.;               ///< d along n, m; negative: interference
+    /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
+    /// hanging nodes add to it.
+    double area        = 0.;
     double coefficient = 0.; ///< F of Coulomb's law
     double slip_stress = 0.; ///< τ_c of given friction, Pa
   };
@@ -41,7 +43,11 @@ namespace stiction
   /// The list is known to all ranks, in an order that does not depend on
   /// their number. Vectors over it are stored by blocks (normal; first
   /// tangent; second tangent), each of length m = n_nodes(). Nodes of the
-  /// contact boundary whose displacement is prescribed are not contact nodes.
+  /// contact boundary whose displacement is prescribed are not contact nodes,
+  /// nor are hanging nodes, which follow from others. The contact force is one
+  /// number a node and direction, whatever the degree of the elements: λ_i
+  /// works on the displacement of node i alone, so that λ_i/A_i is a traction
+  /// and Σ A_i the area.
   class ContactSurface
   {
   public:

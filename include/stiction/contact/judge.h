@@ -49,7 +49,8 @@ namespace stiction
     const ContactConditions &
     judge(const LA::Vector &u, const Eigen::VectorXd &lambda);
 
-    /// What the last call of judge() was about. Unit of u: m.
+    /// What the last call of judge() was about. Unit of u: m; hanging nodes
+    /// have their displacement.
     const LA::Vector &
     displacement() const
     {

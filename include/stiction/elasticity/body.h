@@ -8,22 +8,45 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <array>
-
 #include <vector>
 
 namespace stiction
 {
   struct GeometryParameters;
 
-  /// The mesh and the displacement unknowns on it: trilinear hexahedra (Q1),
-  /// three unknowns a node, distributed over the ranks by p4est.
+  /// The mesh and the displacement unknowns on it: trilinear or triquadratic
+  /// hexahedra (Q1, Q2), three unknowns a node, distributed over the ranks by
+  /// p4est.
+  ///
+  /// Where cells of different size meet there are hanging nodes. Their
+  /// displacement u = C û follows from that of other nodes; their unknowns are
+  /// numbered like any, but take part in nothing: they have no stiffness, no
+  /// load, no area, and whatever a vector holds there is ignored.
   class Body
   {
   public:
     /// Makes the mesh and numbers the unknowns.
     Body(const GeometryParameters &geometry, MPI_Comm communicator);
+
+    /// Cuts cells into eight, and those that p4est's balance wants besides;
+    /// moves cells between the ranks and numbers the unknowns anew. Whatever
+    /// was made from the body before is void. Collective.
+    ///
+    /// @param is_cut one flag for each active cell by its active_cell_index();
+    ///   those of cells that this rank does not own are ignored.
+    void
+    refine(const std::vector<bool> &is_cut);
+
+    /// Whether the mesh is uniform and the elements are trilinear: then K is
+    /// known cell by cell on all levels, otherwise it is assembled.
+    bool
+    is_simple() const
+    {
+      return is_uniform_ && fe_.degree == 1;
+    }
 
     MPI_Comm
     communicator() const
@@ -62,6 +85,25 @@ namespace stiction
       return locally_relevant_dofs_;
     }
 
+    /// C: how the unknowns of hanging nodes follow from others.
+    const dealii::AffineConstraints<double> &
+    hanging_nodes() const
+    {
+      return hanging_nodes_;
+    }
+    bool
+    is_hanging(const dealii::types::global_dof_index dof) const
+    {
+      return hanging_nodes_.is_constrained(dof);
+    }
+
+    /// Hanging nodes of the whole mesh.
+    dealii::types::global_dof_index
+    n_hanging_nodes() const
+    {
+      return n_hanging_nodes_;
+    }
+
     /// A mesh node: its unknowns along x, y, z and where it is, in m.
     struct Node
     {
@@ -76,7 +118,8 @@ namespace stiction
       return nodes_;
     }
 
-    /// Nodes of the whole mesh: a third of the unknowns.
+    /// Nodes of the whole mesh, hanging ones included: a third of the
+    /// unknowns.
     dealii::types::global_dof_index
     n_nodes() const
     {
@@ -112,6 +155,9 @@ namespace stiction
     dealii::MappingQ1<3> mapping_;
     dealii::DoFHandler<3> dof_handler_;
     dealii::IndexSet locally_relevant_dofs_;
+    bool is_uniform_ = true;
+    dealii::AffineConstraints<double> hanging_nodes_;
+    dealii::types::global_dof_index n_hanging_nodes_ = 0;
     std::vector<Node> nodes_;
     dealii::BoundingBox<3> bounding_box_;
     BoundaryNames boundary_names_;

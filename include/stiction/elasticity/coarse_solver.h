@@ -21,11 +21,13 @@ namespace stiction
   class LinearElasticity;
   class MeshLevel;
   class MumpsFactorization;
+  class SupportedStiffness;
 
   /// The end of a multigrid cycle: the stiffness matrix of one level of the
-  /// mesh with its supports, assembled. A tiny one is factorised by every rank
-  /// as a dense matrix, a small one by MUMPS; for a larger one there is a
-  /// V-cycle of algebraic multigrid.
+  /// mesh with its supports, assembled cell by cell or made from the matrix of
+  /// a body that is not simple. A tiny one is factorised by every rank as a
+  /// dense matrix, a small one by MUMPS; for a larger one there is a V-cycle of
+  /// algebraic multigrid.
   class CoarseSolver
   {
   public:
@@ -61,6 +63,10 @@ namespace stiction
     void
     assemble(const NodalSupports &supports, const Add &add) const;
 
+    /// With what the solver goes on from the matrix.
+    void
+    factorize(const LA::SparseMatrix &matrix, const NodalSupports &supports);
+
     void
     factorize_dense(const NodalSupports &supports);
 
@@ -76,6 +82,7 @@ namespace stiction
     std::unordered_map<unsigned int, std::size_t> support_of_;
     std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
+    std::unique_ptr<SupportedStiffness> assembled_;
     std::unique_ptr<HostVector> host_;
     std::unique_ptr<MumpsFactorization> direct_;
     std::unique_ptr<AmgPreconditioner> amg_;

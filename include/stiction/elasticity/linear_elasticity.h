@@ -20,9 +20,13 @@ namespace stiction
   /// The elastic body under its loads, without contact: K u = f.
   ///
   /// Products with K as it is, for the reactions at the supports, the strain
-  /// energy and the certificate, are made cell by cell without a matrix. K with
-  /// the prescribed displacements eliminated is assembled for the solvers that
-  /// need a matrix.
+  /// energy and the certificate, are made cell by cell without a matrix, or
+  /// with the assembled one if the body is not simple. K with the prescribed
+  /// displacements eliminated is assembled for the solvers that need a matrix.
+  ///
+  /// Where there are hanging nodes, u = C û, K is CᵀKC and f is Cᵀf: the
+  /// unknowns of hanging nodes have neither stiffness nor load, so that no sum
+  /// over unknowns sees them. distribute() gives them their displacement.
   class LinearElasticity
   {
   public:
@@ -52,7 +56,29 @@ namespace stiction
       return shear_modulus_;
     }
 
-    /// The prescribed displacements (and whatever else fixes an unknown).
+    /// Whether the displacement of an owned unknown, or one of a neighbouring
+    /// cell, is prescribed, and where.
+    bool
+    is_prescribed(const dealii::types::global_dof_index dof) const
+    {
+      return constraints_.is_constrained(dof) && !is_hanging(dof);
+    }
+    double
+    prescribed_value(const dealii::types::global_dof_index dof) const
+    {
+      return constraints_.get_inhomogeneity(dof);
+    }
+
+    /// Whether an unknown follows from those of other nodes.
+    bool
+    is_hanging(dealii::types::global_dof_index dof) const;
+
+    /// Gives hanging nodes the displacement that follows from the others.
+    /// Collective.
+    void
+    distribute(LA::Vector &u) const;
+
+    /// The prescribed displacements and the hanging nodes.
     const dealii::AffineConstraints<double> &
     constraints() const
     {
@@ -65,7 +91,7 @@ namespace stiction
     const LA::SparseMatrix &
     constrained_stiffness() const;
 
-    /// The diagonal of K. Collective.
+    /// The diagonal of K; zero at hanging nodes. Collective.
     LA::Vector
     stiffness_diagonal() const;
 
@@ -88,7 +114,7 @@ namespace stiction
     LA::Vector
     internal_force(const LA::Vector &u) const;
 
-    /// The nodes of the mesh, and K on them without a matrix.
+    /// The nodes of the mesh, and K on them.
     const MeshLevel &
     mesh() const
     {
@@ -112,8 +138,17 @@ namespace stiction
     void
     assemble_load();
 
+    /// K, cell by cell or assembled.
     void
-    assemble_stiffness();
+    make_stiffness();
+
+    /// K with prescribed displacements eliminated.
+    void
+    constrain_stiffness();
+
+    /// That of a simple body.
+    void
+    assemble_simple_stiffness();
 
     /// The right-hand side with prescribed displacements eliminated.
     void

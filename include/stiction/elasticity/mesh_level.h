@@ -27,7 +27,8 @@ namespace stiction
   struct HexahedralCell;
 
   /// The nodes of one level of the mesh as a rank sees them: its own, and the
-  /// ghosts that its cells and the children of its cells one level up have.
+  /// ghosts that its cells and the children of its cells one level up have; all
+  /// that the body finds relevant if that is not simple.
   ///
   /// Vectors of a level hold three numbers a node, its own nodes first, so a
   /// local node i has the entries 3i, 3i + 1, 3i + 2.
@@ -74,7 +75,8 @@ namespace stiction
     LA::VectorOf<Number>
     zero_vector() const;
 
-    /// Calls back with every cell this rank owns; the material is not set.
+    /// Calls back with every cell this rank owns, for trilinear elements alone;
+    /// the material is not set.
     void
     for_each_cell(
       const std::function<void(const HexahedralCell &)> &callback) const;

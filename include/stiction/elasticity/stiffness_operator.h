@@ -4,14 +4,16 @@
 #include <stiction/elasticity/cell_stiffness.h>
 #include <stiction/elasticity/linear_algebra.h>
 
+#include <memory>
 #include <vector>
 
 namespace stiction
 {
   class MeshLevel;
 
-  /// The product with the stiffness matrix K of a level of the mesh, without a
-  /// matrix and without any boundary condition. Unit: N/m.
+  /// The product with the stiffness matrix K of a level of the mesh without any
+  /// boundary condition: cell by cell without a matrix, or, where cells are not
+  /// simple, with the assembled one. Unit: N/m.
   template<typename Number>
   class StiffnessOperator
   {
@@ -24,6 +26,19 @@ namespace stiction
                       double lame_lambda,
                       double shear_modulus);
 
+    /// @param matrix K of the mesh itself, in double precision alone. The level
+    ///   must outlive the object.
+    StiffnessOperator(const MeshLevel &level,
+                      std::unique_ptr<const LA::SparseMatrix> matrix);
+    ~StiffnessOperator();
+
+    /// The matrix, null if there is none.
+    const LA::SparseMatrix *
+    matrix() const
+    {
+      return matrix_.get();
+    }
+
     const MeshLevel &
     level() const
     {
@@ -35,13 +50,14 @@ namespace stiction
     vmult(Vector &dst, const Vector &src) const;
 
     /// The 3 × 3 blocks of the owned nodes on the diagonal, by rows: nine
-    /// numbers a node. Collective.
+    /// numbers a node; zero at hanging nodes. Collective.
     std::vector<Number>
     diagonal_blocks() const;
 
   private:
     const MeshLevel &level_;
     CellStiffness<Number> cells_;
+    std::unique_ptr<const LA::SparseMatrix> matrix_;
   };
 } // namespace stiction
 

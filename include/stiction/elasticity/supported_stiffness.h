@@ -1,0 +1,66 @@
+#ifndef stiction_elasticity_supported_stiffness_h
+#define stiction_elasticity_supported_stiffness_h
+
+#include <stiction/elasticity/linear_algebra.h>
+#include <stiction/elasticity/nodal_support.h>
+
+#include <deal.II/base/types.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace stiction
+{
+  /// An assembled stiffness matrix K with supports, P K P + S + (I − P) D
+  /// (I − P): P projects onto what is free at the nodes, S are springs, and D,
+  /// the diagonal of K, keeps held directions of the size of others.
+  /// Unknowns without stiffness, those of hanging nodes, get a diagonal entry
+  /// of that size too.
+  class SupportedStiffness
+  {
+  public:
+    /// @param stiffness must outlive the object.
+    /// @param fixed not zero at unknowns with prescribed displacement.
+    /// @param supported_nodes the first unknowns of the nodes that supports may
+    ///   hold; the same on all ranks. Collective.
+    SupportedStiffness(
+      const LA::SparseMatrix &stiffness,
+      const LA::Vector &fixed,
+      const std::vector<dealii::types::global_dof_index> &supported_nodes);
+    ~SupportedStiffness();
+
+    /// Takes supports for the nodes of the list, the same on all ranks.
+    void
+    set_supports(const NodalSupports &supports);
+
+    const LA::SparseMatrix &
+    matrix() const
+    {
+      return *matrix_;
+    }
+
+    /// Hands the matrix over; the object is of no more use.
+    std::unique_ptr<LA::SparseMatrix>
+    release();
+
+  private:
+    void
+    find_fixed_columns(const LA::Vector &fixed);
+
+    /// P at the node of three local columns from this one on.
+    Eigen::Matrix3d
+    projection(int column, const NodalSupports &supports) const;
+
+    const LA::SparseMatrix &stiffness_;
+    std::unique_ptr<LA::SparseMatrix> matrix_;
+    std::unordered_map<dealii::types::global_dof_index, std::size_t>
+      support_of_;               ///< place in the list by first unknown
+    std::vector<bool> is_fixed_; ///< by local column
+    double mean_diagonal_ = 0.;  ///< N/m, of unknowns with stiffness
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,42 @@
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/boundary_functions.h>
+#include <stiction/elasticity/local_refinement.h>
+#include <stiction/errors.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  void
+  refine_contact_boundary(Body &body, const Parameters &parameters)
+  {
+    const std::string where = "Geometry/Contact refinement where";
+    const ParsedFunction is_refined(
+      parameters.geometry.contact_refinement_where,
+      1,
+      parameters.source.locate(where));
+    if (parameters.geometry.contact_refinement == 0)
+      return;
+    const auto boundary_id = body.boundary_names().id(
+      dealii::Utilities::trim(parameters.boundary.contact_boundary),
+      parameters.source.locate("Boundary conditions/Contact boundary"));
+
+    for (unsigned int k = 0; k < parameters.geometry.contact_refinement; ++k)
+      {
+        std::vector<bool> is_cut(body.triangulation().n_active_cells());
+        together(body.communicator(), [&]() {
+          for (const auto &cell : body.triangulation().active_cell_iterators())
+            if (cell->is_locally_owned())
+              for (const auto &face : cell->face_iterators())
+                if (face->at_boundary() && face->boundary_id() == boundary_id &&
+                    is_refined.value(face->center()) > 0.)
+                  is_cut[cell->active_cell_index()] = true;
+        });
+        body.refine(is_cut);
+      }
+  }
+} // namespace stiction
