@@ -57,7 +57,7 @@ namespace stiction
     matrix_->reinit(stiffness);
     for (std::size_t i = 0; i < supported_nodes.size(); ++i)
       support_of_[supported_nodes[i]] = i;
-    find_fixed_columns(fixed);
+    find_nodes(fixed);
 
     const Epetra_CrsMatrix &K = stiffness.trilinos_matrix();
     std::array<double, 2> sums{};
@@ -89,42 +89,49 @@ namespace stiction
 
 
   void
-  SupportedStiffness::find_fixed_columns(const LA::Vector &fixed)
+  SupportedStiffness::find_nodes(const LA::Vector &fixed)
   {
     // columns reach beyond the ghosts that vectors have: the matrix joins what
     // cells of other ranks and hanging nodes on them couple
     const Epetra_CrsMatrix &K = stiffness_.trilinos_matrix();
-    const IndexSet owned      = fixed.locally_owned_elements();
-    std::vector<types::global_dof_index> columns;
+    std::vector<std::pair<types::global_dof_index, int>> columns;
     for (int k = 0; k < K.NumMyCols(); ++k)
-      columns.push_back(static_cast<types::global_dof_index>(K.GCID(k)));
-    std::vector<types::global_dof_index> sorted = columns;
-    std::sort(sorted.begin(), sorted.end());
-    IndexSet relevant(owned.size());
-    relevant.add_indices(sorted.begin(), sorted.end());
-    relevant.add_indices(owned);
+      columns.emplace_back(static_cast<types::global_dof_index>(K.GCID(k)), k);
+    std::sort(columns.begin(), columns.end());
 
+    const IndexSet owned = fixed.locally_owned_elements();
+    IndexSet relevant    = owned;
+    for (const auto &column : columns)
+      relevant.add_index(column.first);
     LA::Vector with_columns(owned, relevant, stiffness_.get_mpi_communicator());
     with_columns.copy_locally_owned_data_from(fixed);
     with_columns.update_ghost_values();
-    for (const auto column : columns)
-      is_fixed_.push_back(with_columns(column) != 0.);
+
+    unknown_of_column_.resize(columns.size());
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      {
+        const auto dof = columns[k].first;
+        if (k % 3 == 0)
+          nodes_.push_back({dof, {}});
+        if (dof != nodes_.back().first_dof + k % 3)
+          throw std::logic_error("a node has columns for some directions only");
+        nodes_.back().is_fixed[k % 3]         = with_columns(dof) != 0.;
+        unknown_of_column_[columns[k].second] = k;
+      }
   }
 
 
 
   Eigen::Matrix3d
-  SupportedStiffness::projection(const int column,
+  SupportedStiffness::projection(const Node &node,
                                  const NodalSupports &supports) const
   {
-    const auto first_dof = static_cast<types::global_dof_index>(
-      stiffness_.trilinos_matrix().GCID(column));
-    const auto support = support_of_.find(first_dof);
+    const auto support = support_of_.find(node.first_dof);
     Eigen::Matrix3d P  = support == support_of_.end()
                            ? Eigen::Matrix3d::Identity()
                            : supports[support->second].projection;
     for (int c = 0; c < 3; ++c)
-      if (is_fixed_[column + c])
+      if (node.is_fixed[c])
         {
           P.row(c).setZero();
           P.col(c).setZero();
@@ -141,53 +148,62 @@ namespace stiction
     const Epetra_CrsMatrix &K = matrix_->trilinos_matrix();
     const Eigen::Matrix3d I   = Eigen::Matrix3d::Identity();
 
-    std::vector<bool> is_held(K.NumMyCols() / 3); // P is not the identity
-    std::vector<Eigen::Matrix3d> P(K.NumMyCols() / 3);
-    for (int j = 0; j < K.NumMyCols() / 3; ++j)
+    std::vector<Eigen::Matrix3d> P;
+    std::vector<bool> is_held; // P is not the identity
+    for (const Node &node : nodes_)
       {
-        P[j]       = projection(3 * j, supports);
-        is_held[j] = P[j] != I;
+        P.push_back(projection(node, supports));
+        is_held.push_back(P.back() != I);
       }
 
+    // the entries of the three rows of a node, in the order of the unknowns
+    std::array<std::vector<std::pair<unsigned int, double *>>, 3> entries;
     for (int i = 0; i < K.NumMyRows(); i += 3)
       {
-        const std::array<Row, 3> rows = {
-          {row_view(K, i), row_view(K, i + 1), row_view(K, i + 2)}};
-        if (rows[0].n_entries == 1) // a hanging node
+        for (int a = 0; a < 3; ++a)
           {
-            for (const Row &row : rows)
-              row.entries[0] = mean_diagonal_;
+            const Row row = row_view(K, i + a);
+            entries[a].clear();
+            for (int k = 0; k < row.n_entries; ++k)
+              entries[a].emplace_back(unknown_of_column_[row.columns[k]],
+                                      row.entries + k);
+            std::sort(entries[a].begin(), entries[a].end());
+          }
+        if (entries[0].size() == 1) // a hanging node
+          {
+            for (const auto &row : entries)
+              *row[0].second = mean_diagonal_;
             continue;
           }
-        const int own = K.LCID(K.GRID(i));
-        for (int k = 0; k < rows[0].n_entries; k += 3)
+
+        const unsigned int own = unknown_of_column_[K.LCID(K.GRID(i))] / 3;
+        for (std::size_t k = 0; k < entries[0].size(); k += 3)
           {
-            const int column = rows[0].columns[k];
-            if (column % 3 != 0 || rows[1].columns[k] != column ||
-                rows[2].columns[k + 2] != column + 2)
-              throw std::logic_error(
-                "the stiffness matrix does not consist of nodal blocks");
-            const int node = column / 3;
-            if (!is_held[own / 3] && !is_held[node] && column != own)
+            const unsigned int node = entries[0][k].first / 3;
+            if (!is_held[own] && !is_held[node] && node != own)
               continue;
             Eigen::Matrix3d block;
             for (int a = 0; a < 3; ++a)
               for (int b = 0; b < 3; ++b)
-                block(a, b) = rows[a].entries[k + b];
+                {
+                  if (entries[a][k + b].first != 3 * node + b)
+                    throw std::logic_error("the stiffness matrix does not "
+                                           "consist of nodal blocks");
+                  block(a, b) = *entries[a][k + b].second;
+                }
             const Eigen::Vector3d diagonal = block.diagonal();
-            block = (P[own / 3] * block * P[node]).eval();
-            if (column == own)
+            block                          = (P[own] * block * P[node]).eval();
+            if (node == own)
               {
-                const Eigen::Matrix3d held = I - P[node];
+                const Eigen::Matrix3d held = I - P[own];
                 block += held * diagonal.asDiagonal() * held;
-                const auto support = support_of_.find(
-                  static_cast<types::global_dof_index>(K.GRID(i)));
+                const auto support = support_of_.find(nodes_[own].first_dof);
                 if (support != support_of_.end())
                   block += supports[support->second].spring;
               }
             for (int a = 0; a < 3; ++a)
               for (int b = 0; b < 3; ++b)
-                rows[a].entries[k + b] = block(a, b);
+                *entries[a][k + b].second = block(a, b);
           }
       }
   }

@@ -197,8 +197,8 @@ namespace
            std::hypot(b[0], b[1], b[2]);
   }
 
-  // The force on the reference brick, against a mesh of four times as many
-  // trilinear cells along each edge.
+  // The force on the reference brick, against a mesh of about four times as
+  // many trilinear cells along each edge.
   void
   brick()
   {
@@ -218,8 +218,6 @@ namespace
           << ", contact refinement nearer "
           << yes(distance(refined, fine) < 0.5 * distance(coarse, fine))
           << std::endl;
-    std::cerr << distance(quadratic, fine) << " " << distance(coarse, fine)
-              << " " << distance(refined, fine) << std::endl;
   }
 } // namespace
 

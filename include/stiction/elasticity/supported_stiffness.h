@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -47,19 +48,29 @@ namespace stiction
     release();
 
   private:
-    void
-    find_fixed_columns(const LA::Vector &fixed);
+    /// A node with columns on this rank, and which of its unknowns are fixed.
+    struct Node
+    {
+      dealii::types::global_dof_index first_dof;
+      std::array<bool, 3> is_fixed;
+    };
 
-    /// P at the node of three local columns from this one on.
+    void
+    find_nodes(const LA::Vector &fixed);
+
+    /// What is free at a node.
     Eigen::Matrix3d
-    projection(int column, const NodalSupports &supports) const;
+    projection(const Node &node, const NodalSupports &supports) const;
 
     const LA::SparseMatrix &stiffness_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
     std::unordered_map<dealii::types::global_dof_index, std::size_t>
-      support_of_;               ///< place in the list by first unknown
-    std::vector<bool> is_fixed_; ///< by local column
-    double mean_diagonal_ = 0.;  ///< N/m, of unknowns with stiffness
+      support_of_; ///< place in the list by first unknown
+    std::vector<Node> nodes_;
+    /// Three times the place of the node in this list plus the direction, by
+    /// local column: Trilinos keeps columns in an order of its own.
+    std::vector<unsigned int> unknown_of_column_;
+    double mean_diagonal_ = 0.; ///< N/m, of unknowns with stiffness
   };
 } // namespace stiction
 
