@@ -4,10 +4,17 @@
 // around the load: the less energy, the smaller the error in the energy norm.
 // So two meshes are compared without a third: the adapted one must have less
 // energy than a uniform one with more than twice as many unknowns.
+//
+// Then the reference brick itself with Coulomb friction: a method for contact
+// forces and one for displacements, on any number of ranks, cut the same cells
+// and agree.
 
 #include "tests.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 using namespace stiction;
 
@@ -25,6 +32,22 @@ namespace
                      "Contact solver/Method=newton multigrid",
                      "Contact solver/Tolerance=1e-9"});
     return Run(shipped("brick.prm"), settings);
+  }
+
+  // The same cells are cut on any number of ranks.
+  void
+  print_meshes(const Run &run)
+  {
+    double last = 0.;
+    for (const auto &mesh : run.summary()["refinement"])
+      {
+        const double error = mesh["relative_estimated_error"];
+        out() << "  " << mesh["cells"] << " cells, " << mesh["dofs"]
+              << " unknowns, " << mesh["contact_nodes"]
+              << " contact nodes, estimate falls "
+              << yes(last == 0. || error < last) << '\n';
+        last = error;
+      }
   }
 
   double
@@ -53,14 +76,25 @@ main(int argc, char *argv[])
                n_adapted < 0.5 * n_uniform)
         << '\n';
 
-  // the same cells are cut on any number of ranks
-  double last = 0.;
-  for (const auto &mesh : adapted.summary()["refinement"])
+  print_meshes(adapted);
+
+  std::vector<double> force;
+  for (const std::string method : {"newton", "newton multigrid"})
     {
-      const double error = mesh["relative_estimated_error"];
-      out() << mesh["cells"] << " cells, " << mesh["dofs"] << " unknowns, "
-            << mesh["contact_nodes"] << " contact nodes, estimate falls "
-            << yes(last == 0. || error < last) << '\n';
-      last = error;
+      const Run run(shipped("adaptive.prm"),
+                    {"Refinement/Adaptive steps=3",
+                     "Contact solver/Method=" + method,
+                     "Contact solver/Tolerance=1e-10"});
+      out() << method << ": certified " << yes(run.converged);
+      const std::vector<double> this_force =
+        run.summary()["contact"]["force_on_body"];
+      if (force.empty())
+        force = this_force;
+      double difference = 0.;
+      for (unsigned int c = 0; c < 3; ++c)
+        difference = std::max(difference, std::abs(this_force[c] - force[c]));
+      out() << ", agrees to 1e-8 "
+            << yes(difference < 1e-8 * std::abs(force[2])) << '\n';
+      print_meshes(run);
     }
 }
