@@ -1,3 +1,4 @@
+#include <stiction/adaptive_refinement.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/dual_method_factory.h>
@@ -60,8 +61,11 @@ namespace stiction
         *log_,
         step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
         parameters.contact_solver.is_primal(),
-        parameters.output.print_progress))
+        parameters.output.print_progress,
+        parameters.refinement.adaptive_steps > 0))
   {
+    if (parameters.refinement.adaptive_steps > 0)
+      refinement_ = std::make_unique<AdaptiveRefinement>(parameters);
   }
 
 
@@ -79,21 +83,13 @@ namespace stiction
       assemble_system();
       make_contact_surface();
       open_output();
-      {
-        const auto contact_solve = phases_.scope("contact_solve");
-        if (parameters_.contact_solver.is_primal())
-          {
-            set_up_multigrid();
-            solve_for_displacements();
-          }
-        else
-          {
-            set_up_stiffness_solver();
-            set_up_dual_operator();
-            solve_for_contact_forces();
-          }
-      }
-      certify();
+      solve_and_certify();
+      while (refine_mesh())
+        {
+          assemble_system();
+          make_contact_surface();
+          solve_and_certify();
+        }
       measure_yardsticks();
       output_results();
     }
@@ -101,6 +97,65 @@ namespace stiction
     report();
     export_problem();
     return solution_->converged;
+  }
+
+
+
+  void
+  ContactProblem::solve_and_certify()
+  {
+    {
+      const auto contact_solve = phases_.scope("contact_solve");
+      if (parameters_.contact_solver.is_primal())
+        {
+          set_up_multigrid();
+          solve_for_displacements();
+        }
+      else
+        {
+          set_up_stiffness_solver();
+          set_up_dual_operator();
+          solve_for_contact_forces();
+        }
+    }
+    certify();
+  }
+
+
+
+  bool
+  ContactProblem::refine_mesh()
+  {
+    if (!refinement_)
+      return false;
+    std::vector<bool> is_cut;
+    {
+      const auto phase = phases_.scope("error_estimate");
+      refinement_->add_mesh(*elasticity_,
+                            *surface_,
+                            solution_->converged,
+                            judge_->displacement(),
+                            solution_->lambda,
+                            judge_->certificate().strain_energy());
+      is_cut = refinement_->cells_to_cut(*elasticity_, *surface_);
+    }
+    log_->line(refinement_->remark());
+    if (refinement_->is_finished())
+      return false;
+
+    // in the order of who knows whom
+    judge_.reset();
+    newton_.reset();
+    method_.reset();
+    schur_.reset();
+    stiffness_solver_.reset();
+    surface_.reset();
+    elasticity_.reset();
+    const auto phase = phases_.scope("mesh");
+    body_->refine(is_cut);
+    describe_body();
+    history_->begin_mesh();
+    return true;
   }
 
 
@@ -143,6 +198,14 @@ namespace stiction
       std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
     assign_material_ids(*body_, parameters_);
     refine_contact_boundary(*body_, parameters_);
+    describe_body();
+  }
+
+
+
+  void
+  ContactProblem::describe_body()
+  {
     log_->line(
       format("Body: %llu cells, %llu nodes, %llu unknowns",
              static_cast<unsigned long long>(
@@ -363,7 +426,11 @@ namespace stiction
     const auto phase             = phases_.scope("output");
     const std::string &directory = parameters_.output.directory;
     if (parameters_.output.write_solution)
-      write_solution(directory, *elasticity_, judge_->displacement());
+      write_solution(directory,
+                     *elasticity_,
+                     judge_->displacement(),
+                     refinement_ ? refinement_->indicators()
+                                 : dealii::Vector<double>());
     else
       remove_solution(directory, communicator_);
     write_contact(directory, *elasticity_, *surface_, judge_->certificate());
@@ -439,7 +506,9 @@ namespace stiction
       *surface_, certificate, parameters_.contact_solver.tolerance);
     summary["displacement"] =
       displacement_to_json(*elasticity_, judge_->displacement());
-    summary["energy"]         = energy_to_json(*surface_, certificate);
+    summary["energy"] = energy_to_json(*surface_, certificate);
+    if (refinement_)
+      summary["refinement"] = refinement_->to_json();
     summary["seconds"]        = phases_.to_json();
     summary["peak_memory_MB"] = peak_memory(communicator_);
     write_summary(summary, parameters_.output.directory, communicator_);

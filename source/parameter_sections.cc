@@ -256,6 +256,40 @@ namespace stiction
 
 
 
+  RefinementParameters::RefinementParameters()
+    : ParameterAcceptor("Refinement")
+  {
+    add_parameter("Adaptive steps",
+                  adaptive_steps,
+                  "How many times the mesh is refined where the solution needs "
+                  "it: the problem is solved and certified, the error is "
+                  "estimated cell by cell (in the energy norm, from what the "
+                  "stress lacks to be in equilibrium inside the cells, across "
+                  "their faces and with the loads and contact forces), the "
+                  "cells with the largest errors are cut into eight, and the "
+                  "problem is solved again. The files are those of the last "
+                  "mesh; it is the last one too if its answer is not "
+                  "certified. The estimate has no constants: it says where the "
+                  "mesh is too coarse, it is no bound.",
+                  prm,
+                  Patterns::Integer(0, 50));
+    add_parameter("Fraction",
+                  fraction,
+                  "The cells that are cut are the fewest that make up this "
+                  "part of the sum of the squares of the estimated errors; "
+                  "above 0, at most 1.",
+                  prm,
+                  Patterns::Double());
+    add_parameter("Maximum unknowns",
+                  maximum_unknowns,
+                  "No mesh is made that would have more unknowns than about "
+                  "this; 0: the memory is the limit.",
+                  prm,
+                  Patterns::Integer(0));
+  }
+
+
+
   BoundaryParameters::BoundaryParameters()
     : ParameterAcceptor("Boundary conditions")
   {

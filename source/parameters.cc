@@ -197,6 +197,10 @@ namespace stiction
             "must be a number > 0 m, at most 10000 times the radius and at "
             "least a 10000th of it");
 
+    require(refinement.fraction > 0. && refinement.fraction <= 1.,
+            "Refinement/Fraction",
+            "must be above 0 and at most 1");
+
     std::ostringstream too_many;
     too_many << "makes " << geometry.n_cells() << " cells, allowed are at most "
              << GeometryParameters::max_cells;
@@ -261,6 +265,11 @@ namespace stiction
             "Stiffness solver/Type",
             "needs a coarser mesh, so 'Geometry/Global refinement' must be at "
             "least 1, or the type 'amg'");
+    require(stiffness_solver.type != "multigrid" ||
+              refinement.adaptive_steps == 0,
+            "Stiffness solver/Type",
+            "needs cells alike on each level, so 'Refinement/Adaptive steps' "
+            "must be 0, or the type 'amg'");
     require(
       stiffness_solver.type != "multigrid" || is_simple(),
       "Stiffness solver/Type",

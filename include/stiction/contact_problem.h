@@ -14,6 +14,7 @@
 
 namespace stiction
 {
+  class AdaptiveRefinement;
   class Body;
   class ContactSurface;
   class DualMethod;
@@ -34,7 +35,8 @@ namespace stiction
     ContactProblem(const Parameters &parameters, MPI_Comm communicator);
     ~ContactProblem();
 
-    /// Solves the problem, certifies the answer and writes all files.
+    /// Solves the problem, on refined meshes again if that is wanted, certifies
+    /// the answer and writes all files.
     /// Collective. Throws InputError, for bad input before anything is
     /// written, and if a file cannot be written.
     ///
@@ -86,7 +88,16 @@ namespace stiction
 
   private:
     void
+    solve_and_certify();
+    /// Refines the mesh where the answer needs it, and forgets what was made
+    /// on it. @return false if it is to remain as it is.
+    bool
+    refine_mesh();
+
+    void
     make_grid();
+    void
+    describe_body();
     void
     assemble_system();
     void
@@ -125,6 +136,7 @@ namespace stiction
 
     std::unique_ptr<Log> log_;
     std::unique_ptr<ConvergenceHistory> history_;
+    std::unique_ptr<AdaptiveRefinement> refinement_; ///< if it is wanted
     std::unique_ptr<Body> body_;
     std::unique_ptr<LinearElasticity> elasticity_;
     std::unique_ptr<ContactSurface> surface_;

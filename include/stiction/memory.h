@@ -31,8 +31,6 @@ namespace stiction
 
   /// Throws InputError if the dual operator in the form of the parameter file
   /// cannot fit. Collective.
-  ///
-  /// @param n_dual_unknowns 3m.
   void
   require_memory_for_dual_operator(const Parameters &parameters,
                                    double n_dual_unknowns,

@@ -102,6 +102,15 @@ namespace stiction
     std::string volume_strain = "pointwise";
   };
 
+  struct RefinementParameters : dealii::ParameterAcceptor
+  {
+    RefinementParameters();
+
+    unsigned int adaptive_steps   = 0;
+    double fraction               = 0.5;
+    unsigned int maximum_unknowns = 0;
+  };
+
   struct BoundaryParameters : dealii::ParameterAcceptor
   {
     BoundaryParameters();
@@ -228,12 +237,13 @@ namespace stiction
     check_method(bool is_coulomb) const;
 
     /// Whether K can be known cell by cell, without a matrix, and there is
-    /// geometric multigrid: a uniform mesh of trilinear cells of isotropic
-    /// materials.
+    /// geometric multigrid: a mesh of trilinear cells of isotropic materials
+    /// that stays uniform.
     bool
     is_simple() const
     {
-      return geometry.is_simple() && material.is_simple();
+      return geometry.is_simple() && material.is_simple() &&
+             refinement.adaptive_steps == 0;
     }
 
     /// 'Stiffness solver/Type', with automatic replaced by what it stands for.
@@ -261,6 +271,7 @@ namespace stiction
     }
 
     GeometryParameters geometry;
+    RefinementParameters refinement;
     MaterialParameters material;
     BoundaryParameters boundary;
     FrictionParameters friction;

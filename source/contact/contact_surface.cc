@@ -79,6 +79,14 @@ namespace stiction
 
 
 
+  const ContactBoundary &
+  ContactSurface::boundary(const types::boundary_id id) const
+  {
+    return boundaries_.at(index_of(boundaries_, id));
+  }
+
+
+
   bool
   ContactSurface::is_contact_boundary(const types::boundary_id id) const
   {

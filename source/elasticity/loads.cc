@@ -141,6 +141,18 @@ namespace stiction
 
 
 
+  Tensor<1, 3>
+  Loads::inside(const double density, const Point<3> &x) const
+  {
+    Tensor<1, 3> force;
+    for (unsigned int c = 0; c < 3; ++c)
+      force[c] = (body_force_ ? body_force_->value(x, c) : 0.) +
+                 (gravity_ ? density * gravity_->value(x, c) : 0.);
+    return force;
+  }
+
+
+
   std::map<types::boundary_id, Loads::OnBoundary>
   Loads::on_boundaries() const
   {
@@ -238,11 +250,8 @@ namespace stiction
           const double density = materials.of(cell->material_id()).density;
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              const Point<3> &x = values.quadrature_point(q);
-              Tensor<1, 3> force;
-              for (unsigned int c = 0; c < 3; ++c)
-                force[c] = (body_force_ ? body_force_->value(x, c) : 0.) +
-                           (gravity_ ? density * gravity_->value(x, c) : 0.);
+              const Point<3> &x        = values.quadrature_point(q);
+              const Tensor<1, 3> force = inside(density, x);
               for (const unsigned int i : values.dof_indices())
                 add(indices[i],
                     force[fe.system_to_component_index(i).first] *

@@ -10,12 +10,23 @@ namespace stiction
   ConvergenceHistory::ConvergenceHistory(Log &log,
                                          const std::string &step_name,
                                          const bool on_levels,
-                                         const bool print)
+                                         const bool print,
+                                         const bool has_meshes)
     : log_(log)
     , on_levels_(on_levels)
     , print_(print)
+    , has_meshes_(has_meshes)
     , step_name_(step_name)
   {
+  }
+
+
+
+  void
+  ConvergenceHistory::begin_mesh()
+  {
+    ++mesh_;
+    has_header_ = false;
   }
 
 
@@ -69,10 +80,12 @@ namespace stiction
   {
     if (print_ && !has_header_)
       print_header();
-    has_header_ = true;
+    has_header_ = has_rows_ = true;
     if (print_)
       print_row(step);
 
+    if (has_meshes_)
+      table_.add_value("mesh", mesh_);
     table_.add_value("step", step.step);
     if (on_levels_)
       table_.add_value("unknowns", static_cast<unsigned int>(step.unknowns));
@@ -97,18 +110,19 @@ namespace stiction
     if (!on_levels_)
       columns.emplace_back("relative_change");
     for (const std::string &column : columns)
-      if (has_header_)
+      if (has_rows_)
         {
           table.set_precision(column, 9);
           table.set_scientific(column, true);
         }
     std::stringstream text;
-    if (has_header_)
+    if (has_rows_)
       table.write_text(
         text,
         dealii::TableHandler::simple_table_with_separate_column_description);
 
-    out << (on_levels_ ? "step,unknowns,iterations,kkt_residual,"
+    out << (has_meshes_ ? "mesh," : "")
+        << (on_levels_ ? "step,unknowns,iterations,kkt_residual,"
                        : "step,iterations,dual_multiplications,kkt_residual,"
                          "relative_change,")
         << "contraction,normal_force\n";

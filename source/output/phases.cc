@@ -32,6 +32,7 @@ namespace stiction
                               "dual_iteration",
                               "displacement_iteration",
                               "contact_solve",
+                              "error_estimate",
                               "elastic_solve",
                               "elastic_solve_iteration",
                               "sparse_factorization",

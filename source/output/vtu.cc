@@ -304,7 +304,8 @@ namespace stiction
   void
   write_solution(const std::string &directory,
                  const LinearElasticity &elasticity,
-                 const LA::Vector &u)
+                 const LA::Vector &u,
+                 const Vector<double> &error_indicators)
   {
     const Body &body = elasticity.body();
     LA::Vector with_ghosts(body.locally_owned_dofs(),
@@ -325,6 +326,9 @@ namespace stiction
         3, DataComponentInterpretation::component_is_part_of_vector));
     out.add_data_vector(with_ghosts, stress);
     out.add_data_vector(with_ghosts, von_mises);
+    if (error_indicators.size() > 0)
+      out.add_data_vector(
+        error_indicators, "error_indicator", DataOut<3>::type_cell_data);
     out.build_patches(body.dof_handler().get_fe().degree);
     write_pieces(out, directory, "solution", body.communicator());
   }

@@ -109,6 +109,10 @@ namespace stiction
       return boundary_area_;
     }
 
+    /// The contact boundary with this id; there must be one.
+    const ContactBoundary &
+    boundary(dealii::types::boundary_id id) const;
+
     /// Whether a boundary of the mesh is a contact boundary.
     bool
     is_contact_boundary(dealii::types::boundary_id id) const;

@@ -44,6 +44,11 @@ namespace stiction
              const dealii::Point<3> &x,
              const dealii::Tensor<1, 3> &normal) const;
 
+    /// The force b + ρ g at a place inside the body with this density ρ. Unit:
+    /// N/m³.
+    dealii::Tensor<1, 3>
+    inside(double density, const dealii::Point<3> &x) const;
+
     /// A boundary's area (m²) and the resultant of its loads (N).
     struct OnBoundary
     {

@@ -20,10 +20,17 @@ namespace stiction
     /// @param on_levels whether the method goes through the levels of the
     ///   mesh: then a row tells the unknowns in place of products with Q.
     /// @param print whether lines are printed.
+    /// @param has_meshes whether the problem is solved on one mesh after the
+    ///   other: then a row tells which.
     ConvergenceHistory(Log &log,
                        const std::string &step_name,
                        bool on_levels,
-                       bool print);
+                       bool print,
+                       bool has_meshes = false);
+
+    /// What follows belongs to the next mesh.
+    void
+    begin_mesh();
 
     void
     add(const ContactStep &step);
@@ -40,8 +47,10 @@ namespace stiction
 
     Log &log_;
     const bool on_levels_;
-    const bool print_;
-    bool has_header_ = false;
+    const bool print_, has_meshes_;
+    unsigned int mesh_ = 0;
+    bool has_header_   = false; ///< on the screen, of this mesh
+    bool has_rows_     = false;
     const std::string step_name_;
     dealii::TableHandler table_;
   };

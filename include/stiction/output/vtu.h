@@ -7,6 +7,12 @@
 
 #include <string>
 
+namespace dealii
+{
+  template<typename Number>
+  class Vector;
+}
+
 namespace stiction
 {
   class Certificate;
@@ -15,10 +21,14 @@ namespace stiction
 
   /// Writes solution.pvtu (with its pieces and solution.pvd): displacement,
   /// stress tensor, von Mises stress. Collective.
+  ///
+  /// @param error_indicators by active cells, J^½, for another field; none if
+  ///   empty.
   void
   write_solution(const std::string &directory,
                  const LinearElasticity &elasticity,
-                 const LA::Vector &u);
+                 const LA::Vector &u,
+                 const dealii::Vector<double> &error_indicators);
 
   /// Removes the index files that an earlier run left of the body, so that they
   /// are not taken for those of this one.
