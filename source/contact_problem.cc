@@ -15,6 +15,7 @@
 #include <stiction/errors.h>
 #include <stiction/memory.h>
 #include <stiction/output/convergence_history.h>
+#include <stiction/output/files.h>
 #include <stiction/output/log.h>
 #include <stiction/output/output_directory.h>
 #include <stiction/output/overview.h>

@@ -16,6 +16,7 @@
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
+#include <stiction/output/output_directory.h>
 #include <stiction/output/problem_files.h>
 #include <stiction/output/report.h>
 #include <stiction/output/summary.h>
