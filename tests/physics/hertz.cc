@@ -8,7 +8,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
-#include <cstdlib>
 
 using namespace stiction;
 
@@ -125,9 +124,4 @@ main(int argc, char **argv)
         << yes(std::abs(adaptive.approach - large.approach) <=
                std::abs(uniform.approach - large.approach))
         << '\n';
-  if (std::getenv("STICTION_TEST_FIGURES"))
-    for (const Ratios &r :
-         {coarse, middle, fine, paraboloid, large, uniform, adaptive})
-      std::cerr << r.n_unknowns << ' ' << r.pressure << ' ' << r.radius << ' '
-                << r.approach << '\n';
 }
