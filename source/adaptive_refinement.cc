@@ -43,7 +43,7 @@ namespace stiction
     squares_.reinit(0);
     if (is_certified)
       {
-        squares_ = estimate_error(elasticity, surface, parameters_, u, lambda);
+        squares_   = estimate_error(elasticity, surface, u, lambda);
         double sum = 0.;
         for (const double square : squares_)
           sum += square;
@@ -78,7 +78,7 @@ namespace stiction
           n_cut[0] += 1.;
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary() &&
-                face->boundary_id() == surface.boundary_id())
+                surface.is_contact_boundary(face->boundary_id()))
               n_cut[1] += 1.;
         }
     for (double &n : n_cut)

@@ -10,6 +10,7 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/local_refinement.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/errors.h>
@@ -18,6 +19,7 @@
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
 #include <stiction/output/output_directory.h>
+#include <stiction/output/overview.h>
 #include <stiction/output/problem_files.h>
 #include <stiction/output/summary.h>
 #include <stiction/output/vtu.h>
@@ -57,8 +59,7 @@ namespace stiction
     , log_(std::make_unique<Log>(communicator))
     , history_(std::make_unique<ConvergenceHistory>(
         *log_,
-        step_name(parameters.contact_solver,
-                  parameters.friction.law() == FrictionLaw::coulomb),
+        step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
         parameters.contact_solver.is_primal(),
         parameters.output.print_progress,
         parameters.refinement.adaptive_steps > 0))
@@ -170,6 +171,7 @@ namespace stiction
         require_writable(parameters_.output.directory,
                          parameters_.source.describe("Output/Directory"));
     });
+    print_overview(*log_, *elasticity_, *surface_, parameters_);
     log_->line("The input is valid; nothing was solved.");
   }
 
@@ -188,8 +190,13 @@ namespace stiction
         dealii::Utilities::MPI::n_mpi_processes(communicator_),
         dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1 ? ""
                                                                     : "s"));
-    require_memory_for_mesh(parameters_, communicator_);
-    body_ = std::make_unique<Body>(parameters_.geometry, communicator_);
+    const auto check_size = [&](const double n_cells) {
+      require_memory_for_mesh(parameters_, n_cells, communicator_);
+    };
+    check_size(parameters_.geometry.n_cells());
+    body_ =
+      std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
+    assign_material_ids(*body_, parameters_);
     refine_contact_boundary(*body_, parameters_);
     describe_body();
   }
@@ -228,6 +235,7 @@ namespace stiction
     const auto phase = phases_.scope("mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
     elasticity_->require_support();
+    const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(parameters_,
                                      3. *
                                        static_cast<double>(surface_->n_nodes()),
@@ -235,10 +243,21 @@ namespace stiction
     log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
                       static_cast<long long>(surface_->n_nodes()),
                       static_cast<long long>(3 * surface_->n_nodes()),
-                      surface_->law() == FrictionLaw::coulomb
-                        ? "Coulomb friction"
-                      : surface_->law() == FrictionLaw::given ? "given friction"
-                                                              : "no friction"));
+                      law == "coulomb" ? "Coulomb friction"
+                      : law == "given" ? "given friction"
+                      : law == "mixed" ? "several laws of friction"
+                                       : "no friction"));
+    if (surface_->n_facing_away() > 0)
+      log_->line(
+        format("  %llu nodes face away from the obstacle and are none",
+               static_cast<unsigned long long>(surface_->n_facing_away())));
+    if (!parameters_.output.export_directory.empty() &&
+        surface_->slip_bound().is_mixed())
+      throw InputError(
+        parameters_.source.describe("Output/Export directory") +
+        ", problem files know one law of friction for all nodes, "
+        "so 'Friction/Law' must not have both 'given' and "
+        "'coulomb'.");
   }
 
 
@@ -475,7 +494,7 @@ namespace stiction
         json({{"stiffness_solves", stiffness_solver_->n_solves()},
               {"krylov_iterations", stiffness_solver_->n_iterations()}}));
     summary["solver"].update(
-      json({{"law", parameters_.friction.law_name},
+      json({{"law", parameters_.friction.name()},
             {"elastic_solve_iterations",
              measured ? json(elastic_solve_iterations_) : json(nullptr)},
             {"elastic_solve_equivalents",
@@ -508,6 +527,16 @@ namespace stiction
                          judge_->certificate(),
                          parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
+    const double depth =
+      solution_->converged
+        ? surface_->penetration_of_facing_away(judge_->displacement())
+        : 0.;
+    if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
+      log_->line(
+        format("WARNING: a node that faces away from its obstacle came "
+               "%.2g m into it; such nodes are no contact nodes, and "
+               "the certificate does not speak of them.",
+               depth));
     log_->line("Open " +
                (parameters_.output.write_solution
                   ? directory + "/solution.pvtu and "

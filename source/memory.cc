@@ -46,29 +46,9 @@ namespace stiction
                               : parameters.is_simple()    ? 6e3
                               : is_quadratic              ? 1.3e5
                                                           : 1e4;
-    const double bytes_per_cell =
-      matrices + (parameters.output.write_solution
-                    ? (is_quadratic ? 8. : 1.) * 2.6e3
-                    : 0.);
-    return n_cells * bytes_per_cell;
-  }
-
-
-
-  void
-  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator)
-  {
-    const double bytes =
-      memory_for_mesh(parameters, parameters.geometry.n_cells());
-    const double available = available_memory(communicator);
-    if (bytes > available)
-      throw InputError(
-        parameters.source.describe(parameters.geometry.entry_of_size()) +
-        format(", makes %.3g cells that need about %.3g GB of memory, at most "
-               "%.3g GB are here.",
-               parameters.geometry.n_cells(),
-               bytes / 1e9,
-               available / 1e9));
+    return n_cells * (matrices + (parameters.output.write_solution
+                                    ? (is_quadratic ? 8. : 1.) * 2.6e3
+                                    : 0.));
   }
 
 
@@ -89,6 +69,32 @@ namespace stiction
     const double copies =
       (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks + 2.;
     return 8. * n_dual_unknowns * n_dual_unknowns * copies;
+  }
+
+
+
+  void
+  require_memory_for_mesh(const Parameters &parameters,
+                          const double n_cells,
+                          MPI_Comm communicator)
+  {
+    const std::string entry =
+      parameters.source.describe(parameters.geometry.entry_of_size());
+    if (n_cells > GeometryParameters::max_cells)
+      throw InputError(entry +
+                       format(", makes %g cells, allowed are at most %g.",
+                              n_cells,
+                              GeometryParameters::max_cells));
+
+    const double bytes     = memory_for_mesh(parameters, n_cells);
+    const double available = available_memory(communicator);
+    if (bytes > available)
+      throw InputError(
+        entry + format(", makes %.3g cells that need about %.3g GB of memory, "
+                       "at most %.3g GB are here.",
+                       n_cells,
+                       bytes / 1e9,
+                       available / 1e9));
   }
 
 

@@ -1,3 +1,4 @@
+#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/parameters.h>
 
 #include <algorithm>
@@ -10,25 +11,72 @@ namespace stiction
   GeometryParameters::GeometryParameters()
     : ParameterAcceptor("Geometry")
   {
-    add_parameter("Type",
-                  type,
-                  "The shape of the body. brick: (0,Lx) x (0,Ly) x (0,Lz). Its "
-                  "faces have the boundary ids and names 0 left: x = 0, "
-                  "1 right: x = Lx, 2 front: y = 0, 3 back: y = Ly, 4 bottom: "
-                  "z = 0, 5 top: z = Lz.",
-                  prm,
-                  Patterns::Selection("brick"));
+    add_parameter(
+      "Type",
+      type,
+      "The shape of the body, with the numbers and names of its boundaries. "
+      "brick: (0,Lx) x (0,Ly) x (0,Lz), 0 left: x = 0, 1 right: x = Lx, "
+      "2 front: y = 0, 3 back: y = Ly, 4 bottom: z = 0, 5 top: z = Lz. "
+      "cylinder: around the z axis, 0 side, 1 bottom: z = 0, 2 top: z = "
+      "Length. half ball: the lower half of a ball that touches z = 0 from "
+      "above, with its centre at (0, 0, Radius), 0 curved, 1 flat: the face z "
+      "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
+      "have the numbers it gives them. file: a mesh of hexahedra from 'Mesh "
+      "file'. Refined curved boundaries follow the shape, those of a file "
+      "stay as the file has them.",
+      prm,
+      Patterns::Selection("brick|cylinder|half ball|generator|file"));
     add_parameter("Lengths",
                   lengths,
-                  "Edge lengths in x, y, z. Unit: m. The default is the "
-                  "reference brick.",
+                  "Edge lengths of the brick in x, y, z; other types ignore "
+                  "it. Unit: m. The default is the reference brick.",
                   prm,
                   Patterns::List(Patterns::Double(), 3, 3));
     add_parameter("Subdivisions",
                   subdivisions,
-                  "Number of coarse cells along x, y, z.",
+                  "Number of coarse cells of the brick along x, y, z; other "
+                  "types ignore it.",
                   prm,
                   Patterns::List(Patterns::Integer(1, 100000), 3, 3));
+    add_parameter("Radius",
+                  radius,
+                  "Radius of the cylinder or the half ball. Unit: m.",
+                  prm,
+                  Patterns::Double());
+    add_parameter("Length",
+                  length,
+                  "Length of the cylinder, from z = 0; it gets coarse cells "
+                  "about as long as its radius. Unit: m.",
+                  prm,
+                  Patterns::Double());
+    add_parameter("Generator",
+                  generator,
+                  "Name of a function of deal.II's GridGenerator that makes "
+                  "hexahedra in three dimensions, for example 'hyper_L' or "
+                  "'subdivided_hyper_cube'.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Generator arguments",
+                  generator_arguments,
+                  "Arguments of the generator after the mesh, separated by "
+                  "':', points and lists by ','. The last one is often "
+                  "'colorize': with 'true' the boundaries get different "
+                  "numbers, as deal.II documents for each generator.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Mesh file",
+                  mesh_file,
+                  "The file of the mesh, relative to the working directory: "
+                  "Gmsh (.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy "
+                  "VTK (.vtk), as text. Cells must be linear hexahedra. "
+                  "Boundaries and materials have the numbers and names of "
+                  "Gmsh's physical groups; in .inp files those of *SURFACE "
+                  "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
+                  "they come; in .vtk files the numbers of the cell data "
+                  "'MaterialID', of quadrilaterals and of hexahedra. Faces "
+                  "and cells that have none get the number 0. Unit: m.",
+                  prm,
+                  Patterns::Anything());
     add_parameter("Global refinement",
                   global_refinement,
                   "How many times every cell is cut into eight.",
@@ -66,7 +114,8 @@ namespace stiction
                   table_1_level,
                   "Row k = 1...6 (or beyond) of Table 1 of the paper: sets "
                   "Lengths, Subdivisions and Global refinement to a mesh with "
-                  "the table's numbers n/m. 0: the three entries above count.",
+                  "the table's numbers n/m, for the brick alone. 0: these "
+                  "entries count themselves.",
                   prm,
                   Patterns::Integer(0, 100));
     add_parameter("Table 1 reading",
@@ -87,6 +136,8 @@ namespace stiction
   GeometryParameters::n_uniform_cells() const
   {
     double cells = std::pow(8., global_refinement);
+    if (!is_brick())
+      return cells;
     for (const unsigned int n : subdivisions)
       cells *= n;
     return cells;
@@ -111,12 +162,25 @@ namespace stiction
   std::string
   GeometryParameters::entry_of_size() const
   {
+    if (!is_brick())
+      return global_refinement > 0 ? "Geometry/Global refinement"
+                                   : entry_of_shape();
     return table_1_level > 0                    ? "Geometry/Table 1 level"
            : n_cells() > 2. * n_uniform_cells() ? "Geometry/Contact refinement"
            : global_refinement == 0 ||
                n_uniform_cells() / std::pow(8., global_refinement) > max_cells
              ? "Geometry/Subdivisions"
              : "Geometry/Global refinement";
+  }
+
+
+
+  std::string
+  GeometryParameters::entry_of_shape() const
+  {
+    return type == "file"        ? "Geometry/Mesh file"
+           : type == "generator" ? "Geometry/Generator"
+                                 : "Geometry/Type";
   }
 
 
@@ -136,6 +200,58 @@ namespace stiction
                   "approaches 0.5.",
                   prm,
                   Patterns::Double());
+    add_parameter("Density",
+                  density,
+                  "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
+                  "makes weight. Unit: kg/m^3.",
+                  prm,
+                  Patterns::Double());
+    add_parameter(
+      "Materials",
+      materials,
+      "Materials other than the one above, by the id or name they "
+      "have in the mesh: 'material : isotropic; E; nu' or 'material "
+      ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
+      "with the axes x, y, z, nu12 being the contraction along y "
+      "under a pull along x, several separated by '|'. Cells of any "
+      "other material have the numbers above. Empty: so have all "
+      "cells.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Volume strain",
+      volume_strain,
+      "pointwise: as the displacements have it; trilinear elements "
+      "then lock as nu approaches 0.5. cell mean: the change of "
+      "volume is the same all over a cell (mean dilatation, B-bar), "
+      "for nearly incompressible materials, nu above 0.49; with an "
+      "assembled stiffness matrix.",
+      prm,
+      Patterns::Selection("pointwise|cell mean"));
+    add_parameter("Densities",
+                  densities,
+                  "Mass densities other than the one above: 'material : "
+                  "density', several separated by '|'. Unit: kg/m^3.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Material ids",
+                  material_ids,
+                  "Which material is where, as a formula in x, y, z, t: its "
+                  "value at the centre of a coarse cell, an integer from 0 to "
+                  "1000, is the material id of that cell, 'if(z < 0.5, 0, 1)' "
+                  "makes two layers. Empty: the ids that the mesh has; all "
+                  "cells of a brick have 0.",
+                  prm,
+                  Patterns::Anything());
+  }
+
+
+
+  bool
+  MaterialParameters::is_simple() const
+  {
+    return volume_strain == "pointwise" &&
+           materials.find("orthotropic") == std::string::npos;
   }
 
 
@@ -181,32 +297,100 @@ namespace stiction
                   prescribed_displacement,
                   "Boundary and displacement, 'boundary : ux; uy; uz', several "
                   "separated by '|'. A boundary is given by its number or its "
-                  "name. Each component is a formula in x, y, z, or 'free': "
+                  "name. Each component is a formula in x, y, z, t, or 'free': "
                   "'left : 0; free; free' is a roller or a plane of symmetry. "
                   "Unit: m. Zeros clamp the face.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Prescribed points",
+                  prescribed_points,
+                  "Place of a node and its displacement, 'x; y; z : ux; uy; "
+                  "uz', several separated by '|', components as above: holds a "
+                  "body at single nodes, to take away what rigid-body motions "
+                  "are left. A node of the mesh must be there. A single node "
+                  "that carries a force moves the more the finer the mesh is. "
+                  "Unit: m.",
                   prm,
                   Patterns::Anything());
     add_parameter("Traction",
                   traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
-                  "y, z. Unit: Pa.",
+                  "y, z, t. Unit: Pa.",
                   prm,
                   Patterns::Anything());
+    add_parameter("Pressure",
+                  pressure,
+                  "Boundary and pressure, 'boundary : p', several separated by "
+                  "'|': acts against the outward normal of the undeformed "
+                  "face, in addition to a traction. A formula in x, y, z, t. "
+                  "Unit: Pa.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Body force",
+                  body_force,
+                  "Force on the volume, 'fx; fy; fz', each a formula in x, y, "
+                  "z, t. Empty: none. Unit: N/m^3.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Gravity",
+                  gravity,
+                  "Acceleration 'gx; gy; gz', each a formula in x, y, z, t, "
+                  "whose product with the density is a force on the volume, in "
+                  "addition to 'Body force'. '0; 0; -9.81' is weight along -z. "
+                  "Empty: none. Unit: m/s^2.",
+                  prm,
+                  Patterns::Anything());
+    add_parameter("Time",
+                  time,
+                  "The value of t in all formulas: how far the loads have "
+                  "grown, or a time in s. The problem itself is static.",
+                  prm,
+                  Patterns::Double());
     add_parameter(
       "Contact boundary",
       contact_boundary,
-      "Name or number of the boundary that may touch the rigid foundation, "
-      "which lies opposite to it along its outward normal.",
+      "Name or number of the boundary that may touch an obstacle, several "
+      "separated by '|'. A node that belongs to several of them is taken as "
+      "one of the first of them alone. The entries Obstacle and Initial gap "
+      "here and all those of the section Friction have one value for all "
+      "contact boundaries, or one for each, separated by '|' in the same "
+      "order.",
       prm,
       Patterns::Anything());
-    add_parameter("Initial gap",
-                  initial_gap,
-                  "Distance from the undeformed contact boundary to the "
-                  "foundation along the outward normal, a formula in x, y, z. "
-                  "Negative: initial interference. Unit: m.",
-                  prm,
-                  Patterns::Anything());
+    add_parameter(
+      "Obstacle",
+      obstacle,
+      "What the contact boundary may touch, rigid. foundation: it lies "
+      "opposite to the boundary along its outward normal, at the distance "
+      "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
+      "its normal towards the body. sphere : cx; cy; cz; R, centre and "
+      "radius. cylinder : px; py; pz; ax; ay; az; R, infinite, by a point of "
+      "its axis, the axis' direction and the radius. R < 0: a cavity of "
+      "radius -R with the body inside. paraboloid : px; py; pz; ax; ay; az; "
+      "R, all points with s + r^2/(2R) < 0, s being the coordinate along the "
+      "axis a (towards the body) from the apex p and r the distance from the "
+      "axis; R is the radius at the apex, R < 0 a cup. formula : psi, a "
+      "function of x, y, z, t that is positive outside the obstacle. file : "
+      "NAME.stl, a surface of triangles, open or closed, whose vertices go "
+      "round counterclockwise as seen from outside (the path as the shell "
+      "sees it). Unit: m; numbers may be formulas in t. With psi the distance "
+      "from the obstacle (or the formula), a node has the normal -grad "
+      "psi/|grad psi| and the gap psi/|grad psi| where it is before "
+      "deformation, which are kept: contact is linearised. Nodes whose "
+      "outward normal is more than 84 degrees away from that normal face "
+      "away from the obstacle and cannot touch it; they must not be inside.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Initial gap",
+      initial_gap,
+      "Distance from the undeformed contact boundary to the "
+      "foundation along the outward normal, a formula in x, y, z, t; "
+      "for other obstacles it is added to their distance. "
+      "Negative: initial interference. Unit: m.",
+      prm,
+      Patterns::Anything());
   }
 
 
@@ -214,37 +398,86 @@ namespace stiction
   FrictionParameters::FrictionParameters()
     : ParameterAcceptor("Friction")
   {
-    add_parameter("Law",
-                  law_name,
-                  "frictionless; given: the tangential traction is at most the "
-                  "slip stress, at every node of the contact boundary (Tresca "
-                  "friction); coulomb: at most the coefficient times the "
-                  "contact pressure.",
-                  prm,
-                  Patterns::Selection("frictionless|given|coulomb"));
-    add_parameter("Coefficient",
-                  coefficient,
-                  "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z.",
-                  prm,
-                  Patterns::Anything());
-    add_parameter("Slip stress",
-                  slip_stress,
-                  "Slip stress >= 0 of given friction, a formula in x, y, z. "
-                  "Unit: Pa.",
-                  prm,
-                  Patterns::Anything());
+    add_parameter(
+      "Law",
+      law_name,
+      "frictionless; given: the tangential traction is at most the "
+      "slip stress, at every node of the contact boundary (Tresca "
+      "friction); coulomb: at most the coefficient times the "
+      "contact pressure. One for all contact boundaries, or one for "
+      "each, separated by '|'.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Coefficient",
+      coefficient,
+      "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t. "
+      "Two formulas, '0.3; 0.1': orthotropic friction, F1 along "
+      "the first and F2 along the second principal direction; the "
+      "tangential force lies in the ellipse with these semi-axes "
+      "times the normal force, slip is along its outward normal. "
+      "Figures of the certificate are then those of the ellipse "
+      "scaled to a disc, of radius F1 (slip_bound in "
+      "contact.pvtu). One axis may be up to 100 times the "
+      "other; beyond 10 times, newton multigrid may not get "
+      "there.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Slip stress",
+      slip_stress,
+      "Slip stress >= 0 of given friction, a formula in x, y, z, t, "
+      "or two for an ellipse, as for the coefficient. Unit: Pa.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "First direction",
+      first_direction,
+      "The first principal direction of orthotropic friction, a "
+      "vector of three formulas in x, y, z, t separated by ';': its "
+      "part tangential to the contact boundary counts, which must "
+      "not vanish. The second one is at right angles to it. Empty: "
+      "the tangential part of the x-axis, of the y-axis where the "
+      "normal is within 26 degrees of the x-axis. At a node that "
+      "is held in one tangential direction ('free' in 'Prescribed "
+      "displacement'), friction acts along the other one, up to "
+      "where the ellipse ends there.",
+      prm,
+      Patterns::Anything());
   }
 
 
 
-  FrictionLaw
-  FrictionParameters::law() const
+  std::vector<FrictionLaw>
+  FrictionParameters::laws() const
   {
-    if (law_name == "given")
-      return FrictionLaw::given;
-    if (law_name == "coulomb")
-      return FrictionLaw::coulomb;
-    return FrictionLaw::frictionless;
+    std::vector<FrictionLaw> laws;
+    for (const std::string &law : split_at_bars(law_name))
+      laws.push_back(law == "given"     ? FrictionLaw::given
+                     : law == "coulomb" ? FrictionLaw::coulomb
+                                        : FrictionLaw::frictionless);
+    return laws;
+  }
+
+
+
+  bool
+  FrictionParameters::has_coulomb() const
+  {
+    const std::vector<FrictionLaw> all = laws();
+    return std::count(all.begin(), all.end(), FrictionLaw::coulomb) > 0;
+  }
+
+
+
+  std::string
+  FrictionParameters::name() const
+  {
+    const std::vector<std::string> names = split_at_bars(law_name);
+    return std::count(names.begin(), names.end(), names.front()) ==
+               static_cast<std::ptrdiff_t>(names.size())
+             ? names.front()
+             : "mixed";
   }
 
 

@@ -3,10 +3,24 @@
 #include <stiction/parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace stiction
 {
+  namespace
+  {
+    // Numbers near the ends of the range of a double would overflow in their
+    // products; no unit system needs them.
+    bool
+    is_sane(const double value)
+    {
+      return value >= 1e-30 && value <= 1e30;
+    }
+  } // namespace
+
+
+
   Parameters::Reset::Reset()
   {
     dealii::ParameterAcceptor::clear();
@@ -28,6 +42,7 @@ namespace stiction
     if (export_directory)
       source.assign(
         "--export", "Output", "Export directory", *export_directory, prm);
+    geometry.location = source.describe(geometry.entry_of_shape());
     if (has_body)
       {
         apply_table_1_level();
@@ -100,6 +115,9 @@ namespace stiction
     const unsigned int k = geometry.table_1_level;
     if (k == 0)
       return;
+    require(geometry.is_brick(),
+            "Geometry/Table 1 level",
+            "is a brick, must be 0 for another 'Geometry/Type'");
     // refined once, so that a multigrid method finds two levels
     geometry.global_refinement = 1;
     if (geometry.table_1_reading == "nodes")
@@ -130,25 +148,54 @@ namespace stiction
   void
   Parameters::check_body() const
   {
-    // Numbers near the ends of the range of a double would overflow in their
-    // products; no unit system needs them.
-    const auto is_sane = [](const double value) {
-      return value >= 1e-30 && value <= 1e30;
-    };
-    const auto extremes =
-      std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
-    require(is_sane(*extremes.first) && is_sane(*extremes.second),
-            "Geometry/Lengths",
-            "each must be a number > 0 m, from 1e-30 to 1e30");
-    require(*extremes.second <= 1e4 * *extremes.first,
-            "Geometry/Lengths",
-            "the longest may be at most 10000 times the shortest");
+    check_geometry();
     require(is_sane(material.youngs_modulus),
             "Material/Young's modulus",
             "must be a number > 0 Pa, from 1e-30 to 1e30");
     require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
+    require(material.density == 0. || is_sane(material.density),
+            "Material/Density",
+            "must be 0 or a number > 0 kg/m^3, from 1e-30 to 1e30");
+    require(std::abs(boundary.time) <= 1e30,
+            "Boundary conditions/Time",
+            "must be a number of at most 1e30");
+
+    check_table_1();
+    for (const std::string &law : split_at_bars(friction.law_name))
+      require(law == "frictionless" || law == "given" || law == "coulomb",
+              "Friction/Law",
+              "each law must be 'frictionless', 'given' or 'coulomb'");
+    check_method(friction.has_coulomb());
+    check_solvers();
+  }
+
+
+
+  void
+  Parameters::check_geometry() const
+  {
+    const auto extremes =
+      std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
+    const double shortest = *extremes.first, longest = *extremes.second;
+    const bool is_cylinder = geometry.type == "cylinder";
+    require(!geometry.is_brick() || (is_sane(shortest) && is_sane(longest)),
+            "Geometry/Lengths",
+            "each must be a number > 0 m, from 1e-30 to 1e30");
+    require(!geometry.is_brick() || longest <= 1e4 * shortest,
+            "Geometry/Lengths",
+            "the longest may be at most 10000 times the shortest");
+    require((!is_cylinder && geometry.type != "half ball") ||
+              is_sane(geometry.radius),
+            "Geometry/Radius",
+            "must be a number > 0 m, from 1e-30 to 1e30");
+    require(!is_cylinder || (is_sane(geometry.length) &&
+                             geometry.length <= 1e4 * geometry.radius &&
+                             geometry.radius <= 1e4 * geometry.length),
+            "Geometry/Length",
+            "must be a number > 0 m, at most 10000 times the radius and at "
+            "least a 10000th of it");
 
     require(refinement.fraction > 0. && refinement.fraction <= 1.,
             "Refinement/Fraction",
@@ -160,10 +207,6 @@ namespace stiction
     require(geometry.n_cells() <= GeometryParameters::max_cells,
             geometry.entry_of_size(),
             too_many.str());
-
-    check_table_1();
-    check_method(friction.law() == FrictionLaw::coulomb);
-    check_solvers();
   }
 
 
@@ -180,8 +223,8 @@ namespace stiction
             "'Contact refinement' must be 0 and 'Element degree' 1, or this 0");
 
     // n/m of the table come out only with the face clamped that goes with it
-    const BoundaryNames names = BoundaryNames::brick();
-    const auto displacement   = parse_boundary_functions(
+    const MeshNames names   = MeshNames::brick_boundaries();
+    const auto displacement = parse_boundary_functions(
       boundary.prescribed_displacement,
       source.locate("Boundary conditions/Prescribed displacement"),
       names,
@@ -191,6 +234,7 @@ namespace stiction
     require(
       displacement.size() == 1 && displacement.count(clamped) == 1 &&
         displacement.at(clamped).components.n_selected_components() == 3 &&
+        split_at_bars(boundary.contact_boundary).size() == 1 &&
         names.id(boundary.contact_boundary,
                  source.locate("Boundary conditions/Contact boundary")) == 4,
       "Geometry/Table 1 reading",
@@ -226,11 +270,13 @@ namespace stiction
             "Stiffness solver/Type",
             "needs cells alike on each level, so 'Refinement/Adaptive steps' "
             "must be 0, or the type 'amg'");
-    require(stiffness_solver.type != "multigrid" || is_simple(),
-            "Stiffness solver/Type",
-            "needs trilinear cells alike on each level, so 'Geometry/Contact "
-            "refinement' must be 0 and 'Geometry/Element degree' 1, or the "
-            "type 'amg'");
+    require(
+      stiffness_solver.type != "multigrid" || is_simple(),
+      "Stiffness solver/Type",
+      "needs trilinear cells of isotropic materials, alike on each level, so "
+      "'Geometry/Contact refinement' must be 0, 'Geometry/Element "
+      "degree' 1 and 'Material/Volume strain' pointwise, or the type "
+      "'amg'");
     require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
             "Stiffness solver/Type",
             "must be 'automatic', 'multigrid' or 'amg' for 'Contact "

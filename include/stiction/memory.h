@@ -12,24 +12,22 @@ namespace stiction
   double
   available_memory(MPI_Comm communicator);
 
-  /// What a mesh with so many cells and all that belongs to it take, in bytes,
-  /// about.
+  /// Estimates in bytes, all ranks together: of a mesh of so many cells with
+  /// all that is made on it, and of the dual operator, 0 if it is not
+  /// assembled.
   double
   memory_for_mesh(const Parameters &parameters, double n_cells);
-
-  /// What the dual operator in the form of the parameter file takes on all
-  /// ranks, in bytes; 0 where it is not assembled.
-  ///
-  /// @param n_dual_unknowns 3m.
   double
   memory_for_dual_operator(const Parameters &parameters,
                            double n_dual_unknowns,
                            MPI_Comm communicator);
 
-  /// Throws InputError if the mesh of the parameter file cannot fit into the
-  /// memory, before it is made. Collective.
+  /// Throws InputError if a mesh of so many cells has too many for the program
+  /// or cannot fit into the memory, before it is made. Collective.
   void
-  require_memory_for_mesh(const Parameters &parameters, MPI_Comm communicator);
+  require_memory_for_mesh(const Parameters &parameters,
+                          double n_cells,
+                          MPI_Comm communicator);
 
   /// Throws InputError if the dual operator in the form of the parameter file
   /// cannot fit. Collective.

@@ -30,8 +30,17 @@ namespace stiction
     /// Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
     static constexpr double max_cells = 4e8;
 
+    bool
+    is_brick() const
+    {
+      return type == "brick";
+    }
+
     /// Number of cells after refinement; a double, because it may be anything
-    /// before it is checked. Of local refinement the most it can make.
+    /// before it is checked. For bodies other than the brick the least
+    /// possible: the cells that their coarse mesh has are known only when it
+    /// is there.
+    /// Of local refinement the most it can make.
     double
     n_cells() const;
 
@@ -50,23 +59,47 @@ namespace stiction
     std::string
     entry_of_size() const;
 
+    /// The entry that says what the body is: the type, the generator or the
+    /// file.
+    std::string
+    entry_of_shape() const;
+
     std::string type                       = "brick";
     std::vector<double> lengths            = {4., 3., 1.};
     std::vector<unsigned int> subdivisions = {4, 3, 1};
+    double radius                          = 1.;
+    double length                          = 2.;
+    std::string generator                  = "hyper_cube";
+    std::string generator_arguments        = "0 : 1 : true";
+    std::string mesh_file                  = "";
     unsigned int global_refinement         = 1;
     unsigned int contact_refinement        = 0;
     std::string contact_refinement_where   = "1";
     unsigned int element_degree            = 1;
     unsigned int table_1_level             = 0;
     std::string table_1_reading            = "nodes";
+
+    /// The beginning of a sentence about entry_of_shape() and its value; read()
+    /// of Parameters fills it.
+    std::string location = "Geometry";
   };
 
   struct MaterialParameters : dealii::ParameterAcceptor
   {
     MaterialParameters();
 
-    double youngs_modulus = 2.119e11;
-    double poisson_ratio  = 0.277;
+    /// Whether all materials are isotropic and volume strains pointwise: then
+    /// Lamé's two numbers say all of a cell.
+    bool
+    is_simple() const;
+
+    double youngs_modulus     = 2.119e11;
+    double poisson_ratio      = 0.277;
+    double density            = 7850.;
+    std::string materials     = "";
+    std::string densities     = "";
+    std::string material_ids  = "";
+    std::string volume_strain = "pointwise";
   };
 
   struct RefinementParameters : dealii::ParameterAcceptor
@@ -83,8 +116,14 @@ namespace stiction
     BoundaryParameters();
 
     std::string prescribed_displacement = "2 : 0; 0; 0";
+    std::string prescribed_points       = "";
     std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
+    std::string pressure = "";
+    std::string body_force       = "";
+    std::string gravity          = "";
+    double time                  = 1.;
     std::string contact_boundary = "4";
+    std::string obstacle         = "foundation";
     std::string initial_gap      = "0";
   };
 
@@ -92,13 +131,22 @@ namespace stiction
   {
     FrictionParameters();
 
-    /// The entry Law as a value.
-    FrictionLaw
-    law() const;
+    /// The entry Law as values: one, or one a contact boundary.
+    std::vector<FrictionLaw>
+    laws() const;
 
-    std::string law_name    = "coulomb";
-    std::string coefficient = "0.3";
-    std::string slip_stress = "1.5e7";
+    /// Whether Coulomb's law holds on a contact boundary.
+    bool
+    has_coulomb() const;
+
+    /// The one law of all contact boundaries as in the entry, or 'mixed'.
+    std::string
+    name() const;
+
+    std::string law_name        = "coulomb";
+    std::string coefficient     = "0.3";
+    std::string slip_stress     = "1.5e7";
+    std::string first_direction = "";
   };
 
   struct ContactSolverParameters : dealii::ParameterAcceptor
@@ -189,11 +237,13 @@ namespace stiction
     check_method(bool is_coulomb) const;
 
     /// Whether K can be known cell by cell, without a matrix, and there is
-    /// geometric multigrid: a mesh of trilinear cells that stays uniform.
+    /// geometric multigrid: a mesh of trilinear cells of isotropic materials
+    /// that stays uniform.
     bool
     is_simple() const
     {
-      return geometry.is_simple() && refinement.adaptive_steps == 0;
+      return geometry.is_simple() && material.is_simple() &&
+             refinement.adaptive_steps == 0;
     }
 
     /// 'Stiffness solver/Type', with automatic replaced by what it stands for.
@@ -239,6 +289,10 @@ namespace stiction
     /// other. Throws InputError.
     void
     check_body() const;
+
+    /// The part of it about the shape and size of the body.
+    void
+    check_geometry() const;
 
     /// The part of it about a row of Table 1, which wants its own boundaries.
     void

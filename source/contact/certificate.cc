@@ -107,9 +107,10 @@ namespace stiction
                         body.communicator(),
                         ArrayView<double>(sums.data(), sums.size()));
 
-    const Eigen::Index m                  = surface_.n_nodes();
-    const Eigen::VectorXd cartesian_force = -surface_.to_cartesian(lambda_);
-    double contact_forces                 = 0.;
+    const Eigen::Index m = surface_.n_nodes();
+    const Eigen::VectorXd cartesian_force =
+      -surface_.force_to_cartesian(lambda_);
+    double contact_forces = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const Tensor<1, 3> at_node({cartesian_force(i),
@@ -170,8 +171,8 @@ namespace stiction
       (lambda_hat - feasible).cwiseQuotient(k); // w − p
 
     // What is left of the gap is ½ sᵀK⁻¹s with s = f − Bᵀλ̂ − Kû and
-    // û = u − Bᵀ(w − p): K⁻¹s is Bᵀ(w − p) plus what u lacks to be in
-    // equilibrium with λ̂.
+    // û = u − M⁻¹(w − p), so that Bû is p but for the gap: K⁻¹s is M⁻¹(w − p)
+    // plus what u lacks to be in equilibrium with λ̂.
     LA::Vector lacking = elasticity_.load();
     surface_.add_transpose_B(-1., lambda_hat, lacking);
     lacking -= elasticity_.internal_force(u);
@@ -183,12 +184,12 @@ namespace stiction
     LA::Vector correction = elasticity_.zero_vector();
     if (lacking.l2_norm() > 0.)
       solver.solve(correction, lacking);
-    surface_.add_transpose_B(1., shift, correction);
+    surface_.add_displacement(1., shift, correction);
     const double gap =
       0.5 * (correction * elasticity_.internal_force(correction));
 
     LA::Vector u_hat = u;
-    surface_.add_transpose_B(-1., shift, u_hat);
+    surface_.add_displacement(-1., shift, u_hat);
     body_figures_.duality_gap =
       std::sqrt(2. * std::max(gap, 0.) /
                 nonzero(u_hat * elasticity_.internal_force(u_hat)));

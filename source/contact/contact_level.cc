@@ -4,6 +4,7 @@
 #include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
 #include <stiction/elasticity/stiffness_operator.h>
 #include <stiction/elasticity/trace_hierarchy.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace stiction
 {
@@ -40,26 +42,29 @@ namespace stiction
       return Trace(std::move(dofs));
     }
 
-    double
-    youngs_modulus(const LinearElasticity &elasticity)
-    {
-      const double lambda = elasticity.lame_lambda();
-      const double G      = elasticity.shear_modulus();
-      return G * (3. * lambda + 2. * G) / (lambda + G);
-    }
+    // The components of a node as bits.
+    constexpr unsigned char all_components = 7;
 
-    // Σ‖v_j‖ over chosen owned nodes of all ranks.
-    template<typename Predicate>
+    // Σ‖v_j‖ over chosen components of the owned nodes of all ranks.
+    template<typename Components>
     double
-    sum_of_norms(const LA::Vector &v, const Predicate &is_chosen)
+    sum_of_norms(const LA::Vector &v, const Components &chosen)
     {
       double sum               = 0.;
       const double *const data = v.begin();
       for (std::size_t i = 0; i < v.locally_owned_size() / 3; ++i)
-        if (is_chosen(i))
+        if (chosen(i) == all_components)
           sum += std::sqrt(data[3 * i] * data[3 * i] +
                            data[3 * i + 1] * data[3 * i + 1] +
                            data[3 * i + 2] * data[3 * i + 2]);
+        else if (chosen(i) != 0)
+          {
+            double square = 0.;
+            for (unsigned int c = 0; c < 3; ++c)
+              if ((chosen(i) >> c & 1) != 0)
+                square += data[3 * i + c] * data[3 * i + c];
+            sum += std::sqrt(square);
+          }
       return Utilities::MPI::sum(sum, v.get_mpi_communicator());
     }
   } // namespace
@@ -73,7 +78,7 @@ namespace stiction
     , trace_(surface.trace())
     , gaps_(surface.gaps())
     , areas_(surface.areas())
-    , youngs_modulus_(youngs_modulus(elasticity))
+    , youngs_modulus_(elasticity.materials().largest_youngs_modulus())
     , boundary_area_(surface.boundary_area())
     , slip_bound_(surface.slip_bound())
   {
@@ -83,9 +88,12 @@ namespace stiction
           fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
           prescribed_.push_back(elasticity.prescribed_value(dof));
         }
-    set_frames_from(surface);
+    for (const ContactNode &node : surface.nodes())
+      frames_.push_back(node);
     find_inner_nodes();
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
+    find_youngs_moduli(elasticity.materials());
+    load_sum_ =
+      sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
 
 
@@ -97,8 +105,7 @@ namespace stiction
                              const unsigned int level)
     : own_stiffness_(
         std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
-                                                    elasticity.lame_lambda(),
-                                                    elasticity.shear_modulus()))
+                                                    elasticity.materials()))
     , stiffness_(own_stiffness_.get())
     , own_load_(std::make_unique<LA::Vector>(
         hierarchy.level(level).zero_vector<double>()))
@@ -133,20 +140,23 @@ namespace stiction
     const auto &weights   = trace_hierarchy.prolongation(level + 1);
     const auto n_vertices = static_cast<Eigen::Index>(on_finer.size());
     gaps_.resize(n_vertices);
-    Eigen::VectorXd bound(n_vertices);
+    Eigen::VectorXd coefficient(n_vertices);
     for (Eigen::Index j = 0; j < n_vertices; ++j)
       {
-        gaps_(j) = finer.gaps_(on_finer[j]);
-        bound(j) = finer.slip_bound_.data()(on_finer[j]);
+        gaps_(j)       = finer.gaps_(on_finer[j]);
+        coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
         frames_.push_back(finer.frames_[on_finer[j]]);
       }
     areas_ = weights.transpose() * finer.areas_;
-    slip_bound_ =
-      finer.slip_bound_.is_coulomb()
-        ? qp::SlipBound::coulomb(bound)
-        : qp::SlipBound::given(weights.transpose() * finer.slip_bound_.data());
+    const Eigen::VectorXd constant =
+      weights.transpose() * finer.slip_bound_.constant();
+    slip_bound_ = finer.slip_bound_.is_coulomb()
+                    ? qp::SlipBound::mixed(constant, coefficient)
+                    : qp::SlipBound::given(constant);
     find_inner_nodes();
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return true; });
+    find_youngs_moduli(elasticity.materials());
+    load_sum_ =
+      sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
 
 
@@ -164,32 +174,46 @@ namespace stiction
 
 
   void
-  ContactLevel::set_frames_from(const ContactSurface &surface)
+  ContactLevel::find_inner_nodes()
   {
-    for (const ContactNode &node : surface.nodes())
-      {
-        Eigen::Matrix3d frame;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            frame(0, c) = node.normal[c];
-            frame(1, c) = node.tangent1[c];
-            frame(2, c) = node.tangent2[c];
-          }
-        frames_.push_back(frame);
-      }
+    free_components_.assign(mesh().n_owned_nodes(), all_components);
+    for (const unsigned int k : fixed_)
+      free_components_[k / 3] &= static_cast<unsigned char>(~(1u << k % 3));
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (load_->in_local_range(trace_.dofs()[i]))
+        free_components_[mesh().local_node(trace_.dofs()[i])] = 0;
   }
 
 
 
   void
-  ContactLevel::find_inner_nodes()
+  ContactLevel::find_youngs_moduli(const Materials &materials)
   {
-    is_inside_.assign(mesh().n_owned_nodes(), true);
-    for (const unsigned int k : fixed_)
-      is_inside_[k / 3] = false;
+    youngs_moduli_ = Eigen::VectorXd::Constant(n_nodes(), youngs_modulus_);
+    // where cells are not simple the largest one does
+    if (materials.are_one() || stiffness_->matrix() != nullptr)
+      return;
+    std::map<unsigned int, Eigen::Index> places; // of local nodes
+    const auto &partitioner = *mesh().partitioner();
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (load_->in_local_range(trace_.dofs()[i]))
-        is_inside_[mesh().local_node(trace_.dofs()[i])] = false;
+      if (partitioner.in_local_range(trace_.dofs()[i]) ||
+          partitioner.is_ghost_entry(trace_.dofs()[i]))
+        places[mesh().local_node(trace_.dofs()[i])] = i;
+    youngs_moduli_.setZero();
+    mesh().for_each_cell([&](const HexahedralCell &cell) {
+      for (const unsigned int node : cell.nodes)
+        {
+          const auto place = places.find(node);
+          if (place != places.end())
+            youngs_moduli_(place->second) =
+              std::max(youngs_moduli_(place->second),
+                       materials.of(cell.material_id).youngs_modulus);
+        }
+    });
+    const ArrayView<double> moduli(youngs_moduli_.data(),
+                                   youngs_moduli_.size());
+    Utilities::MPI::max(
+      ArrayView<const double>(moduli), mesh().communicator(), moduli);
   }
 
 
@@ -246,12 +270,32 @@ namespace stiction
 
 
   Eigen::VectorXd
+  ContactLevel::nodal_stiffness() const
+  {
+    Eigen::VectorXd stiffness = youngs_modulus_ * areas_.cwiseSqrt();
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      stiffness(i) /= frames_[i].scales().cwiseAbs2().maxCoeff();
+    return stiffness;
+  }
+
+
+
+  Eigen::VectorXd
   ContactLevel::apply_B(const LA::Vector &v) const
   {
     Eigen::VectorXd local = trace_.restriction(v);
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(local, i, frames_[i] * at_node(local, i));
+      set_at_node(
+        local, i, frames_[i].displacement_to_local(at_node(local, i)));
     return local;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::contact_forces(const LA::Vector &R) const
+  {
+    return force_to_local(trace_.restriction(R));
   }
 
 
@@ -267,12 +311,13 @@ namespace stiction
 
 
   void
-  ContactLevel::add_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const
+  ContactLevel::add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const
   {
-    Eigen::VectorXd cartesian = v;
+    Eigen::VectorXd cartesian(w.size());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(cartesian, i, frames_[i].transpose() * at_node(v, i));
-    trace_.add_extension(cartesian, dst);
+      set_at_node(
+        cartesian, i, frames_[i].displacement_to_cartesian(at_node(w, i)));
+    trace_.add_extension(cartesian, u);
   }
 
 
@@ -283,16 +328,49 @@ namespace stiction
     for (const auto dof : trace_.dofs())
       if (dst.in_local_range(dof))
         dst(dof) = 0.;
-    add_transpose_B(v, dst);
+    trace_.add_extension(force_to_cartesian(v), dst);
   }
 
 
 
-  Eigen::Matrix3d
-  ContactLevel::to_cartesian(const Eigen::Index node,
-                             const Eigen::Matrix3d &local) const
+  Eigen::VectorXd
+  ContactLevel::force_to_cartesian(const Eigen::VectorXd &lambda) const
   {
-    return frames_[node].transpose() * local * frames_[node];
+    Eigen::VectorXd force(lambda.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(force, i, frames_[i].force_to_cartesian(at_node(lambda, i)));
+    return force;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::force_to_local(const Eigen::VectorXd &force) const
+  {
+    Eigen::VectorXd lambda(force.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(lambda, i, frames_[i].force_to_local(at_node(force, i)));
+    return lambda;
+  }
+
+
+
+  NodalSupport
+  ContactLevel::support(const Eigen::Index node,
+                        const Eigen::Matrix3d &projection,
+                        const Eigen::Matrix3d &spring) const
+  {
+    const ContactFrame &frame = frames_[node];
+    const Eigen::Matrix3d R   = frame.axes();
+    const Eigen::Vector3d is_free =
+      (frame.scales().array() > 0.).matrix().cast<double>();
+    const Eigen::Matrix3d M = frame.scales().asDiagonal() * R;
+
+    NodalSupport support;
+    support.projection =
+      R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
+    support.spring = M.transpose() * spring * M;
+    return support;
   }
 
 
@@ -323,7 +401,8 @@ namespace stiction
 
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      contact_forces += at_node(lambda, i).norm();
+      contact_forces +=
+        at_node(lambda, i).cwiseProduct(frames_[i].scales()).norm();
 
     Scales scales;
     scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
@@ -348,6 +427,7 @@ namespace stiction
   double
   ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
   {
-    return sum_of_norms(v, [&](const std::size_t i) { return is_inside_[i]; });
+    return sum_of_norms(
+      v, [&](const std::size_t i) { return free_components_[i]; });
   }
 } // namespace stiction

@@ -1,6 +1,7 @@
+#include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
-#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
@@ -13,38 +14,83 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 namespace stiction
 {
   using namespace dealii;
 
-  void
-  set_tangents(ContactNode &node)
+  namespace
   {
-    Tensor<1, 3> e;
-    e[std::abs(node.normal[0]) > 0.9 ? 1 : 0] = 1.;
-    node.tangent1 = e - (e * node.normal) * node.normal;
-    node.tangent1 /= node.tangent1.norm();
-    node.tangent2 = cross_product_3d(node.tangent1, node.normal);
-  }
+    // The place of a boundary in the list, the list's size if it is not there.
+    std::size_t
+    index_of(const std::vector<ContactBoundary> &boundaries,
+             const types::boundary_id id)
+    {
+      std::size_t b = 0;
+      while (b < boundaries.size() && boundaries[b].id() != id)
+        ++b;
+      return b;
+    }
+
+    // Whether the bit of a component is set.
+    bool
+    has_component(const double bits, const unsigned int c)
+    {
+      return (static_cast<unsigned int>(bits) >> c & 1u) != 0;
+    }
+
+    std::vector<types::global_dof_index>
+    by_blocks(const std::array<std::vector<types::global_dof_index>, 3> &blocks)
+    {
+      std::vector<types::global_dof_index> all;
+      for (const auto &block : blocks)
+        all.insert(all.end(), block.begin(), block.end());
+      return all;
+    }
+  } // namespace
 
 
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const Parameters &parameters)
-    : law_(parameters.friction.law())
+    : boundaries_(ContactBoundary::read(parameters, elasticity.body()))
   {
-    const std::string entry = "Boundary conditions/Contact boundary";
-    boundary_id_            = elasticity.body().boundary_names().id(
-      dealii::Utilities::trim(parameters.boundary.contact_boundary),
-      parameters.source.locate(entry));
     collect_nodes(elasticity);
-    if (nodes_.empty())
-      throw InputError(parameters.source.describe(entry) +
-                       ", the displacement is prescribed at every node of "
-                       "this boundary, must be a boundary with free nodes.");
-    evaluate_data(parameters);
+    require_nodes(
+      parameters,
+      boundaries_.size() == 1
+        ? "the displacement is prescribed at every node of this "
+          "boundary, must be a boundary with free nodes"
+        : "the displacement is prescribed at every node that belongs "
+          "to no boundary before this one, must be a boundary with "
+          "free nodes of its own");
+    place_obstacles();
+    require_nodes(parameters,
+                  "no free node of this boundary faces its obstacle, whose "
+                  "surface must lie opposite to the boundary, its normal "
+                  "towards the body");
+    evaluate_data();
+  }
+
+
+
+  ContactSurface::~ContactSurface() = default;
+
+
+
+  const ContactBoundary &
+  ContactSurface::boundary(const types::boundary_id id) const
+  {
+    return boundaries_.at(index_of(boundaries_, id));
+  }
+
+
+
+  bool
+  ContactSurface::is_contact_boundary(const types::boundary_id id) const
+  {
+    return index_of(boundaries_, id) < boundaries_.size();
   }
 
 
@@ -58,6 +104,8 @@ namespace stiction
     enum : unsigned int
     {
       first_dof,
+      boundary,
+      prescribed, // components, as bits
       area,
       normal,                // × area
       position = normal + 3, // from the owner of the node
@@ -65,16 +113,33 @@ namespace stiction
     };
     using Share = std::array<double, n_data>;
     std::map<types::global_dof_index, Share> shares;
+    // A node belongs to the first of its boundaries, which is why the others'
+    // shares are dropped.
     const auto add = [&](const types::global_dof_index dof,
                          const double weight,
                          const Share &share) {
-      if (elasticity.is_prescribed(dof))
+      const auto place = shares.emplace(dof, share);
+      Share &sum       = place.first->second;
+      if (!place.second && share[boundary] > sum[boundary])
         return;
-      Share &sum     = shares.emplace(dof, Share{}).first->second;
-      sum[first_dof] = static_cast<double>(dof);
+      const bool is_new = place.second || share[boundary] < sum[boundary];
       for (unsigned int k = area; k < position; ++k)
-        sum[k] += weight * share[k];
+        sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
+      sum[first_dof]  = static_cast<double>(dof);
+      sum[boundary]   = share[boundary];
+      sum[prescribed] = share[prescribed];
     };
+    const auto add_with_prescribed =
+      [&](const types::global_dof_index dof, const double weight, Share share) {
+        unsigned int components = 0;
+        for (unsigned int c = 0; c < 3; ++c)
+          if (elasticity.is_prescribed(dof + c))
+            components |= 1u << c;
+        if (components == 7)
+          return;
+        share[prescribed] = components;
+        add(dof, weight, share);
+      };
 
     const FiniteElement<3> &fe = body.dof_handler().get_fe();
     const QGauss<2> quadrature(fe.degree + 1);
@@ -89,7 +154,7 @@ namespace stiction
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == boundary_id_)
+              is_contact_boundary(cell->face(f)->boundary_id()))
             {
               values.reinit(cell, f);
               cell->get_dof_indices(dofs);
@@ -106,12 +171,14 @@ namespace stiction
                         share[normal + c] += w * values.normal_vector(q)[c];
                     }
                   boundary_area_ += share[area];
+                  share[boundary] = static_cast<double>(
+                    index_of(boundaries_, cell->face(f)->boundary_id()));
                   if (!elasticity.is_hanging(dofs[i]))
-                    add(dofs[i], 1., share);
+                    add_with_prescribed(dofs[i], 1., share);
                   else
                     for (const auto &master :
                          *body.hanging_nodes().get_constraint_entries(dofs[i]))
-                      add(master.first, master.second, share);
+                      add_with_prescribed(master.first, master.second, share);
                 }
             }
     boundary_area_ = Utilities::MPI::sum(boundary_area_, body.communicator());
@@ -123,14 +190,7 @@ namespace stiction
     for (const auto &theirs :
          Utilities::MPI::all_gather(body.communicator(), mine))
       for (const Share &share : theirs)
-        {
-          const auto dof =
-            static_cast<types::global_dof_index>(share[first_dof]);
-          Share &sum     = shares.emplace(dof, Share{}).first->second;
-          sum[first_dof] = share[first_dof];
-          for (unsigned int k = area; k < position; ++k)
-            sum[k] += share[k];
-        }
+        add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
 
     // a node that others hang on need not be on a face of this rank
     const IndexSet &owned = body.locally_owned_dofs();
@@ -167,78 +227,130 @@ namespace stiction
               sorted.end(),
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
-    const std::size_t m = sorted.size();
-    std::vector<types::global_dof_index> dofs_by_blocks(3 * m);
-    for (std::size_t i = 0; i < m; ++i)
+    std::array<std::vector<types::global_dof_index>, 3> dofs_by_blocks;
+    for (const Share &share : sorted)
       {
         ContactNode node;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            dofs_by_blocks[i + c * m] =
-              static_cast<types::global_dof_index>(sorted[i][first_dof]) + c;
-            node.position[c] = sorted[i][position + c];
-            node.normal[c]   = sorted[i][normal + c];
+            node.position[c]   = share[position + c];
+            node.normal[c]     = share[normal + c];
+            node.prescribed[c] = has_component(share[prescribed], c);
           }
         node.normal /= node.normal.norm();
-        node.area = sorted[i][area];
-        set_tangents(node);
-        node_of_dof_[dofs_by_blocks[i]] = static_cast<Eigen::Index>(i);
+        node.area     = share[area];
+        node.boundary = static_cast<unsigned int>(share[boundary]);
+        if (!set_tangents(node))
+          continue;
+        const auto dof = static_cast<types::global_dof_index>(share[first_dof]);
+        for (unsigned int c = 0; c < 3; ++c)
+          dofs_by_blocks[c].push_back(dof + c);
+        node_of_dof_[dof] = n_nodes();
         nodes_.push_back(node);
       }
-    trace_ = Trace(std::move(dofs_by_blocks));
+    trace_ = Trace(by_blocks(dofs_by_blocks));
   }
 
 
 
   void
-  ContactSurface::evaluate_data(const Parameters &parameters)
+  ContactSurface::require_nodes(const Parameters &parameters,
+                                const std::string &reason) const
   {
-    const auto read = [&](const std::string &entry,
-                          const std::string &expression) {
-      return ParsedFunction(expression, 1, parameters.source.locate(entry));
-    };
-    const ParsedFunction gap =
-      read("Boundary conditions/Initial gap", parameters.boundary.initial_gap);
-    const ParsedFunction coefficient =
-      read("Friction/Coefficient", parameters.friction.coefficient);
-    const ParsedFunction slip_stress =
-      read("Friction/Slip stress", parameters.friction.slip_stress);
+    std::vector<unsigned int> n(boundaries_.size(), 0);
+    for (const ContactNode &node : nodes_)
+      ++n[node.boundary];
+    const auto empty = std::find(n.begin(), n.end(), 0u);
+    if (empty == n.end())
+      return;
+    throw InputError(
+      parameters.source.describe("Boundary conditions/Contact boundary") +
+      (n.size() == 1
+         ? ""
+         : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
+      ", " + reason + ".");
+  }
 
-    const auto not_negative = [&](const ParsedFunction &function,
-                                  const std::string &entry,
-                                  const Point<3> &p) {
-      const double value = function.value(p);
-      if (value < 0.)
-        {
-          std::ostringstream message;
-          message << parameters.source.describe(entry) << ", gives " << value
-                  << " at (" << p << "), must be >= 0 everywhere.";
-          throw InputError(message.str());
-        }
-      return value;
-    };
 
-    gaps_.resize(n_nodes());
-    areas_.resize(n_nodes());
-    Eigen::VectorXd bound = Eigen::VectorXd::Zero(n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+
+  void
+  ContactSurface::place_obstacles()
+  {
+    const std::size_t m = nodes_.size();
+    std::vector<ContactNode> facing;
+    std::array<std::vector<types::global_dof_index>, 3> dofs, dofs_away;
+    for (std::size_t i = 0; i < m; ++i)
       {
         ContactNode &node = nodes_[i];
-        node.gap          = gap.value(node.position);
-        if (law_ == FrictionLaw::coulomb)
-          node.coefficient =
-            not_negative(coefficient, "Friction/Coefficient", node.position);
-        if (law_ == FrictionLaw::given)
-          node.slip_stress =
-            not_negative(slip_stress, "Friction/Slip stress", node.position);
-        gaps_(i)  = node.gap;
-        areas_(i) = node.area;
-        bound(i)  = law_ == FrictionLaw::coulomb ? node.coefficient
-                                                 : node.area * node.slip_stress;
+        if (!boundaries_[node.boundary].place(node))
+          {
+            facing_away_.push_back(node);
+            for (unsigned int c = 0; c < 3; ++c)
+              dofs_away[c].push_back(trace_.dofs()[i + c * m]);
+            continue;
+          }
+        const Tensor<1, 3> normal = node.normal;
+        if (!set_tangents(node))
+          continue;
+        // of a normal that is partly held, the free part has to close the gap
+        if (node.is_held())
+          node.gap /= normal * node.normal;
+        facing.push_back(node);
+        for (unsigned int c = 0; c < 3; ++c)
+          dofs[c].push_back(trace_.dofs()[i + c * m]);
       }
-    slip_bound_ = law_ == FrictionLaw::coulomb
-                    ? qp::SlipBound::coulomb(std::move(bound))
-                    : qp::SlipBound::given(std::move(bound));
+    if (facing.size() == m)
+      return;
+    nodes_ = std::move(facing);
+    node_of_dof_.clear();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      node_of_dof_[dofs[0][i]] = static_cast<Eigen::Index>(i);
+    trace_             = Trace(by_blocks(dofs));
+    facing_away_trace_ = Trace(by_blocks(dofs_away));
+  }
+
+
+
+  double
+  ContactSurface::penetration_of_facing_away(const LA::Vector &u) const
+  {
+    const Eigen::VectorXd moved = facing_away_trace_.restriction(u);
+    const std::size_t m         = facing_away_.size();
+    double depth                = 0.;
+    for (std::size_t i = 0; i < m; ++i)
+      {
+        Point<3> p = facing_away_[i].position;
+        for (unsigned int c = 0; c < 3; ++c)
+          p[c] += moved(static_cast<Eigen::Index>(i + c * m));
+        depth =
+          std::max(depth, boundaries_[facing_away_[i].boundary].penetration(p));
+      }
+    return depth;
+  }
+
+
+
+  void
+  ContactSurface::evaluate_data()
+  {
+    gaps_.resize(n_nodes());
+    areas_.resize(n_nodes());
+    Eigen::VectorXd constant(n_nodes()), coefficient(n_nodes());
+    bool is_coulomb = false;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        ContactNode &node               = nodes_[i];
+        const ContactBoundary &boundary = boundaries_[node.boundary];
+        boundary.set_friction(node);
+        gaps_(i)       = node.gap;
+        areas_(i)      = node.area;
+        constant(i)    = node.area * node.slip_stress;
+        coefficient(i) = node.coefficient;
+        is_coulomb     = is_coulomb || boundary.law() == FrictionLaw::coulomb;
+      }
+    slip_bound_ = is_coulomb ? qp::SlipBound::mixed(std::move(constant),
+                                                    std::move(coefficient))
+                             : qp::SlipBound::given(std::move(constant));
   }
 
 
@@ -255,7 +367,10 @@ namespace stiction
   Eigen::VectorXd
   ContactSurface::apply_B(const LA::Vector &u) const
   {
-    return to_local(trace_.restriction(u));
+    Eigen::VectorXd w = trace_.restriction(u);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(w, i, nodes_[i].displacement_to_local(at_node(w, i)));
+    return w;
   }
 
 
@@ -265,24 +380,22 @@ namespace stiction
                                   const Eigen::VectorXd &lambda,
                                   LA::Vector &dst) const
   {
-    trace_.add_extension(factor * to_cartesian(lambda), dst);
+    trace_.add_extension(factor * force_to_cartesian(lambda), dst);
   }
 
 
 
-  Eigen::VectorXd
-  ContactSurface::to_local(const Eigen::VectorXd &v) const
+  void
+  ContactSurface::add_displacement(const double factor,
+                                   const Eigen::VectorXd &w,
+                                   LA::Vector &u) const
   {
-    const Eigen::Index m = n_nodes();
-    Eigen::VectorXd w(v.size());
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        const Tensor<1, 3> x({v(i), v(i + m), v(i + 2 * m)});
-        w(i)         = nodes_[i].normal * x;
-        w(i + m)     = nodes_[i].tangent1 * x;
-        w(i + 2 * m) = nodes_[i].tangent2 * x;
-      }
-    return w;
+    Eigen::VectorXd cartesian(w.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(cartesian,
+                  i,
+                  factor * nodes_[i].displacement_to_cartesian(at_node(w, i)));
+    trace_.add_extension(cartesian, u);
   }
 
 
@@ -291,14 +404,9 @@ namespace stiction
   ContactSurface::rotate_to_local(Eigen::MatrixXd &C) const
   {
     const Eigen::Index m = n_nodes();
-    std::vector<Eigen::Matrix3d> R(m);
-    for (Eigen::Index i = 0; i < m; ++i)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          R[i](0, c) = nodes_[i].normal[c];
-          R[i](1, c) = nodes_[i].tangent1[c];
-          R[i](2, c) = nodes_[i].tangent2[c];
-        }
+    std::vector<Eigen::Matrix3d> M;
+    for (const ContactNode &node : nodes_)
+      M.push_back(node.scales().asDiagonal() * node.axes());
     for (Eigen::Index j = 0; j < m; ++j)
       for (Eigen::Index i = 0; i < m; ++i)
         {
@@ -306,7 +414,7 @@ namespace stiction
           for (Eigen::Index b = 0; b < 3; ++b)
             for (Eigen::Index a = 0; a < 3; ++a)
               block(a, b) = C(i + a * m, j + b * m);
-          block = (R[i] * block * R[j].transpose()).eval();
+          block = (M[i] * block * M[j].transpose()).eval();
           for (Eigen::Index b = 0; b < 3; ++b)
             for (Eigen::Index a = 0; a < 3; ++a)
               C(i + a * m, j + b * m) = block(a, b);
@@ -316,19 +424,24 @@ namespace stiction
 
 
   Eigen::VectorXd
-  ContactSurface::to_cartesian(const Eigen::VectorXd &v) const
+  ContactSurface::force_to_cartesian(const Eigen::VectorXd &lambda) const
   {
-    const Eigen::Index m = n_nodes();
-    Eigen::VectorXd w(v.size());
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        const Tensor<1, 3> x = v(i) * nodes_[i].normal +
-                               v(i + m) * nodes_[i].tangent1 +
-                               v(i + 2 * m) * nodes_[i].tangent2;
-        for (unsigned int c = 0; c < 3; ++c)
-          w(i + c * m) = x[c];
-      }
-    return w;
+    Eigen::VectorXd force(lambda.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(force, i, nodes_[i].force_to_cartesian(at_node(lambda, i)));
+    return force;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactSurface::held() const
+  {
+    Eigen::VectorXd held(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(
+        held, i, (nodes_[i].scales().array() == 0.).matrix().cast<double>());
+    return held;
   }
 
 

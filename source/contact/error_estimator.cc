@@ -1,10 +1,12 @@
+#include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/error_estimator.h>
 #include <stiction/elasticity/body.h>
-#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/loads.h>
+#include <stiction/elasticity/materials.h>
+#include <stiction/elasticity/prescribed_displacement.h>
 #include <stiction/errors.h>
-#include <stiction/parameters.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -12,6 +14,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace stiction
@@ -122,87 +126,70 @@ namespace stiction
     {
     public:
       GivenData(const LinearElasticity &elasticity,
-                const ContactSurface &surface,
-                const Parameters &parameters)
+                const ContactSurface &surface)
         : elasticity_(elasticity)
         , surface_(surface)
-        , gap_(parameters.boundary.initial_gap,
-               1,
-               parameters.source.locate("Boundary conditions/Initial gap"))
-        , youngs_modulus_(parameters.material.youngs_modulus)
       {
-        const BoundaryNames &names = elasticity.body().boundary_names();
-        displacement_              = parse_boundary_functions(
-          parameters.boundary.prescribed_displacement, "", names, 3, true);
-        traction_ =
-          parse_boundary_functions(parameters.boundary.traction, "", names);
       }
 
       double
-      youngs_modulus(const Cell &) const
+      youngs_modulus(const Cell &cell) const
       {
-        return youngs_modulus_;
+        return elasticity_.materials().of(cell->material_id()).youngs_modulus;
       }
 
       SymmetricTensor<2, 3>
-      stress(const Cell &, const SymmetricTensor<2, 3> &strain) const
+      stress(const Cell &cell, const SymmetricTensor<2, 3> &strain) const
       {
-        return elasticity_.lame_lambda() * trace(strain) *
-                 unit_symmetric_tensor<3, double>() +
-               2. * elasticity_.shear_modulus() * strain;
+        return elasticity_.materials().of(cell->material_id()).stress(strain);
       }
 
       Tensor<1, 3>
-      body_force(const Cell &, const Point<3> &) const
+      body_force(const Cell &cell, const Point<3> &p) const
       {
-        return {};
+        return elasticity_.loads().inside(
+          elasticity_.materials().of(cell->material_id()).density, p);
       }
 
       Tensor<1, 3>
-      traction(const types::boundary_id id, const Point<3> &p) const
+      traction(const types::boundary_id id,
+               const Point<3> &p,
+               const Tensor<1, 3> &normal) const
       {
-        Tensor<1, 3> t;
-        const auto function = traction_.find(id);
-        for (unsigned int c = 0; function != traction_.end() && c < 3; ++c)
-          t[c] = function->second.function->value(p, c);
-        return t;
+        return elasticity_.loads().traction(id, p, normal);
       }
 
       bool
       is_prescribed(const types::boundary_id id, const unsigned int c) const
       {
-        const auto function = displacement_.find(id);
-        return function != displacement_.end() &&
-               function->second.components[c];
+        return elasticity_.prescribed_displacement().components(id).find(
+                 "xyz"[c]) != std::string::npos;
       }
 
       bool
       is_contact_boundary(const types::boundary_id id) const
       {
-        return id == surface_.boundary_id();
+        return surface_.is_contact_boundary(id);
       }
 
-      // A place that faces the obstacle.
-      struct Place
-      {
-        double gap;
-        Tensor<1, 3> normal;
-      };
-
-      Place
-      place(const types::boundary_id,
+      // The gap at a point of a contact boundary and the normal towards the
+      // obstacle there; nothing where it faces away.
+      std::optional<ContactNode>
+      place(const types::boundary_id id,
             const Point<3> &p,
             const Tensor<1, 3> &normal) const
       {
-        return {gap_.value(p), normal};
+        ContactNode node;
+        node.position = p;
+        node.normal   = normal;
+        if (!surface_.boundary(id).place(node))
+          return {};
+        return node;
       }
 
     private:
       const LinearElasticity &elasticity_;
       const ContactSurface &surface_;
-      BoundaryFunctions displacement_, traction_;
-      ParsedFunction gap_;
-      const double youngs_modulus_;
     };
 
 
@@ -212,11 +199,10 @@ namespace stiction
     public:
       Estimator(const LinearElasticity &elasticity,
                 const ContactSurface &surface,
-                const Parameters &parameters,
                 const LA::Vector &u,
                 const Eigen::VectorXd &lambda)
         : body_(elasticity.body())
-        , data_(elasticity, surface, parameters)
+        , data_(elasticity, surface)
         , contact_(body_, surface, elasticity, lambda)
         , u_(with_ghosts(body_, u))
         , face_quadrature_(body_.dof_handler().get_fe().degree + 1)
@@ -371,7 +357,8 @@ namespace stiction
         for (unsigned int q = 0; q < t.size(); ++q)
           {
             const Point<3> &p = face_.quadrature_point(q);
-            Tensor<1, 3> r    = data_.traction(id, p) + contact[q] - t[q];
+            Tensor<1, 3> r =
+              data_.traction(id, p, face_.normal_vector(q)) + contact[q] - t[q];
             for (unsigned int c = 0; c < 3; ++c)
               if (data_.is_prescribed(id, c))
                 r[c] = 0.;
@@ -394,8 +381,10 @@ namespace stiction
           {
             const auto place = data_.place(
               id, face_.quadrature_point(q), face_.normal_vector(q));
-            const double gap      = place.gap - place.normal * u[q];
-            const double pressure = -contact[q] * place.normal;
+            if (!place)
+              continue;
+            const double gap      = place->gap - place->normal * u[q];
+            const double pressure = -contact[q] * place->normal;
             sum += (gap < 0. ? stiffness * gap * gap
                              : std::max(pressure, 0.) * gap) *
                    face_.JxW(q);
@@ -422,13 +411,12 @@ namespace stiction
   Vector<double>
   estimate_error(const LinearElasticity &elasticity,
                  const ContactSurface &surface,
-                 const Parameters &parameters,
                  const LA::Vector &u,
                  const Eigen::VectorXd &lambda)
   {
     const Body &body = elasticity.body();
     Vector<double> squares(body.triangulation().n_active_cells());
-    Estimator estimator(elasticity, surface, parameters, u, lambda);
+    Estimator estimator(elasticity, surface, u, lambda);
     together(body.communicator(), [&]() {
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())

@@ -94,14 +94,16 @@ namespace stiction
     const ContactLevel &coarse = *problems_[level - 1];
     const ContactLevel &fine   = *problems_[level];
 
-    // pressures are interpolated, forces belong to areas
+    // tractions are interpolated, forces belong to areas
     const auto &weights  = trace_hierarchy_.prolongation(level);
     const Eigen::Index m = coarse.n_nodes(), n = fine.n_nodes();
-    Eigen::VectorXd lambda(3 * n);
+    const Eigen::VectorXd coarse_force =
+      coarse.force_to_cartesian(state_->lambda);
+    Eigen::VectorXd force(3 * n);
     for (unsigned int c = 0; c < 3; ++c)
-      lambda.segment(c * n, n) = fine.areas().cwiseProduct(
-        weights *
-        state_->lambda.segment(c * m, m).cwiseQuotient(coarse.areas()));
+      force.segment(c * n, n) = fine.areas().cwiseProduct(
+        weights * coarse_force.segment(c * m, m).cwiseQuotient(coarse.areas()));
+    const Eigen::VectorXd lambda = fine.force_to_local(force);
 
     auto state = std::make_unique<ContactState>(fine);
     hierarchy_.transfer(level).prolongate(state->u, state_->u);
@@ -116,8 +118,10 @@ namespace stiction
   StiffnessPreconditioner &
   NewtonMultigrid::free_preconditioner()
   {
-    multigrid_.set_supports(finest_level(),
-                            NodalSupports(problems_.back()->n_nodes()));
+    NodalSupports supports;
+    for (Eigen::Index i = 0; i < problems_.back()->n_nodes(); ++i)
+      supports.push_back(problems_.back()->support(i));
+    multigrid_.set_supports(finest_level(), supports);
     return multigrid_;
   }
 } // namespace stiction

@@ -41,10 +41,9 @@ namespace stiction
             const Eigen::Vector2d across(-t(1), t(0));
             node.spring.bottomRightCorner<2, 2>() =
               rho(i) * b(i) / (norm - b(i)) * across * across.transpose();
-            if (slip_bound.is_coulomb())
-              node.test.bottomLeftCorner<2, 1>() = -slip_bound.data()(i) * t;
-            else
-              node.load.tail<2>() = b(i) * t;
+            node.test.bottomLeftCorner<2, 1>() =
+              -slip_bound.coefficient()(i) * t;
+            node.load.tail<2>() = slip_bound.constant()(i) * t;
           }
       }
   }

@@ -22,6 +22,17 @@ namespace stiction
       h.head(surface.n_nodes()) -= surface.gaps();
       return h;
     }
+
+    // What Q gets on its diagonal where nodes are held: of the size of the
+    // entries at other nodes.
+    Eigen::VectorXd
+    held_compliance(const LinearElasticity &elasticity,
+                    const ContactSurface &surface)
+    {
+      const Eigen::VectorXd stiffness =
+        surface.trace().restriction(elasticity.stiffness_diagonal());
+      return surface.held().cwiseQuotient(stiffness);
+    }
   } // namespace
 
 
@@ -35,9 +46,10 @@ namespace stiction
     if (form == "by solves")
       return std::make_unique<SchurComplement>(elasticity, surface, solver);
 
-    // Q = R C Rᵀ with C the block of K⁻¹ at the contact unknowns
+    // Q = M C Mᵀ with C the block of K⁻¹ at the contact unknowns
     Eigen::MatrixXd Q = solver.compliance(surface.trace());
     surface.rotate_to_local(Q);
+    Q.diagonal() += held_compliance(elasticity, surface);
     return std::make_unique<DenseDualOperator>(
       std::move(Q), dual_right_hand_side(elasticity, surface, solver));
   }
@@ -51,6 +63,7 @@ namespace stiction
     , elasticity_(elasticity)
     , surface_(surface)
     , solver_(solver)
+    , held_compliance_(held_compliance(elasticity, surface))
   {
     set_right_hand_side(dual_right_hand_side(elasticity, surface, solver));
   }
@@ -94,6 +107,7 @@ namespace stiction
     LA::Vector u     = elasticity_.zero_vector();
     surface_.add_transpose_B(1., lambda, force);
     solver_.solve(u, force);
-    dst = surface_.apply_B(u).segment(begin(rows), length(rows));
+    dst = (surface_.apply_B(u) + held_compliance_.cwiseProduct(lambda))
+            .segment(begin(rows), length(rows));
   }
 } // namespace stiction

@@ -122,10 +122,9 @@ namespace stiction
     for (std::size_t i = 0; i < supports.size(); ++i)
       {
         const auto node = static_cast<Eigen::Index>(i);
-        supports[i].projection =
-          problem_.to_cartesian(node, linearization.nodes[i].projection);
-        supports[i].spring =
-          problem_.to_cartesian(node, linearization.nodes[i].spring);
+        supports[i]     = problem_.support(node,
+                                       linearization.nodes[i].projection,
+                                       linearization.nodes[i].spring);
       }
     preconditioner_.set_supports(level_, supports);
   }
@@ -162,7 +161,7 @@ namespace stiction
         set_at_node(shift, i, linearization.nodes[i].shift);
         set_at_node(load, i, linearization.nodes[i].load);
       }
-    problem_.add_transpose_B(shift, state.u);
+    problem_.add_displacement(shift, state.u);
     state.update(problem_);
 
     const MPI_Comm communicator = problem_.mesh().communicator();
@@ -189,7 +188,7 @@ namespace stiction
           z.begin()[k] = d.factor * d.z.begin()[k];
         problem_.stiffness().vmult(d.v, z);
         d.displacement = problem_.apply_B(z);
-        d.force        = problem_.apply_B(d.v);
+        d.force        = problem_.contact_forces(d.v);
         d.contact_rows = contact_rows(linearization, d.force, d.displacement);
         d.reaction     = problem_.prescribed_entries(d.v);
         problem_.clear_prescribed(d.v);
@@ -241,8 +240,8 @@ namespace stiction
       H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(
         amounts.head(n));
     add_all(state.u.begin(), y, N);
-    problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     problem_.set_transpose_B(state.lambda, r);
+    problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);
     return n;
   }

@@ -85,24 +85,6 @@ namespace stiction
       return "";
     }
 
-    // At single bars only: '||' is the logical or.
-    std::vector<std::string>
-    split_at_bars(const std::string &text)
-    {
-      std::vector<std::string> parts(1);
-      for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] != '|')
-          parts.back() += text[i];
-        else if (i + 1 < text.size() && text[i + 1] == '|')
-          {
-            parts.back() += "||";
-            ++i;
-          }
-        else
-          parts.emplace_back();
-      return parts;
-    }
-
     // Zeros in place of components that are 'free', which are taken out of the
     // mask.
     std::string
@@ -127,7 +109,8 @@ namespace stiction
 
   ParsedFunction::ParsedFunction(const std::string &expression,
                                  const unsigned int n_components,
-                                 std::string location)
+                                 std::string location,
+                                 const double time)
     : dealii::Function<3>(n_components)
     , expression_(trim(expression))
     , location_(std::move(location))
@@ -153,22 +136,32 @@ namespace stiction
       {
         const SilentErrors silence;
         parser_->initialize(
-          "x,y,z", expression_, {{"pi", dealii::numbers::PI}}, false);
+          "x,y,z,t", expression_, {{"pi", dealii::numbers::PI}}, true);
+        set_time(time);
         // muParser reads a formula when it is first evaluated
         for (unsigned int c = 0; c < n_components; ++c)
           parser_->value(dealii::Point<3>(), c);
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(location_ + " = " + expression_ +
-                         ", is not a formula in x, y, z: " + reason(exception) +
-                         ".");
+        throw InputError(
+          location_ + " = " + expression_ +
+          ", is not a formula in x, y, z, t: " + reason(exception) + ".");
       }
   }
 
 
 
   ParsedFunction::~ParsedFunction() = default;
+
+
+
+  void
+  ParsedFunction::set_time(const double time)
+  {
+    dealii::Function<3>::set_time(time);
+    parser_->set_time(time);
+  }
 
 
 
@@ -190,12 +183,54 @@ namespace stiction
 
 
 
+  std::vector<std::string>
+  split_at_bars(const std::string &text)
+  {
+    std::vector<std::string> parts(1);
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] != '|')
+        parts.back() += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '|')
+        {
+          parts.back() += "||";
+          ++i;
+        }
+      else
+        {
+          parts.back() = trim(parts.back());
+          parts.emplace_back();
+        }
+    parts.back() = trim(parts.back());
+    return parts;
+  }
+
+
+
+  BoundaryFunction
+  parse_components(const std::string &formulas,
+                   const std::string &location,
+                   const std::string &part,
+                   const double time)
+  {
+    dealii::ComponentMask components(3, true);
+    const std::string marked = mark_free(formulas, components);
+    if (components.n_selected_components() == 0)
+      throw InputError(location + ", " + part +
+                       " is free in all components, at least one must be a "
+                       "formula.");
+    return {std::make_unique<ParsedFunction>(marked, 3, location, time),
+            components};
+  }
+
+
+
   BoundaryFunctions
   parse_boundary_functions(const std::string &text,
                            const std::string &location,
-                           const BoundaryNames &names,
+                           const MeshNames &names,
                            const unsigned int n_components,
-                           const bool may_be_free)
+                           const bool may_be_free,
+                           const double time)
   {
     BoundaryFunctions functions;
     if (trim(text).empty())
@@ -220,18 +255,14 @@ namespace stiction
           throw InputError(location + " = " + trim(text) + ", boundary " +
                            name + " stands twice, must stand once.");
 
-        std::string formulas = part.substr(colon + 1);
-        dealii::ComponentMask components(n_components, true);
-        if (may_be_free)
-          formulas = mark_free(formulas, components);
-        if (components.n_selected_components() == 0)
-          throw InputError(location + " = " + trim(text) + ", boundary " +
-                           name +
-                           " is free in all components, at least one must be "
-                           "a formula.");
-        functions[id] = {
-          std::make_unique<ParsedFunction>(formulas, n_components, location),
-          components};
+        functions[id] =
+          may_be_free
+            ? parse_components(
+                part.substr(colon + 1), location, "boundary " + name, time)
+            : BoundaryFunction{
+                std::make_unique<ParsedFunction>(
+                  part.substr(colon + 1), n_components, location, time),
+                dealii::ComponentMask(n_components, true)};
       }
     return functions;
   }

@@ -4,6 +4,7 @@
 #include <stiction/elasticity/element_stiffness.h>
 #include <stiction/elasticity/host_vector.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/mumps_factorization.h>
 #include <stiction/elasticity/rigid_body_modes.h>
@@ -163,8 +164,7 @@ namespace stiction
     ElementStiffness element_stiffness;
     FullMatrix<double> held(24, 24);
     level_.for_each_cell([&](HexahedralCell cell) {
-      cell.lame_lambda               = elasticity_.lame_lambda();
-      cell.shear_modulus             = elasticity_.shear_modulus();
+      elasticity_.materials().assign(cell);
       const FullMatrix<double> &free = element_stiffness(cell);
       held                           = free;
 

@@ -1,24 +1,21 @@
 #include <stiction/elasticity/assembled_stiffness.h>
 #include <stiction/elasticity/body.h>
-#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/elasticity/cell_material.h>
 #include <stiction/elasticity/element_stiffness.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/loads.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_level.h>
-#include <stiction/elasticity/rigid_body_modes.h>
+#include <stiction/elasticity/prescribed_displacement.h>
 #include <stiction/elasticity/stiffness_operator.h>
 #include <stiction/elasticity/supported_stiffness.h>
-#include <stiction/errors.h>
 #include <stiction/parameters.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <stdexcept>
 
@@ -26,28 +23,20 @@ namespace stiction
 {
   using namespace dealii;
 
-  struct LinearElasticity::BoundaryData
-  {
-    BoundaryFunctions displacement;
-    BoundaryFunctions traction;
-  };
-
-
-
   LinearElasticity::LinearElasticity(const Body &body,
                                      const Parameters &parameters)
     : body_(body)
-    , lame_lambda_(parameters.material.youngs_modulus *
-                   parameters.material.poisson_ratio /
-                   ((1. + parameters.material.poisson_ratio) *
-                    (1. - 2. * parameters.material.poisson_ratio)))
-    , shear_modulus_(parameters.material.youngs_modulus /
-                     (2. * (1. + parameters.material.poisson_ratio)))
+    , materials_(std::make_unique<Materials>(body, parameters))
+    , prescribed_displacement_(
+        std::make_unique<PrescribedDisplacement>(body, parameters))
+    , mesh_(std::make_unique<MeshLevel>(body))
   {
-    read_boundary_conditions(parameters);
-    mesh_ = std::make_unique<MeshLevel>(body);
+    loads_ =
+      std::make_unique<Loads>(body, *prescribed_displacement_, parameters);
+    make_constraints();
     make_stiffness();
-    assemble_load();
+    load_ = std::make_unique<LA::Vector>(zero_vector());
+    loads_->assemble(*materials_, *load_);
     constrain_load();
     if (parameters.needs_stiffness_matrix())
       constrain_stiffness();
@@ -134,94 +123,12 @@ namespace stiction
 
 
   void
-  LinearElasticity::read_boundary_conditions(const Parameters &parameters)
+  LinearElasticity::make_constraints()
   {
-    const std::string displacement_location =
-      parameters.source.locate("Boundary conditions/Prescribed displacement");
-    const std::string traction_location =
-      parameters.source.locate("Boundary conditions/Traction");
-    support_location_ = displacement_location;
-
-    boundary_ = std::make_unique<BoundaryData>();
-    boundary_->displacement =
-      parse_boundary_functions(parameters.boundary.prescribed_displacement,
-                               displacement_location,
-                               body_.boundary_names(),
-                               3,
-                               true);
-    boundary_->traction = parse_boundary_functions(
-      parameters.boundary.traction, traction_location, body_.boundary_names());
-
-    for (const auto &condition : boundary_->traction)
-      {
-        const auto prescribed = boundary_->displacement.find(condition.first);
-        if (prescribed != boundary_->displacement.end() &&
-            prescribed->second.components.n_selected_components() == 3)
-          throw InputError(traction_location + ": boundary " +
-                           body_.boundary_names().describe(condition.first) +
-                           " already has a prescribed displacement, a "
-                           "traction there is carried by the support alone; "
-                           "allowed is one of the two.");
-      }
-
     constraints_.reinit(body_.locally_relevant_dofs());
     constraints_.merge(body_.hanging_nodes());
-    together(body_.communicator(), [&]() {
-      for (const auto &condition : boundary_->displacement)
-        VectorTools::interpolate_boundary_values(body_.mapping(),
-                                                 body_.dof_handler(),
-                                                 condition.first,
-                                                 *condition.second.function,
-                                                 constraints_,
-                                                 condition.second.components);
-    });
+    prescribed_displacement_->add_to(constraints_);
     constraints_.close();
-  }
-
-
-
-  void
-  LinearElasticity::assemble_load()
-  {
-    load_                      = std::make_unique<LA::Vector>(zero_vector());
-    const FiniteElement<3> &fe = body_.dof_handler().get_fe();
-    const QGauss<2> quadrature(fe.degree + 1);
-    FEFaceValues<3> values(body_.mapping(),
-                           fe,
-                           quadrature,
-                           update_values | update_quadrature_points |
-                             update_JxW_values);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    const auto add = [&](const types::global_dof_index dof,
-                         const double force) {
-      if (!is_hanging(dof))
-        (*load_)(dof) += force;
-      else
-        for (const auto &master :
-             *body_.hanging_nodes().get_constraint_entries(dof))
-          (*load_)(master.first) += master.second * force;
-    };
-
-    together(body_.communicator(), [&]() {
-      for (const auto &cell : body_.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() &&
-                boundary_->traction.count(face->boundary_id()) != 0)
-              {
-                const ParsedFunction &traction =
-                  *boundary_->traction.at(face->boundary_id()).function;
-                values.reinit(cell, face);
-                cell->get_dof_indices(indices);
-                for (const unsigned int q : values.quadrature_point_indices())
-                  for (const unsigned int i : values.dof_indices())
-                    add(indices[i],
-                        traction.value(values.quadrature_point(q),
-                                       fe.system_to_component_index(i).first) *
-                          values.shape_value(i, q) * values.JxW(q));
-              }
-    });
-    load_->compress(VectorOperation::add);
   }
 
 
@@ -252,13 +159,14 @@ namespace stiction
   void
   LinearElasticity::make_stiffness()
   {
-    if (body_.is_simple())
-      stiffness_ = std::make_unique<StiffnessOperator<double>>(
-        *mesh_, lame_lambda_, shear_modulus_);
+    if (body_.is_simple() && materials_->are_simple())
+      stiffness_ =
+        std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
     else
       stiffness_ = std::make_unique<StiffnessOperator<double>>(
-        *mesh_, assemble_stiffness(body_, [&](const auto &) {
-          return isotropic_material(lame_lambda_, shear_modulus_);
+        *mesh_, assemble_stiffness(body_, [&](const auto &cell) {
+          return CellMaterial{materials_->of(cell->material_id()).stiffness,
+                              materials_->have_mean_dilatation()};
         }));
   }
 
@@ -299,8 +207,7 @@ namespace stiction
     ElementStiffness element_stiffness;
     std::vector<types::global_dof_index> indices(24);
     mesh_->for_each_cell([&](HexahedralCell cell) {
-      cell.lame_lambda   = lame_lambda_;
-      cell.shear_modulus = shear_modulus_;
+      materials_->assign(cell);
       for (unsigned int v = 0; v < 8; ++v)
         for (unsigned int c = 0; c < 3; ++c)
           indices[3 * v + c] = mesh_->first_dof(cell.nodes[v]) + c;
@@ -315,12 +222,6 @@ namespace stiction
   void
   LinearElasticity::require_support() const
   {
-    const std::string free_motions =
-      free_rigid_body_motions(body_, constraints_);
-    if (!free_motions.empty())
-      throw InputError(support_location_ + ": the body is not held, free are " +
-                       free_motions +
-                       "; prescribe the displacement of a boundary other than "
-                       "the contact boundary.");
+    prescribed_displacement_->require_support(constraints_);
   }
 } // namespace stiction

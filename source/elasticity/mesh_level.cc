@@ -191,6 +191,7 @@ namespace stiction
           for (unsigned int d = 0; d < 3; ++d)
             hexahedron.vertices[v][d] = cell->vertex(v)[d];
         }
+      hexahedron.material_id = cell->material_id();
       callback(hexahedron);
     };
     const DoFHandler<3> &dof_handler = body_.dof_handler();

@@ -3,6 +3,7 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/coarse_solver.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
 #include <stiction/elasticity/trace_hierarchy.h>
 
@@ -115,7 +116,7 @@ namespace stiction
   Multigrid::Multigrid(const LinearElasticity &elasticity,
                        const MeshHierarchy &hierarchy,
                        const TraceHierarchy &supported_nodes)
-    : unit_(power_of_two(elasticity.shear_modulus() *
+    : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
     , hierarchy_(hierarchy)
     , supported_nodes_(supported_nodes)

@@ -57,9 +57,7 @@ namespace stiction
     : x(mesh.zero_vector<float>())
     , b(mesh.zero_vector<float>())
     , unit_(unit)
-    , K_(mesh,
-         elasticity.lame_lambda() / unit,
-         elasticity.shear_modulus() / unit)
+    , K_(mesh, elasticity.materials(), unit)
     , inverse_diagonal_(mesh.zero_vector<float>())
     , product_(mesh.zero_vector<float>())
     , direction_(mesh.zero_vector<float>())

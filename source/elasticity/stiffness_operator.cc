@@ -1,3 +1,4 @@
+#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_level.h>
 #include <stiction/elasticity/stiffness_operator.h>
 
@@ -14,13 +15,12 @@ namespace stiction
     template<typename Number>
     CellStiffness<Number>
     make_cells(const MeshLevel &level,
-               const double lame_lambda,
-               const double shear_modulus)
+               const Materials &materials,
+               const double unit)
     {
       CellStiffness<Number> cells;
       level.for_each_cell([&](HexahedralCell cell) {
-        cell.lame_lambda   = lame_lambda;
-        cell.shear_modulus = shear_modulus;
+        materials.assign(cell, unit);
         cells.add_cell(cell);
       });
       cells.finish();
@@ -44,10 +44,10 @@ namespace stiction
 
   template<typename Number>
   StiffnessOperator<Number>::StiffnessOperator(const MeshLevel &level,
-                                               const double lame_lambda,
-                                               const double shear_modulus)
+                                               const Materials &materials,
+                                               const double unit)
     : level_(level)
-    , cells_(make_cells<Number>(level, lame_lambda, shear_modulus))
+    , cells_(make_cells<Number>(level, materials, unit))
   {
   }
 

@@ -156,7 +156,8 @@ namespace stiction
                         : value <= tolerance ? "ok"
                                              : "NOT REACHED"));
       }
-    if (summary["solver"]["law"] == "coulomb" &&
+    if ((summary["solver"]["law"] == "coulomb" ||
+         summary["solver"]["law"] == "mixed") &&
         !figures["duality_gap"].is_null())
       log.line(
         "  (the duality gap is that of the last slip bound, held fixed)");

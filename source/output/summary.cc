@@ -1,7 +1,9 @@
 #include <stiction/contact/certificate.h>
+#include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
@@ -26,6 +28,41 @@ namespace stiction
     to_json(const dealii::Tensor<1, 3> &v)
     {
       return {v[0], v[1], v[2]};
+    }
+
+    // The part of each contact boundary.
+    json
+    boundaries_to_json(const ContactSurface &surface,
+                       const Certificate &certificate)
+    {
+      struct Part
+      {
+        unsigned int nodes  = 0;
+        double normal_force = 0., area = 0.;
+        dealii::Tensor<1, 3> force_on_body;
+      };
+      std::vector<Part> parts(surface.boundaries().size());
+      const Eigen::VectorXd force =
+        surface.force_to_cartesian(certificate.lambda()); // on the obstacle
+      const Eigen::Index m = surface.n_nodes();
+      for (Eigen::Index i = 0; i < m; ++i)
+        {
+          Part &part = parts[surface.nodes()[i].boundary];
+          ++part.nodes;
+          part.normal_force += certificate.lambda()(i);
+          if (certificate.status(i) != NodeStatus::open)
+            part.area += surface.areas()(i);
+          for (unsigned int c = 0; c < 3; ++c)
+            part.force_on_body[c] -= force(i + c * m);
+        }
+      json result = json::array();
+      for (std::size_t b = 0; b < parts.size(); ++b)
+        result.push_back({{"name", surface.boundaries()[b].name()},
+                          {"nodes", parts[b].nodes},
+                          {"normal_force", parts[b].normal_force},
+                          {"force_on_body", to_json(parts[b].force_on_body)},
+                          {"area", parts[b].area}});
+      return result;
     }
   } // namespace
 
@@ -84,11 +121,12 @@ namespace stiction
                  const DualOperator &Q)
   {
     const DualMethodStatistics statistics = method.statistics();
-    const bool has_friction = slip_bound.data().cwiseAbs().sum() > 0.;
+    const bool has_friction               = !slip_bound.constant().isZero(0.);
     return {{"law",
-             slip_bound.is_coulomb() ? "coulomb"
-             : has_friction          ? "given"
-                                     : "frictionless"},
+             slip_bound.is_mixed()     ? "mixed"
+             : slip_bound.is_coulomb() ? "coulomb"
+             : has_friction            ? "given"
+                                       : "frictionless"},
             {"method", parameters.method},
             {"coulomb_iterations", statistics.coulomb_iterations},
             {"gauss_seidel_iterations", statistics.gauss_seidel_iterations},
@@ -168,7 +206,22 @@ namespace stiction
 
     json tangential_force = nullptr;
     if (surface.is_plane())
-      tangential_force = {lambda.segment(m, m).sum(), lambda.tail(m).sum()};
+      {
+        // whatever the principal directions of friction
+        ContactFrame plane;
+        plane.normal = surface.nodes()[0].normal;
+        set_tangents(plane);
+        const Eigen::VectorXd force = surface.force_to_cartesian(lambda);
+        Eigen::VectorXd first(m), second(m);
+        for (Eigen::Index i = 0; i < m; ++i)
+          {
+            const Eigen::Vector3d local =
+              plane.force_to_local(at_node(force, i));
+            first(i)  = local(1);
+            second(i) = local(2);
+          }
+        tangential_force = {first.sum(), second.sum()};
+      }
 
     json result                = counts_to_json(certificate, tolerance);
     result["normal_force"]     = lambda.head(m).sum();
@@ -177,6 +230,8 @@ namespace stiction
     result["moment"]           = to_json(certificate.moment_on_body());
     result["max_pressure"]     = max_pressure;
     result["area"]             = area;
+    if (surface.boundaries().size() > 1)
+      result["boundaries"] = boundaries_to_json(surface, certificate);
     return result;
   }
 

@@ -1,7 +1,9 @@
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/errors.h>
 #include <stiction/output/files.h>
 #include <stiction/output/vtu.h>
@@ -25,28 +27,28 @@ namespace stiction
 
   namespace
   {
-    // The stress tensor of the isotropic material, all nine components for
-    // ParaView.
+    // The stress tensor, all nine components for ParaView.
     class Stress : public DataPostprocessorTensor<3>
     {
     public:
-      Stress(const double lame_lambda, const double shear_modulus)
+      explicit Stress(const Materials &materials)
         : DataPostprocessorTensor<3>("stress", update_gradients)
-        , lame_lambda_(lame_lambda)
-        , shear_modulus_(shear_modulus)
+        , materials_(materials)
       {
       }
 
+      // At a point of the cell.
       SymmetricTensor<2, 3>
-      stress(const std::vector<Tensor<1, 3>> &gradients) const
+      stress(const DataPostprocessorInputs::Vector<3> &inputs,
+             const unsigned int point) const
       {
+        const auto &gradients = inputs.solution_gradients[point];
         SymmetricTensor<2, 3> strain;
         for (unsigned int a = 0; a < 3; ++a)
           for (unsigned int b = a; b < 3; ++b)
             strain[a][b] = (gradients[a][b] + gradients[b][a]) / 2.;
-        return lame_lambda_ * trace(strain) *
-                 unit_symmetric_tensor<3, double>() +
-               2. * shear_modulus_ * strain;
+        const auto cell = inputs.template get_cell<3>();
+        return materials_.of(cell->material_id()).stress(strain);
       }
 
       void
@@ -56,7 +58,7 @@ namespace stiction
       {
         for (unsigned int p = 0; p < quantities.size(); ++p)
           {
-            const auto sigma = stress(inputs.solution_gradients[p]);
+            const auto sigma = stress(inputs, p);
             for (unsigned int a = 0; a < 3; ++a)
               for (unsigned int b = 0; b < 3; ++b)
                 quantities[p](Tensor<2, 3>::component_to_unrolled_index(
@@ -65,7 +67,7 @@ namespace stiction
       }
 
     private:
-      const double lame_lambda_, shear_modulus_;
+      const Materials &materials_;
     };
 
 
@@ -86,8 +88,7 @@ namespace stiction
       {
         for (unsigned int p = 0; p < quantities.size(); ++p)
           quantities[p](0) =
-            std::sqrt(1.5) *
-            deviator(stress_.stress(inputs.solution_gradients[p])).norm();
+            std::sqrt(1.5) * deviator(stress_.stress(inputs, p)).norm();
       }
 
     private:
@@ -117,7 +118,7 @@ namespace stiction
           if (cell->is_locally_owned())
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary() &&
-                  face->boundary_id() == surface.boundary_id())
+                  surface.is_contact_boundary(face->boundary_id()))
                 {
                   face->get_dof_indices(dofs);
                   DataOutBase::Patch<2, 3> patch;
@@ -132,6 +133,8 @@ namespace stiction
                       const Values values = values_at(dofs[3 * order[p]]);
                       for (unsigned int k = 0; k < n_fields; ++k)
                         patch.data(k, p) = static_cast<float>(values[k]);
+                      patch.data(boundary, p) =
+                        static_cast<float>(face->boundary_id());
                     }
                   patches_.push_back(patch);
                 }
@@ -157,7 +160,8 @@ namespace stiction
                 "gap",
                 "status",
                 "area",
-                "slip_bound"};
+                "slip_bound",
+                "boundary"};
       }
 
       std::vector<
@@ -189,7 +193,8 @@ namespace stiction
         status   = gap + 1,
         area     = status + 1,
         bound    = area + 1,
-        n_fields = bound + 1
+        boundary = bound + 1,
+        n_fields = boundary + 1
       };
 
       using Values = std::array<double, n_fields>;
@@ -219,7 +224,7 @@ namespace stiction
       values_at_node(const Eigen::Index i) const
       {
         Values values{};
-        if (i < 0) // clamped: not a contact node
+        if (i < 0) // clamped or facing away: not a contact node
           {
             values[status] = -1.;
             return values;
@@ -229,11 +234,10 @@ namespace stiction
         const auto &lambda      = certificate_.lambda();
         const auto &r           = certificate_.gradient();
 
-        const Tensor<1, 3> force = lambda(i) * node.normal +
-                                   lambda(i + m) * node.tangent1 +
-                                   lambda(i + 2 * m) * node.tangent2;
-        const Tensor<1, 3> slip_vector =
-          -r(i + m) * node.tangent1 - r(i + 2 * m) * node.tangent2;
+        const Eigen::Vector3d force =
+          node.force_to_cartesian(at_node(lambda, i));
+        const Eigen::Vector3d slip_vector =
+          node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
         values[pressure] = lambda(i) / node.area;
         values[gap]      = r(i);
@@ -310,7 +314,7 @@ namespace stiction
     with_ghosts = u;
     with_ghosts.update_ghost_values();
 
-    const Stress stress(elasticity.lame_lambda(), elasticity.shear_modulus());
+    const Stress stress(elasticity.materials());
     const VonMisesStress von_mises(stress);
     DataOut<3> out;
     out.attach_dof_handler(body.dof_handler());

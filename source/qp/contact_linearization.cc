@@ -61,8 +61,7 @@ namespace stiction::qp
             const Eigen::Vector2d d = target(i) * n - x_t;
             prescribed_(i + t1_)    = d(0);
             prescribed_(i + t2_)    = d(1);
-            if (slip_bound.is_coulomb())
-              follows = slip_bound.data()(i) * n;
+            follows                 = slip_bound.coefficient()(i) * n;
             add(i,
                 Eigen::Vector3d(0., -n(1), n(0)),
                 Eigen::Vector2d::Zero(),

@@ -6,8 +6,11 @@
 
 namespace stiction::qp
 {
-  SlipBound::SlipBound(Eigen::VectorXd data, const bool is_coulomb)
-    : data_(std::move(data))
+  SlipBound::SlipBound(Eigen::VectorXd c,
+                       Eigen::VectorXd F,
+                       const bool is_coulomb)
+    : constant_(std::move(c))
+    , coefficient_(std::move(F))
     , is_coulomb_(is_coulomb)
   {
   }
@@ -17,7 +20,8 @@ namespace stiction::qp
   SlipBound
   SlipBound::given(Eigen::VectorXd g)
   {
-    return SlipBound(std::move(g), false);
+    const Eigen::Index m = g.size();
+    return SlipBound(std::move(g), Eigen::VectorXd::Zero(m), false);
   }
 
 
@@ -25,7 +29,16 @@ namespace stiction::qp
   SlipBound
   SlipBound::coulomb(Eigen::VectorXd F)
   {
-    return SlipBound(std::move(F), true);
+    const Eigen::Index m = F.size();
+    return SlipBound(Eigen::VectorXd::Zero(m), std::move(F), true);
+  }
+
+
+
+  SlipBound
+  SlipBound::mixed(Eigen::VectorXd c, Eigen::VectorXd F)
+  {
+    return SlipBound(std::move(c), std::move(F), true);
   }
 
 
@@ -34,8 +47,9 @@ namespace stiction::qp
   SlipBound::at(const Eigen::VectorXd &lambda) const
   {
     if (!is_coulomb_)
-      return data_;
-    return data_.cwiseProduct(lambda.head(n_nodes()).cwiseMax(0.));
+      return constant_;
+    return constant_ +
+           coefficient_.cwiseProduct(lambda.head(n_nodes()).cwiseMax(0.));
   }
 
 

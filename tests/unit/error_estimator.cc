@@ -39,7 +39,6 @@ namespace
     const dealii::Vector<double> squares =
       estimate_error(problem.elasticity(),
                      problem.contact_surface(),
-                     run.parameters,
                      problem.displacement(),
                      lambda);
     double sum = 0.;

@@ -133,10 +133,8 @@ main(int argc, char *argv[])
       transfer.restrict_to(back, v);
       const bool is_transpose = std::abs((Pu * v) / (u * back) - 1.) < 1e-12;
 
-      const StiffnessOperator<double> K_fine(
-        fine, elasticity.lame_lambda(), elasticity.shear_modulus());
-      const StiffnessOperator<double> K_coarse(
-        coarse, elasticity.lame_lambda(), elasticity.shear_modulus());
+      const StiffnessOperator<double> K_fine(fine, elasticity.materials());
+      const StiffnessOperator<double> K_coarse(coarse, elasticity.materials());
       K_fine.vmult(KPu, Pu);
       transfer.restrict_to(back, KPu);
       K_coarse.vmult(Ku, u);

@@ -28,6 +28,10 @@ namespace stiction
   /// S = max(Σ‖f_j‖, Σ‖R_j‖, Σ‖λ_i‖) over nodes (loads, support reactions,
   /// contact forces), p0 = S/|Γc|, u0 = uᵀKu/S. With π = λ_i/(A_i p0) and
   /// w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
+  ///
+  /// With orthotropic friction λ and the slip are the contact variables of
+  /// ContactFrame, in which the ellipse is a disc: the slip angle is 0 where
+  /// the slip is normal to the ellipse.
   class Certificate : public ContactConditions
   {
   public:

@@ -1,6 +1,7 @@
 #ifndef stiction_contact_contact_level_h
 #define stiction_contact_contact_level_h
 
+#include <stiction/contact/contact_frame.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/nodal_support.h>
 #include <stiction/elasticity/trace.h>
@@ -18,6 +19,7 @@ namespace stiction
   struct ContactState;
   class LinearElasticity;
   class MeshHierarchy;
+  class Materials;
   class MeshLevel;
   class TraceHierarchy;
   template<typename Number>
@@ -79,12 +81,10 @@ namespace stiction
       return areas_;
     }
 
-    /// E√A_i: about the mean diagonal entry of K at a contact node, N/m.
+    /// E√A_i: about the mean diagonal entry of K at a contact node, N/m; less
+    /// where a scale of the frame makes it seem more compliant.
     Eigen::VectorXd
-    nodal_stiffness() const
-    {
-      return youngs_modulus_ * areas_.cwiseSqrt();
-    }
+    nodal_stiffness() const;
 
     /// Gives u its prescribed values, and v zeros in their places.
     void
@@ -107,20 +107,34 @@ namespace stiction
     /// B v, and w = Bu − (d; 0; 0). Collective.
     Eigen::VectorXd
     apply_B(const LA::Vector &v) const;
+    /// The y for which Bᵀ y is R at the contact nodes in directions that are
+    /// not held. Collective.
+    Eigen::VectorXd
+    contact_forces(const LA::Vector &R) const;
     Eigen::VectorXd
     penetration_and_slip(const LA::Vector &u) const;
 
-    /// dst += Bᵀ v.
+    /// u += the displacement of the contact nodes with B u = w, in directions
+    /// that are not held.
     void
-    add_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const;
+    add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const;
 
-    /// Sets the entries of the contact nodes to Bᵀ v.
+    /// Sets the entries of the contact nodes to Bᵀ v, in held directions to 0.
     void
     set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const;
 
-    /// A matrix in the frame of a node in Cartesian components.
-    Eigen::Matrix3d
-    to_cartesian(Eigen::Index node, const Eigen::Matrix3d &local) const;
+    /// Forces from contact variables to (x; y; z) and back, node by node.
+    Eigen::VectorXd
+    force_to_cartesian(const Eigen::VectorXd &lambda) const;
+    Eigen::VectorXd
+    force_to_local(const Eigen::VectorXd &force) const;
+
+    /// A support given in contact variables: @p projection a diagonal one that
+    /// treats both tangents alike, @p spring of forces y for displacements w.
+    NodalSupport
+    support(Eigen::Index node,
+            const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
+            const Eigen::Matrix3d &spring     = Eigen::Matrix3d::Zero()) const;
 
     /// The scales of the certificate for a displacement u with R = f − Ku and
     /// λ = BR.
@@ -139,16 +153,17 @@ namespace stiction
     bool
     carries_rounding_only(const ContactState &state, double force_scale) const;
 
-    /// Σ‖v_j‖ over the nodes but contact nodes and prescribed ones. Collective.
+    /// Σ‖v_j‖ over the nodes but contact nodes, of components that are not
+    /// prescribed. Collective.
     double
     sum_of_norms_inside(const LA::Vector &v) const;
 
   private:
     void
-    set_frames_from(const ContactSurface &surface);
+    find_inner_nodes();
 
     void
-    find_inner_nodes();
+    find_youngs_moduli(const Materials &materials);
 
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
     const StiffnessOperator<double> *stiffness_;
@@ -158,14 +173,15 @@ namespace stiction
 
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<double> prescribed_;
-    /// Owned nodes that are neither contact nodes nor prescribed in any
-    /// component.
-    std::vector<bool> is_inside_;
+    /// The components that are not prescribed, as bits, of each owned node that
+    /// is no contact node; 0 for those.
+    std::vector<unsigned char> free_components_;
 
     Trace trace_;
-    std::vector<Eigen::Matrix3d> frames_; ///< rows n, t1, t2
+    std::vector<ContactFrame> frames_;
     Eigen::VectorXd gaps_, areas_;
-    double youngs_modulus_;
+    Eigen::VectorXd youngs_moduli_; ///< around the nodes
+    double youngs_modulus_;         ///< the largest in the body
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
   };

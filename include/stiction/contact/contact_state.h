@@ -19,7 +19,7 @@ namespace stiction
 
     LA::Vector u;           ///< m
     LA::Vector R;           ///< f − Ku, N
-    Eigen::VectorXd lambda; ///< BR: the contact forces, N
+    Eigen::VectorXd lambda; ///< the contact forces y, Bᵀy = R, N
     Eigen::VectorXd w;      ///< Bu − (d; 0; 0), m
 
     /// Sets R, λ and w from u by a product with K. Collective.

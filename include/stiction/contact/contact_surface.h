@@ -1,6 +1,7 @@
 #ifndef stiction_contact_contact_surface_h
 #define stiction_contact_contact_surface_h
 
+#include <stiction/contact/contact_frame.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/trace.h>
 #include <stiction/qp/slip_bound.h>
@@ -11,53 +12,62 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace stiction
 {
+  class ContactBoundary;
   class LinearElasticity;
   class Parameters;
-  enum class FrictionLaw;
 
-  /// One node of the contact boundary that may touch the foundation.
-  struct ContactNode
+  /// One node of a contact boundary that may touch its obstacle.
+  ///
+  /// Of an ellipse of friction, the coefficient and the slip stress are those
+  /// of the disc it becomes in contact variables: along t1, or along the one
+  /// free direction.
+  struct ContactNode : ContactFrame
   {
-    dealii::Point<3> position;     ///< undeformed, m
-    dealii::Tensor<1, 3> normal;   ///< n, unit, towards the obstacle
-    dealii::Tensor<1, 3> tangent1; ///< t1, unit
-    dealii::Tensor<1, 3> tangent2; ///< t2 = t1 × n
-    double gap = 0.;               ///< d along n, m; negative: interference
+    dealii::Point<3> position; ///< undeformed, m
+    double gap = 0.;           ///< d along n, m; negative: interference
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
-    double area        = 0.;
-    double coefficient = 0.; ///< F of Coulomb's law
-    double slip_stress = 0.; ///< τ_c of given friction, Pa
+    double area           = 0.;
+    double coefficient    = 0.; ///< F of Coulomb's law
+    double slip_stress    = 0.; ///< τ_c of given friction, Pa
+    unsigned int boundary = 0;  ///< whose node it is, of boundaries()
   };
 
 
 
   /// The contact nodes with their frames, gaps, areas and friction data, and
-  /// the maps B = (N; T1; T2) and Bᵀ between displacements of the body and
-  /// contact quantities.
+  /// the maps B and Bᵀ between the body and contact quantities: B = (N; T1;
+  /// T2), with the scales of ContactFrame for ellipses of friction and
+  /// directions in which a node is held.
   ///
   /// The list is known to all ranks, in an order that does not depend on
   /// their number. Vectors over it are stored by blocks (normal; first
-  /// tangent; second tangent), each of length m = n_nodes(). Nodes of the
-  /// contact boundary whose displacement is prescribed are not contact nodes,
-  /// nor are hanging nodes, which follow from others. The contact force is one
-  /// number a node and direction, whatever the degree of the elements: λ_i
-  /// works on the displacement of node i alone, so that λ_i/A_i is a traction
-  /// and Σ A_i the area.
+  /// tangent; second tangent), each of length m = n_nodes(). Nodes of a
+  /// contact boundary whose displacement is prescribed, wholly or along the
+  /// normal, are not contact nodes, nor are those that face away from the
+  /// obstacle, nor hanging nodes, which follow from others. A node of several
+  /// contact boundaries is one of the first of them, with its area there alone.
+  ///
+  /// The contact force is one number a node and direction, whatever the degree
+  /// of the elements: λ_i works on the displacement of node i alone, so that
+  /// λ_i/A_i is a traction and Σ A_i the area.
   class ContactSurface
   {
   public:
     /// Collects the contact nodes. Collective.
     ///
-    /// Throws InputError if the contact boundary does not exist, is prescribed
-    /// itself, has no free node, or if a formula (gap, coefficient, slip
-    /// stress) cannot be read or has a value that is not allowed.
+    /// Throws InputError if a contact boundary does not exist, is prescribed
+    /// itself, has no node that can touch its obstacle, or if what is said of
+    /// it (obstacle, gap, coefficient, slip stress) cannot be read or has a
+    /// value that is not allowed.
     ContactSurface(const LinearElasticity &elasticity,
                    const Parameters &parameters);
+    ~ContactSurface();
 
     Eigen::Index
     n_nodes() const
@@ -71,10 +81,11 @@ namespace stiction
       return nodes_;
     }
 
-    FrictionLaw
-    law() const
+    /// The contact boundaries, in the order of the parameter file.
+    const std::vector<ContactBoundary> &
+    boundaries() const
     {
-      return law_;
+      return boundaries_;
     }
 
     /// Initial gaps d_i in m, length m.
@@ -91,19 +102,32 @@ namespace stiction
       return areas_;
     }
 
-    /// |Γc|: the area of the whole contact boundary, its clamped rim included.
+    /// |Γc|: the area of all contact boundaries, clamped rims included.
     double
     boundary_area() const
     {
       return boundary_area_;
     }
 
-    /// The boundary id of the contact boundary.
-    dealii::types::boundary_id
-    boundary_id() const
+    /// The contact boundary with this id; there must be one.
+    const ContactBoundary &
+    boundary(dealii::types::boundary_id id) const;
+
+    /// Whether a boundary of the mesh is a contact boundary.
+    bool
+    is_contact_boundary(dealii::types::boundary_id id) const;
+
+    /// Nodes left out because they face away from the obstacle.
+    std::size_t
+    n_facing_away() const
     {
-      return boundary_id_;
+      return facing_away_.size();
     }
+
+    /// How far the displacement u brings a node that faces away from the
+    /// obstacle into it, m, which nothing prevents. Collective.
+    double
+    penetration_of_facing_away(const LA::Vector &u) const;
 
     /// The contact node with this unknown as its first, -1 if there is none.
     Eigen::Index
@@ -116,7 +140,7 @@ namespace stiction
       return trace_;
     }
 
-    /// B u: (n·u; t1·u; t2·u), length 3m. Collective.
+    /// B u: (n·u; s1 t1·u; s2 t2·u), length 3m. Collective.
     Eigen::VectorXd
     apply_B(const LA::Vector &u) const;
 
@@ -126,21 +150,30 @@ namespace stiction
                     const Eigen::VectorXd &lambda,
                     LA::Vector &dst) const;
 
-    /// From components (x; y; z) to (n; t1; t2) at every node: the orthogonal
-    /// matrix R with B = R × restriction.
-    Eigen::VectorXd
-    to_local(const Eigen::VectorXd &v) const;
+    /// u += factor × the displacement of the contact nodes with B u = w, in the
+    /// directions that are not held. Collective.
+    void
+    add_displacement(double factor,
+                     const Eigen::VectorXd &w,
+                     LA::Vector &u) const;
 
-    /// Replaces a matrix of order 3m by R C Rᵀ, in one pass: C may be large.
+    /// Replaces a matrix of order 3m, of displacements (x; y; z) under forces
+    /// (x; y; z), by M C Mᵀ with the nodal matrices M of B, in one pass: C may
+    /// be large.
     void
     rotate_to_local(Eigen::MatrixXd &C) const;
 
-    /// The inverse of to_local(), Rᵀ v.
+    /// The forces Bᵀ λ at the contact nodes, by blocks (x; y; z).
     Eigen::VectorXd
-    to_cartesian(const Eigen::VectorXd &v) const;
+    force_to_cartesian(const Eigen::VectorXd &lambda) const;
+
+    /// 1 for each contact variable in whose direction the node is held, 0 for
+    /// the others.
+    Eigen::VectorXd
+    held() const;
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
-    /// F(x_i) max(λ_ν,i, 0) by the law. Unit: N.
+    /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
     const qp::SlipBound &
     slip_bound() const
     {
@@ -156,12 +189,21 @@ namespace stiction
     void
     collect_nodes(const LinearElasticity &elasticity);
 
+    /// Throws InputError with the reason unless every boundary has nodes.
     void
-    evaluate_data(const Parameters &parameters);
+    require_nodes(const Parameters &parameters,
+                  const std::string &reason) const;
 
-    dealii::types::boundary_id boundary_id_;
-    FrictionLaw law_;
-    std::vector<ContactNode> nodes_;
+    /// Normals and gaps, and out with the nodes that face away.
+    void
+    place_obstacles();
+
+    void
+    evaluate_data();
+
+    std::vector<ContactBoundary> boundaries_;
+    std::vector<ContactNode> nodes_, facing_away_;
+    Trace facing_away_trace_;
     Trace trace_;
     Eigen::VectorXd gaps_, areas_;
     qp::SlipBound slip_bound_;
@@ -170,12 +212,6 @@ namespace stiction
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_;
   };
 
-
-
-  /// The unit tangents that go with a unit normal: t1 the normalised
-  /// tangential part of e_x (of e_y if |n_x| > 0.9), t2 = t1 × n.
-  void
-  set_tangents(ContactNode &node);
 } // namespace stiction
 
 #endif

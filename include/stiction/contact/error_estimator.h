@@ -11,7 +11,6 @@ namespace stiction
 {
   class ContactSurface;
   class LinearElasticity;
-  class Parameters;
 
   /// A residual error estimator for the displacement of a contact problem, in
   /// the energy norm, cell by cell:
@@ -45,7 +44,6 @@ namespace stiction
   dealii::Vector<double>
   estimate_error(const LinearElasticity &elasticity,
                  const ContactSurface &surface,
-                 const Parameters &parameters,
                  const LA::Vector &u,
                  const Eigen::VectorXd &lambda);
 } // namespace stiction

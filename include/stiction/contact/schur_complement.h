@@ -16,6 +16,10 @@ namespace stiction
   /// h = B K⁻¹ f − (d; 0; 0): the condensation of the body to its contact
   /// nodes, by its definition. A product is an elastic solve: contact forces
   /// on the body, displacements of the contact nodes.
+  ///
+  /// In directions in which a node is held, the rows and columns of B are zero
+  /// and Q has a positive entry on its diagonal: it is definite, and λ = 0
+  /// there, whatever the entry.
   class SchurComplement : public DualOperator
   {
   public:
@@ -48,6 +52,7 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     StiffnessSolver &solver_;
+    const Eigen::VectorXd held_compliance_; ///< length 3m, 0 where not held
   };
 } // namespace stiction
 

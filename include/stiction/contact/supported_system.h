@@ -67,7 +67,7 @@ namespace stiction
       LA::Vector v;
       double square = 0.;           ///< v·v
       Eigen::VectorXd displacement; ///< B d
-      Eigen::VectorXd force;        ///< B K d
+      Eigen::VectorXd force;        ///< of K d, as contact_forces()
       Eigen::VectorXd contact_rows; ///< of v
       std::vector<double> reaction; ///< K d at prescribed unknowns
     };
@@ -82,7 +82,7 @@ namespace stiction
     void
     set_supports(const PrimalLinearization &linearization);
 
-    /// v = W v + S z at the contact nodes, given B v and B z.
+    /// W y + S w at the contact nodes.
     Eigen::VectorXd
     contact_rows(const PrimalLinearization &linearization,
                  const Eigen::VectorXd &force,

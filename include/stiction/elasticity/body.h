@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_body_h
 #define stiction_elasticity_body_h
 
-#include <stiction/elasticity/boundary_names.h>
+#include <stiction/elasticity/mesh_names.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria.h>
@@ -11,6 +11,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace stiction
@@ -28,8 +29,16 @@ namespace stiction
   class Body
   {
   public:
-    /// Makes the mesh and numbers the unknowns.
-    Body(const GeometryParameters &geometry, MPI_Comm communicator);
+    /// Makes the mesh and numbers the unknowns. Collective.
+    ///
+    /// @param check_size is told how many cells the mesh will have once they
+    ///   are known, before the cells are refined; it may throw.
+    ///
+    /// Throws InputError if the geometry cannot be made or its file not read,
+    /// see CoarseMesh.
+    Body(const GeometryParameters &geometry,
+         MPI_Comm communicator,
+         const std::function<void(double n_cells)> &check_size = {});
 
     /// Cuts cells into eight, and those that p4est's balance wants besides;
     /// moves cells between the ranks and numbers the unknowns anew. Whatever
@@ -134,15 +143,35 @@ namespace stiction
     }
 
     /// The boundaries of the mesh, with their names.
-    const BoundaryNames &
+    const MeshNames &
     boundary_names() const
     {
       return boundary_names_;
     }
 
+    /// The materials of the mesh, which are the material ids of its cells,
+    /// with their names. Bodies that are not read from a file have the
+    /// material 0 without a name.
+    const MeshNames &
+    material_names() const
+    {
+      return material_names_;
+    }
+
+    /// Gives all cells that came of a coarse cell the material id of the
+    /// centre of that coarse cell. Nothing changes if the function throws.
+    void
+    set_material_ids(
+      const std::function<dealii::types::material_id(const dealii::Point<3> &)>
+        &id_at);
+
   private:
     void
-    make_grid(const GeometryParameters &geometry);
+    make_grid(const GeometryParameters &geometry,
+              const std::function<void(double n_cells)> &check_size);
+
+    void
+    find_bounding_box();
 
     void
     distribute_dofs();
@@ -160,7 +189,8 @@ namespace stiction
     dealii::types::global_dof_index n_hanging_nodes_ = 0;
     std::vector<Node> nodes_;
     dealii::BoundingBox<3> bounding_box_;
-    BoundaryNames boundary_names_;
+    MeshNames boundary_names_;
+    MeshNames material_names_;
   };
 } // namespace stiction
 

@@ -17,17 +17,6 @@ namespace stiction
     bool mean_dilatation = false;
   };
 
-
-
-  /// The isotropic material of Lamé's λ and G = μ, in Pa.
-  inline CellMaterial
-  isotropic_material(const double lame_lambda, const double shear_modulus)
-  {
-    const auto unit = dealii::unit_symmetric_tensor<3>();
-    return {lame_lambda * dealii::outer_product(unit, unit) +
-              2. * shear_modulus * dealii::identity_tensor<3>(),
-            false};
-  }
 } // namespace stiction
 
 #endif

@@ -32,6 +32,9 @@ namespace stiction
 
     /// Lamé's λ and G = μ in Pa.
     double lame_lambda, shear_modulus;
+
+    /// What it is made of, for those who look the numbers up.
+    unsigned int material_id;
   };
 
   /// The stiffness matrix K of linear elasticity as a sum over its cells, which

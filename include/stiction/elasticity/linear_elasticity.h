@@ -3,17 +3,18 @@
 
 #include <stiction/elasticity/linear_algebra.h>
 
-#include <deal.II/base/tensor.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <memory>
-#include <string>
 
 namespace stiction
 {
   class Body;
+  class Loads;
+  class Materials;
   class MeshLevel;
   class Parameters;
+  class PrescribedDisplacement;
   template<typename Number>
   class StiffnessOperator;
 
@@ -33,8 +34,8 @@ namespace stiction
     /// Assembles the loads, and the stiffness matrix unless the solver chosen
     /// in the parameters works without one.
     ///
-    /// Throws InputError for boundary conditions that cannot be read, on
-    /// boundaries the mesh does not have, or that contradict each other.
+    /// Throws InputError for materials or boundary conditions that cannot be
+    /// read, that the mesh does not have, or that contradict each other.
     LinearElasticity(const Body &body, const Parameters &parameters);
     ~LinearElasticity();
 
@@ -44,16 +45,10 @@ namespace stiction
       return body_;
     }
 
-    /// Lamé's λ and G = μ in Pa.
-    double
-    lame_lambda() const
+    const Materials &
+    materials() const
     {
-      return lame_lambda_;
-    }
-    double
-    shear_modulus() const
-    {
-      return shear_modulus_;
+      return *materials_;
     }
 
     /// Whether the displacement of an owned unknown, or one of a neighbouring
@@ -100,7 +95,7 @@ namespace stiction
     const LA::Vector &
     constrained_load() const;
 
-    /// The nodal forces of the tractions, at constrained unknowns too. Unit:
+    /// The nodal forces of the loads, at constrained unknowns too. Unit:
     /// N.
     const LA::Vector &
     load() const;
@@ -126,6 +121,18 @@ namespace stiction
       return *stiffness_;
     }
 
+    /// Where the body is held, and what pulls at it.
+    const PrescribedDisplacement &
+    prescribed_displacement() const
+    {
+      return *prescribed_displacement_;
+    }
+    const Loads &
+    loads() const
+    {
+      return *loads_;
+    }
+
     /// Throws InputError, naming the free rigid-body motions, if the
     /// prescribed displacements do not hold the body.
     void
@@ -133,10 +140,7 @@ namespace stiction
 
   private:
     void
-    read_boundary_conditions(const Parameters &parameters);
-
-    void
-    assemble_load();
+    make_constraints();
 
     /// K, cell by cell or assembled.
     void
@@ -155,17 +159,14 @@ namespace stiction
     constrain_load();
 
     const Body &body_;
-    const double lame_lambda_, shear_modulus_;
-
-    struct BoundaryData;
-    std::unique_ptr<BoundaryData> boundary_;
-
+    std::unique_ptr<Materials> materials_;
+    std::unique_ptr<PrescribedDisplacement> prescribed_displacement_;
+    std::unique_ptr<Loads> loads_;
     dealii::AffineConstraints<double> constraints_;
     std::unique_ptr<MeshLevel> mesh_;
     std::unique_ptr<StiffnessOperator<double>> stiffness_;
     std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;
     std::unique_ptr<LA::Vector> constrained_load_, load_;
-    std::string support_location_;
   };
 } // namespace stiction
 

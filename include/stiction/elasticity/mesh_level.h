@@ -75,8 +75,9 @@ namespace stiction
     LA::VectorOf<Number>
     zero_vector() const;
 
-    /// Calls back with every cell this rank owns, for trilinear elements alone;
-    /// the material is not set.
+    /// Calls back with every cell this rank owns, for trilinear elements alone,
+    /// with its material id but without Lamé's numbers, see
+    /// Materials::assign().
     void
     for_each_cell(
       const std::function<void(const HexahedralCell &)> &callback) const;

@@ -9,22 +9,23 @@
 
 namespace stiction
 {
+  class Materials;
   class MeshLevel;
 
   /// The product with the stiffness matrix K of a level of the mesh without any
   /// boundary condition: cell by cell without a matrix, or, where cells are not
-  /// simple, with the assembled one. Unit: N/m.
+  /// simple, with the assembled one.
   template<typename Number>
   class StiffnessOperator
   {
   public:
     using Vector = LA::VectorOf<Number>;
 
-    /// @param lame_lambda, shear_modulus Lamé's numbers, Pa. The level must
-    ///   outlive the object.
+    /// @param unit of the entries of K, in N/m. The level must outlive the
+    ///   object.
     StiffnessOperator(const MeshLevel &level,
-                      double lame_lambda,
-                      double shear_modulus);
+                      const Materials &materials,
+                      double unit = 1.);
 
     /// @param matrix K of the mesh itself, in double precision alone. The level
     ///   must outlive the object.

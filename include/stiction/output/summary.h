@@ -43,7 +43,8 @@ namespace stiction
                  const NewtonMultigrid &newton);
 
   /// The sections "contact" and "energy", from a certificate. Forces in N,
-  /// moments in Nm, pressures in Pa, areas in m², energies in J.
+  /// moments in Nm, pressures in Pa, areas in m², energies in J. Several
+  /// contact boundaries have an entry each in "boundaries".
   nlohmann::json
   contact_to_json(const ContactSurface &surface,
                   const Certificate &certificate,

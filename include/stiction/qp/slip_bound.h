@@ -7,8 +7,9 @@ namespace stiction::qp
 {
   struct Scaling;
 
-  /// The slip bound g as a function of the contact forces: fixed (given
-  /// friction, and none with g = 0) or F λ_ν (Coulomb friction).
+  /// The slip bound as a function of the contact forces, node by node
+  /// g_i = c_i + F_i max(λ_ν,i, 0): fixed (given friction, and none with c = 0)
+  /// or by Coulomb's law. Different nodes may follow different laws.
   class SlipBound
   {
   public:
@@ -23,6 +24,10 @@ namespace stiction::qp
     static SlipBound
     coulomb(Eigen::VectorXd F);
 
+    /// Both, each at its own nodes: c_i ≥ 0 in N, F_i ≥ 0 without a unit.
+    static SlipBound
+    mixed(Eigen::VectorXd c, Eigen::VectorXd F);
+
     /// Whether the bound depends on the contact forces.
     bool
     is_coulomb() const
@@ -30,17 +35,36 @@ namespace stiction::qp
       return is_coulomb_;
     }
 
-    /// g with given friction, F with Coulomb's.
+    /// Whether neither law alone describes it.
+    bool
+    is_mixed() const
+    {
+      return is_coulomb_ && !constant_.isZero(0.);
+    }
+
+    /// The fixed part c, and the coefficients F.
+    const Eigen::VectorXd &
+    constant() const
+    {
+      return constant_;
+    }
+    const Eigen::VectorXd &
+    coefficient() const
+    {
+      return coefficient_;
+    }
+
+    /// g with given friction, F with Coulomb's; not for a mixed bound.
     const Eigen::VectorXd &
     data() const
     {
-      return data_;
+      return is_coulomb_ ? coefficient_ : constant_;
     }
 
     Eigen::Index
     n_nodes() const
     {
-      return data_.size();
+      return constant_.size();
     }
 
     /// The bound for contact forces (λ_ν; λ_t1; λ_t2); the first n_nodes()
@@ -49,9 +73,9 @@ namespace stiction::qp
     at(const Eigen::VectorXd &lambda) const;
 
   private:
-    SlipBound(Eigen::VectorXd data, bool is_coulomb);
+    SlipBound(Eigen::VectorXd c, Eigen::VectorXd F, bool is_coulomb);
 
-    Eigen::VectorXd data_;
+    Eigen::VectorXd constant_, coefficient_;
     bool is_coulomb_ = false;
   };
 

@@ -1,0 +1,22 @@
+#ifndef stiction_output_overview_h
+#define stiction_output_overview_h
+
+namespace stiction
+{
+  class ContactSurface;
+  class LinearElasticity;
+  class Log;
+  class Parameters;
+
+  /// Prints what a user wants to see before solving: the size of the body, its
+  /// materials, its boundaries with their names, areas, supports and load
+  /// resultants, the contact boundaries with their initial gaps, and the memory
+  /// that solving will take. Collective.
+  void
+  print_overview(Log &log,
+                 const LinearElasticity &elasticity,
+                 const ContactSurface &surface,
+                 const Parameters &parameters);
+} // namespace stiction
+
+#endif

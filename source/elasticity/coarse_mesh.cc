@@ -1,0 +1,269 @@
+#include <stiction/elasticity/coarse_mesh.h>
+#include <stiction/elasticity/mesh_file.h>
+#include <stiction/errors.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Vertices = std::array<Point<3>, 8>; // in deal.II's order
+
+    // deal.II's vertices, in lines along x, among those of MeshData, in turn
+    constexpr unsigned int in_turn[] = {0, 1, 3, 2, 4, 5, 7, 6};
+
+    double
+    determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
+    {
+      Tensor<2, 3> jacobian;
+      for (unsigned int v = 0; v < 8; ++v)
+        jacobian += outer_product(
+          Tensor<1, 3>(vertices[v]),
+          GeometryInfo<3>::d_linear_shape_function_gradient(unit_point, v));
+      return determinant(jacobian);
+    }
+
+    // Vertices show a cell that is folded before Gauss points do, which are
+    // what the stiffness needs.
+    bool
+    is_valid(const Vertices &vertices)
+    {
+      const double gauss = .5 - .5 / std::sqrt(3.);
+      double size        = 0.;
+      for (const Point<3> &vertex : vertices)
+        size = std::max(size, vertex.distance(vertices[0]));
+      for (const double inset : {0., gauss})
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            Point<3> p = GeometryInfo<3>::unit_cell_vertex(v);
+            for (unsigned int c = 0; c < 3; ++c)
+              p[c] = inset + (1. - 2. * inset) * p[c];
+            if (!(determinant_of_map(vertices, p) > 1e-14 * size * size * size))
+              return false;
+          }
+      return true;
+    }
+
+    // What an exception of many lines has to say, in one.
+    std::string
+    reason(const ExceptionBase &exception)
+    {
+      std::ostringstream out;
+      exception.print_info(out);
+      std::string text;
+      for (const char c : out.str())
+        if (c != '\n' && c != '\t' && c != ' ')
+          text += c;
+        else if (!text.empty() && text.back() != ' ')
+          text += ' ';
+      while (!text.empty() && (text.back() == ' ' || text.back() == '.'))
+        text.pop_back();
+      return text.substr(0, 200);
+    }
+
+    std::map<std::array<unsigned int, 4>, types::boundary_id>
+    ids_by_vertices(const MeshData &mesh)
+    {
+      std::map<std::array<unsigned int, 4>, types::boundary_id> ids;
+      for (MeshData::Face face : mesh.faces)
+        {
+          std::sort(face.vertices.begin(), face.vertices.end());
+          ids[face.vertices] = face.boundary;
+        }
+      return ids;
+    }
+  } // namespace
+
+
+
+  CoarseMesh::CoarseMesh(const GeometryParameters &geometry)
+    : triangulation_(Triangulation<3>::none, false)
+  {
+    std::map<std::string, MeshNames::Id> boundaries, materials;
+    try
+      {
+        if (geometry.type == "cylinder")
+          {
+            make_cylinder(geometry.radius, geometry.length);
+            boundaries = {{"side", 0}, {"bottom", 1}, {"top", 2}};
+          }
+        else if (geometry.type == "half ball")
+          {
+            make_half_ball(geometry.radius);
+            boundaries = {{"curved", 0}, {"flat", 1}};
+          }
+        else if (geometry.type == "generator")
+          generate(geometry);
+        else
+          {
+            const MeshData mesh =
+              read_mesh_file(geometry.mesh_file, geometry.location);
+            take(mesh);
+            boundaries = mesh.boundary_names;
+            materials  = mesh.material_names;
+          }
+      }
+    catch (const ExceptionBase &exception)
+      {
+        throw InputError(geometry.location +
+                         ", makes no mesh: " + reason(exception) + ".");
+      }
+    require_valid_cells(triangulation_, geometry.location);
+    set_names(boundaries, materials);
+  }
+
+
+
+  void
+  CoarseMesh::make_cylinder(const double radius, const double length)
+  {
+    // around the x axis, x from -length / 2; ids 0 hull, 1 left, 2 right
+    GridGenerator::subdivided_cylinder(
+      triangulation_,
+      static_cast<unsigned int>(std::max(1., std::round(length / radius))),
+      radius,
+      .5 * length);
+    GridTools::transform(
+      [&](const Point<3> &p) {
+        return Point<3>(p[1], p[2], p[0] + .5 * length);
+      },
+      triangulation_);
+    triangulation_.set_manifold(0, CylindricalManifold<3>(2));
+  }
+
+
+
+  void
+  CoarseMesh::make_half_ball(const double radius)
+  {
+    // the half x > 0; ids 0 curved, 1 flat
+    GridGenerator::half_hyper_ball(triangulation_, Point<3>(), radius);
+    GridTools::transform(
+      [&](const Point<3> &p) { return Point<3>(p[2], p[1], radius - p[0]); },
+      triangulation_);
+    triangulation_.set_manifold(0,
+                                SphericalManifold<3>(Point<3>(0., 0., radius)));
+  }
+
+
+
+  void
+  CoarseMesh::generate(const GeometryParameters &geometry)
+  {
+    Triangulation<3> generated(Triangulation<3>::none, false);
+    GridGenerator::generate_from_name_and_arguments(
+      generated, geometry.generator, geometry.generator_arguments);
+    if (generated.n_active_cells() == 0)
+      throw InputError(geometry.location + ", makes a mesh without cells.");
+    if (!generated.all_reference_cells_are_hyper_cube())
+      throw InputError(geometry.location + ", makes other cells than "
+                                           "hexahedra, must be a generator "
+                                           "of hexahedra.");
+    // what comes refined becomes a coarse mesh that every rank can share
+    GridGenerator::flatten_triangulation(generated, triangulation_);
+    for (const auto manifold : generated.get_manifold_ids())
+      if (manifold != numbers::flat_manifold_id)
+        triangulation_.set_manifold(manifold, generated.get_manifold(manifold));
+  }
+
+
+
+  void
+  CoarseMesh::take(const MeshData &mesh)
+  {
+    std::vector<Point<3>> points;
+    for (const auto &vertex : mesh.vertices)
+      points.emplace_back(vertex[0], vertex[1], vertex[2]);
+
+    std::vector<CellData<3>> cells;
+    for (const MeshData::Cell &from : mesh.cells)
+      {
+        CellData<3> cell;
+        Vertices vertices;
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            cell.vertices[v] = from.vertices[in_turn[v]];
+            vertices[v]      = points[cell.vertices[v]];
+          }
+        // some programs list the top first
+        if (determinant_of_map(vertices, Point<3>(.5, .5, .5)) < 0.)
+          for (unsigned int v = 0; v < 4; ++v)
+            std::swap(cell.vertices[v], cell.vertices[v + 4]);
+        cell.material_id = from.material;
+        cells.push_back(cell);
+      }
+    GridTools::consistently_order_cells(cells);
+    triangulation_.create_triangulation(points, cells, SubCellData());
+
+    const auto ids = ids_by_vertices(mesh);
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          {
+            std::array<unsigned int, 4> key;
+            for (unsigned int v = 0; v < 4; ++v)
+              key[v] = face->vertex_index(v);
+            std::sort(key.begin(), key.end());
+            const auto id = ids.find(key);
+            if (id != ids.end())
+              face->set_boundary_id(id->second);
+          }
+  }
+
+
+
+  void
+  CoarseMesh::set_names(const std::map<std::string, MeshNames::Id> &boundaries,
+                        const std::map<std::string, MeshNames::Id> &materials)
+  {
+    std::set<MeshNames::Id> boundary_ids, material_ids;
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      {
+        material_ids.insert(cell->material_id());
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            boundary_ids.insert(face->boundary_id());
+      }
+    boundary_names_ = MeshNames("boundary", boundary_ids, boundaries);
+    material_names_ = MeshNames("material", material_ids, materials);
+  }
+
+
+
+  void
+  require_valid_cells(const Triangulation<3> &triangulation,
+                      const std::string &location)
+  {
+    for (const auto &cell : triangulation.cell_iterators())
+      {
+        if (cell->level_subdomain_id() == numbers::artificial_subdomain_id)
+          continue;
+        Vertices vertices;
+        for (unsigned int v = 0; v < 8; ++v)
+          vertices[v] = cell->vertex(v);
+        if (is_valid(vertices))
+          continue;
+        std::ostringstream message;
+        message << location << ", ";
+        if (cell->level() == 0)
+          message << "cell " << cell->index() + 1;
+        else
+          message << "a refined cell";
+        message << " with its centre at (" << cell->center()
+                << ") is inverted or degenerate, its corners must make a "
+                   "hexahedron that is not folded.";
+        throw InputError(message.str());
+      }
+  }
+} // namespace stiction

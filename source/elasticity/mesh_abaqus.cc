@@ -1,0 +1,371 @@
+#include "mesh_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
+
+namespace stiction
+{
+  namespace
+  {
+    std::string
+    trim(const std::string &text)
+    {
+      const std::size_t first = text.find_first_not_of(" \t\r");
+      return first == std::string::npos
+               ? ""
+               : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    }
+
+    std::string
+    upper(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+        return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      });
+      return text;
+    }
+
+    bool
+    begins_with_any(const std::string &text,
+                    const std::vector<std::string> &beginnings)
+    {
+      return std::any_of(beginnings.begin(),
+                         beginnings.end(),
+                         [&](const std::string &beginning) {
+                           return text.rfind(beginning, 0) == 0;
+                         });
+    }
+
+    std::vector<std::string>
+    split(const std::string &line)
+    {
+      std::vector<std::string> items;
+      std::istringstream in(line);
+      std::string item;
+      while (std::getline(in, item, ','))
+        items.push_back(trim(item));
+      return items;
+    }
+
+    // What it takes from an input file: *NODE, *ELEMENT, *ELSET, *SURFACE and
+    // *SOLID SECTION; other keywords are passed over. Words are not case
+    // sensitive; names appear as they are written first.
+    class AbaqusReader
+    {
+    public:
+      explicit AbaqusReader(MeshText &text)
+        : text_(text)
+      {
+      }
+
+      MeshData
+      read()
+      {
+        std::string line;
+        while (text_.next_line(line))
+          {
+            if (line.empty() || line.rfind("**", 0) == 0)
+              continue;
+            if (line[0] == '*')
+              read_keyword(line);
+            else if (keyword_.empty())
+              text_.refuse("is not an Abaqus input file, which begins with a "
+                           "keyword such as '*HEADING'");
+            else
+              read_data(line);
+          }
+        end_of_data();
+        if (mesh_.other_elements.empty())
+          {
+            name_surfaces();
+            name_materials();
+          }
+        return std::move(mesh_);
+      }
+
+    private:
+      void
+      read_keyword(const std::string &line)
+      {
+        end_of_data();
+        keyword_ = "";
+        options_.clear();
+        for (const std::string &item : split(line))
+          if (keyword_.empty())
+            keyword_ = upper(item);
+          else
+            {
+              const std::size_t equals = item.find('=');
+              std::string value        = equals == std::string::npos
+                                           ? ""
+                                           : trim(item.substr(equals + 1));
+              if (value.size() > 1 && value.front() == '"' &&
+                  value.back() == '"')
+                value = value.substr(1, value.size() - 2);
+              options_[upper(trim(item.substr(0, equals)))] = value;
+            }
+        if (keyword_ == "*SURFACE")
+          {
+            const std::string type = upper(options_["TYPE"]);
+            if (!type.empty() && type != "ELEMENT")
+              keyword_ = "*IGNORED";
+            else
+              surfaces_.push_back({options_["NAME"], {}});
+          }
+        else if (keyword_ == "*SOLID SECTION")
+          sections_.push_back({options_["ELSET"], options_["MATERIAL"]});
+        else if (keyword_ == "*INCLUDE" ||
+                 (keyword_ == "*NODE" && options_.count("INPUT") != 0) ||
+                 (keyword_ == "*ELEMENT" && options_.count("INPUT") != 0))
+          text_.refuse("another file is included, must be one file");
+      }
+
+      void
+      read_data(const std::string &line)
+      {
+        // an element may go on after a ',' at the end of a line
+        if (keyword_ == "*ELEMENT")
+          {
+            unfinished_ += line;
+            if (line.back() == ',')
+              return;
+            read_element(split(unfinished_));
+            unfinished_.clear();
+            return;
+          }
+        const std::vector<std::string> items = split(line);
+        if (keyword_ == "*NODE")
+          read_node(items);
+        else if (keyword_ == "*ELSET")
+          read_set(items);
+        else if (keyword_ == "*SURFACE")
+          {
+            if (items.size() != 2)
+              text_.refuse("'" + line.substr(0, 40) +
+                           "' is no part of a surface, must be an element or "
+                           "a set and a face from S1 to S6");
+            surfaces_.back().parts.push_back({items[0], face_number(items[1])});
+          }
+        else if (keyword_ == "*INSTANCE")
+          text_.refuse("the instance is moved, must stand where its part does");
+      }
+
+      void
+      end_of_data()
+      {
+        if (!unfinished_.empty())
+          text_.refuse("an element is not complete before this line");
+      }
+
+      void
+      read_node(const std::vector<std::string> &items)
+      {
+        if (items.size() < 4)
+          text_.refuse("a node with its number and three coordinates should "
+                       "stand here");
+        std::array<double, 3> position;
+        for (unsigned int c = 0; c < 3; ++c)
+          position[c] = text_.to_real(items[c + 1]);
+        nodes_.add(text_.to_integer(items[0]), position, mesh_, text_);
+      }
+
+      void
+      read_element(const std::vector<std::string> &items)
+      {
+        const std::string type = upper(options_["TYPE"]);
+        if (type == "C3D8" ||
+            begins_with_any(type, {"C3D8R", "C3D8I", "C3D8H"}))
+          {
+            if (items.size() != 9)
+              text_.refuse("a hexahedron with its number and eight nodes "
+                           "should stand here");
+            MeshData::Cell cell;
+            for (unsigned int v = 0; v < 8; ++v)
+              cell.vertices[v] =
+                nodes_.vertex(text_.to_integer(items[v + 1]), text_);
+            cell.material             = 0;
+            const std::int64_t number = text_.to_integer(items[0]);
+            if (!cells_.emplace(number, mesh_.cells.size()).second)
+              text_.refuse("element " + items[0] +
+                           " stands twice, must stand once");
+            mesh_.cells.push_back(cell);
+            add_to_set(options_["ELSET"], number);
+            if (!options_["ELSET"].empty())
+              element_sets_.insert(upper(options_["ELSET"]));
+          }
+        else if (begins_with_any(type, {"C3D4", "C3D10"}))
+          ++mesh_.other_elements["tetrahedra"];
+        else if (begins_with_any(type, {"C3D6", "C3D15", "SC6"}))
+          ++mesh_.other_elements["wedges"];
+        else if (begins_with_any(type, {"C3D5", "C3D13"}))
+          ++mesh_.other_elements["pyramids"];
+        else if (begins_with_any(type, {"C3D"}))
+          text_.refuse("has elements of type " + type +
+                       ", must be linear hexahedra (C3D8)");
+        else if (begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
+          return; // no part of a body, written for its edges
+        else
+          ++mesh_.other_elements["elements of type " + type];
+      }
+
+      void
+      add_to_set(const std::string &set, const std::int64_t element)
+      {
+        if (set.empty())
+          return;
+        names_.emplace(upper(set), set);
+        sets_[upper(set)].push_back(element);
+      }
+
+      void
+      read_set(const std::vector<std::string> &items)
+      {
+        const std::string &set = options_["ELSET"];
+        if (set.empty())
+          text_.refuse("a set without a name, must be '*ELSET, ELSET=name'");
+        if (options_.count("GENERATE") != 0)
+          {
+            if (items.size() < 2)
+              text_.refuse("the first and the last element should stand here");
+            const std::int64_t first = text_.to_integer(items[0]);
+            const std::int64_t last  = text_.to_integer(items[1]);
+            const std::int64_t step  = items.size() > 2 && !items[2].empty()
+                                         ? text_.to_integer(items[2])
+                                         : 1;
+            if (step < 1 || last - first > 1000000000)
+              text_.refuse("the elements from " + items[0] + " to " + items[1] +
+                           " in steps of " + std::to_string(step) +
+                           " are no set");
+            for (std::int64_t e = first; e <= last; e += step)
+              add_to_set(set, e);
+            return;
+          }
+        for (const std::string &item : items)
+          if (item.empty())
+            continue;
+          else if (sets_.count(upper(item)) != 0)
+            for (const std::int64_t e :
+                 std::vector<std::int64_t>(sets_.at(upper(item))))
+              add_to_set(set, e);
+          else
+            add_to_set(set, text_.to_integer(item));
+      }
+
+      unsigned int
+      face_number(const std::string &face) const
+      {
+        if (face.size() != 2 || (face[0] != 'S' && face[0] != 's') ||
+            face[1] < '1' || face[1] > '6')
+          text_.refuse("'" + face.substr(0, 40) +
+                       "' is no face of a hexahedron, must be from S1 to S6");
+        return static_cast<unsigned int>(face[1] - '1');
+      }
+
+      void
+      name_surfaces()
+      {
+        // the faces S1 to S6 in Abaqus' manual
+        static const unsigned int face_vertices[6][4] = {{0, 1, 2, 3},
+                                                         {4, 7, 6, 5},
+                                                         {0, 4, 5, 1},
+                                                         {1, 5, 6, 2},
+                                                         {2, 6, 7, 3},
+                                                         {3, 7, 4, 0}};
+        unsigned int id                               = 0;
+        for (const Surface &surface : surfaces_)
+          {
+            add_name(surface.name, ++id, mesh_.boundary_names, text_);
+            for (const auto &part : surface.parts)
+              for (const std::int64_t element : elements(part.first))
+                {
+                  MeshData::Face face;
+                  for (unsigned int v = 0; v < 4; ++v)
+                    face.vertices[v] =
+                      mesh_.cells[cell(element)]
+                        .vertices[face_vertices[part.second][v]];
+                  face.boundary = id;
+                  mesh_.faces.push_back(face);
+                }
+          }
+      }
+
+      void
+      name_materials()
+      {
+        if (sections_.empty())
+          for (const std::string &set : element_sets_)
+            sections_.push_back({set, names_.at(set)});
+        unsigned int last = 0;
+        std::map<std::string, unsigned int> ids;
+        for (const auto &section : sections_)
+          {
+            const auto id = ids.emplace(upper(section.second), last + 1);
+            if (id.second)
+              add_name(section.second, ++last, mesh_.material_names, text_);
+            for (const std::int64_t element : elements(section.first))
+              {
+                unsigned int &material = mesh_.cells[cell(element)].material;
+                if (material != 0 && material != id.first->second)
+                  text_.refuse("element " + std::to_string(element) +
+                               " has two materials, must have one");
+                material = id.first->second;
+              }
+          }
+      }
+
+      // Of a set, or the one with the number.
+      std::vector<std::int64_t>
+      elements(const std::string &what) const
+      {
+        const auto set = sets_.find(upper(what));
+        if (set != sets_.end())
+          return set->second;
+        if (what.empty() ||
+            what.find_first_not_of("0123456789") != std::string::npos)
+          text_.refuse("there is no set of elements '" + what.substr(0, 40) +
+                       "'");
+        return {text_.to_integer(what)};
+      }
+
+      std::size_t
+      cell(const std::int64_t element) const
+      {
+        const auto found = cells_.find(element);
+        if (found == cells_.end())
+          text_.refuse("there is no hexahedron " + std::to_string(element));
+        return found->second;
+      }
+
+      struct Surface
+      {
+        std::string name;
+        // elements or sets, and the face of each
+        std::vector<std::pair<std::string, unsigned int>> parts;
+      };
+
+      MeshText &text_;
+      MeshData mesh_;
+      NodeNumbers nodes_;
+      std::unordered_map<std::int64_t, std::size_t> cells_;
+
+      std::string keyword_, unfinished_;
+      std::map<std::string, std::string> options_;
+
+      std::vector<Surface> surfaces_;
+      std::vector<std::pair<std::string, std::string>> sections_;
+      std::map<std::string, std::vector<std::int64_t>> sets_;
+      std::map<std::string, std::string> names_; // of sets, as written
+      std::set<std::string> element_sets_;       // those of *ELEMENT
+    };
+  } // namespace
+
+
+
+  MeshData
+  read_abaqus(MeshText &text)
+  {
+    return AbaqusReader(text).read();
+  }
+} // namespace stiction

@@ -1,0 +1,267 @@
+#include "mesh_text.h"
+
+#include <set>
+
+namespace stiction
+{
+  namespace
+  {
+    // Sections of the formats 2.2 and 4.1 (Gmsh's manual, "File formats").
+    class GmshReader
+    {
+    public:
+      explicit GmshReader(MeshText &text)
+        : text_(text)
+      {
+      }
+
+      MeshData
+      read()
+      {
+        std::string line;
+        while (text_.next_line(line))
+          if (!line.empty())
+            read_section(line);
+        if (!has_format_)
+          text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
+        return std::move(mesh_);
+      }
+
+    private:
+      void
+      read_section(const std::string &name)
+      {
+        if (!has_format_ && name != "$MeshFormat")
+          text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
+        if (name == "$MeshFormat")
+          read_format();
+        else if (name == "$PhysicalNames")
+          read_physical_names();
+        else if (name == "$Entities")
+          read_entities();
+        else if (name == "$Nodes")
+          is_4_ ? read_nodes_4() : read_nodes_2();
+        else if (name == "$Elements")
+          is_4_ ? read_elements_4() : read_elements_2();
+        else if (name[0] != '$')
+          text_.refuse("'" + name.substr(0, 40) +
+                       "' stands where a section should begin");
+
+        // sections that are known are at their end now, others are passed over
+        const std::string end = "$End" + name.substr(1);
+        std::string line      = text_.rest_of_line();
+        while (line != end)
+          if (!text_.next_line(line))
+            text_.refuse("section '" + name + "' has no end");
+      }
+
+      void
+      read_format()
+      {
+        const std::string version = text_.word();
+        if (version != "2.2" && version != "4.1")
+          text_.refuse("is a Gmsh file of version " + version.substr(0, 40) +
+                       ", must be of version 2.2 or 4.1, 'gmsh -format msh41' "
+                       "writes it");
+        if (text_.word() != "0")
+          text_.refuse("is a binary file, must be text, 'gmsh -bin 0' writes "
+                       "it");
+        text_.rest_of_line();
+        is_4_       = version == "4.1";
+        has_format_ = true;
+      }
+
+      void
+      read_physical_names()
+      {
+        for (std::uint64_t n = text_.count(); n > 0; --n)
+          {
+            const std::int64_t dimension = text_.integer();
+            const std::int64_t number    = text_.integer();
+            std::string name             = text_.rest_of_line();
+            if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+              text_.refuse("a name in '\"' should stand here");
+            name = name.substr(1, name.size() - 2);
+            if (dimension < 2)
+              continue;
+            if (number == 0)
+              text_.refuse("the physical group '" + name +
+                           "' has the number 0, which is that of parts in no "
+                           "group, must be a number > 0");
+            add_name(name,
+                     to_id(number, text_),
+                     dimension == 2 ? mesh_.boundary_names
+                                    : mesh_.material_names,
+                     text_);
+          }
+      }
+
+      void
+      read_entities()
+      {
+        std::array<std::uint64_t, 4> n;
+        for (auto &count : n)
+          count = text_.count();
+        for (int dimension = 0; dimension < 4; ++dimension)
+          for (std::uint64_t i = 0; i < n[dimension]; ++i)
+            {
+              const std::int64_t entity = text_.integer();
+              // where it is: a point, or the corners of a box
+              for (int c = 0; c < (dimension == 0 ? 3 : 6); ++c)
+                text_.real();
+              const std::uint64_t n_groups = text_.count();
+              std::set<std::int64_t> groups;
+              for (std::uint64_t g = 0; g < n_groups; ++g)
+                groups.insert(std::abs(text_.integer()));
+              if (dimension > 0)
+                for (std::uint64_t b = text_.count(); b > 0; --b)
+                  text_.integer();
+              if (dimension >= 2 && groups.size() > 1)
+                text_.refuse(
+                  std::string(dimension == 2 ? "surface " : "volume ") +
+                  std::to_string(entity) +
+                  " is in two physical groups, must be in one at most");
+              if (!groups.empty())
+                group_of_[dimension][entity] = *groups.begin();
+            }
+      }
+
+      void
+      read_node(const std::int64_t number)
+      {
+        std::array<double, 3> position;
+        for (double &x : position)
+          x = text_.real();
+        nodes_.add(number, position, mesh_, text_);
+      }
+
+      void
+      read_nodes_2()
+      {
+        for (std::uint64_t n = text_.count(); n > 0; --n)
+          read_node(text_.integer());
+      }
+
+      void
+      read_nodes_4()
+      {
+        std::uint64_t n_blocks = text_.count();
+        for (int i = 0; i < 3; ++i)
+          text_.count(); // how many, smallest and largest number
+        for (; n_blocks > 0; --n_blocks)
+          {
+            const std::uint64_t dimension = text_.count();
+            text_.integer(); // the entity
+            const bool is_parametric = text_.integer() != 0;
+            const std::uint64_t n    = text_.count();
+            std::vector<std::int64_t> numbers;
+            for (std::uint64_t i = 0; i < n; ++i)
+              numbers.push_back(text_.integer());
+            for (const std::int64_t number : numbers)
+              {
+                read_node(number);
+                for (std::uint64_t c = 0; is_parametric && c < dimension; ++c)
+                  text_.real();
+              }
+          }
+      }
+
+      void
+      read_elements_2()
+      {
+        for (std::uint64_t n = text_.count(); n > 0; --n)
+          {
+            text_.integer(); // its number
+            const std::int64_t type    = text_.integer();
+            std::int64_t group         = 0;
+            const std::uint64_t n_tags = text_.count();
+            for (std::uint64_t t = 0; t < n_tags; ++t)
+              {
+                const std::int64_t tag = text_.integer();
+                if (t == 0)
+                  group = std::abs(tag);
+              }
+            read_element(type, group);
+          }
+      }
+
+      void
+      read_elements_4()
+      {
+        std::uint64_t n_blocks = text_.count();
+        for (int i = 0; i < 3; ++i)
+          text_.count();
+        for (; n_blocks > 0; --n_blocks)
+          {
+            const std::uint64_t dimension = text_.count();
+            const std::int64_t entity     = text_.integer();
+            const std::int64_t type       = text_.integer();
+            std::int64_t group            = 0;
+            if (dimension < 4 && group_of_[dimension].count(entity) != 0)
+              group = group_of_[dimension].at(entity);
+            for (std::uint64_t n = text_.count(); n > 0; --n)
+              {
+                text_.integer();
+                read_element(type, group);
+              }
+          }
+      }
+
+      void
+      read_element(const std::int64_t type, const std::int64_t group)
+      {
+        // of first order, as the manual numbers them
+        static const std::map<std::int64_t, std::pair<int, const char *>>
+          others = {{15, {1, ""}},
+                    {1, {2, ""}},
+                    {2, {3, "triangles"}},
+                    {4, {4, "tetrahedra"}},
+                    {6, {6, "wedges"}},
+                    {7, {5, "pyramids"}}};
+        if (type == 5)
+          {
+            MeshData::Cell cell;
+            for (unsigned int &v : cell.vertices)
+              v = nodes_.vertex(text_.integer(), text_);
+            cell.material = to_id(group, text_);
+            mesh_.cells.push_back(cell);
+          }
+        else if (type == 3)
+          {
+            MeshData::Face face;
+            for (unsigned int &v : face.vertices)
+              v = nodes_.vertex(text_.integer(), text_);
+            face.boundary = to_id(group, text_);
+            mesh_.faces.push_back(face);
+          }
+        else if (others.count(type) != 0)
+          {
+            for (int i = 0; i < others.at(type).first; ++i)
+              text_.integer();
+            const std::string name = others.at(type).second;
+            if (!name.empty())
+              ++mesh_.other_elements[name];
+          }
+        else
+          text_.refuse("has elements of Gmsh's type " + std::to_string(type) +
+                       ", must be linear hexahedra, 'gmsh -order 1' writes "
+                       "elements of first order");
+      }
+
+      MeshText &text_;
+      MeshData mesh_;
+      NodeNumbers nodes_;
+      std::array<std::map<std::int64_t, std::int64_t>, 4> group_of_;
+      bool has_format_ = false;
+      bool is_4_       = false;
+    };
+  } // namespace
+
+
+
+  MeshData
+  read_gmsh(MeshText &text)
+  {
+    return GmshReader(text).read();
+  }
+} // namespace stiction

@@ -1,0 +1,218 @@
+#include "mesh_text.h"
+
+#include <stiction/errors.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    constexpr const char *spaces = " \t\r\n\f\v";
+
+    std::string
+    trim(const std::string &text)
+    {
+      const std::size_t first = text.find_first_not_of(spaces);
+      return first == std::string::npos
+               ? ""
+               : text.substr(first, text.find_last_not_of(spaces) - first + 1);
+    }
+  } // namespace
+
+
+
+  MeshText::MeshText(const std::string &file, std::string location)
+    : in_(file)
+    , location_(std::move(location))
+  {
+    // a directory opens, but cannot be read
+    if (!in_ || (in_.peek(), in_.bad()))
+      throw InputError(location_ +
+                       ", cannot be read, must be the path of a mesh file.");
+    if (in_.eof())
+      throw InputError(location_ + ", is empty, must be a mesh file.");
+  }
+
+
+
+  bool
+  MeshText::read_line()
+  {
+    line_.clear();
+    position_ = 0;
+    if (!std::getline(in_, line_))
+      return false;
+    ++number_;
+    return true;
+  }
+
+
+
+  bool
+  MeshText::next_line(std::string &line)
+  {
+    if (!read_line())
+      return false;
+    line = rest_of_line();
+    return true;
+  }
+
+
+
+  std::string
+  MeshText::rest_of_line()
+  {
+    const std::string rest = trim(line_.substr(position_));
+    position_              = line_.size();
+    return rest;
+  }
+
+
+
+  std::string
+  MeshText::word()
+  {
+    std::size_t first = line_.find_first_not_of(spaces, position_);
+    while (first == std::string::npos)
+      {
+        if (!read_line())
+          refuse("the file ends too early");
+        first = line_.find_first_not_of(spaces);
+      }
+    position_ = std::min(line_.find_first_of(spaces, first), line_.size());
+    return line_.substr(first, position_ - first);
+  }
+
+
+
+  std::int64_t
+  MeshText::integer()
+  {
+    return to_integer(word());
+  }
+
+
+
+  std::uint64_t
+  MeshText::count()
+  {
+    const std::int64_t value = integer();
+    if (value < 0)
+      refuse("'" + std::to_string(value) +
+             "' stands where a number >= 0 should");
+    return static_cast<std::uint64_t>(value);
+  }
+
+
+
+  double
+  MeshText::real()
+  {
+    return to_real(word());
+  }
+
+
+
+  std::int64_t
+  MeshText::to_integer(const std::string &word) const
+  {
+    std::int64_t value = 0;
+    const char *end    = word.data() + word.size();
+    const auto result  = std::from_chars(word.data(), end, value);
+    if (result.ec != std::errc() || result.ptr != end)
+      refuse("'" + word.substr(0, 40) + "' stands where a whole number should");
+    return value;
+  }
+
+
+
+  double
+  MeshText::to_real(const std::string &word) const
+  {
+    char *end          = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (word.empty() || *end != '\0' || !(std::abs(value) <= 1e30))
+      refuse("'" + word.substr(0, 40) + "' stands where a number should");
+    return value;
+  }
+
+
+
+  void
+  MeshText::refuse(const std::string &reason) const
+  {
+    throw InputError(location_ + ", line " + std::to_string(number_) + ": " +
+                     reason + ".");
+  }
+
+
+
+  void
+  NodeNumbers::add(const std::int64_t number,
+                   const std::array<double, 3> &position,
+                   MeshData &mesh,
+                   const MeshText &text)
+  {
+    const auto index = static_cast<unsigned int>(mesh.vertices.size());
+    if (!vertices_.emplace(number, index).second)
+      text.refuse("node " + std::to_string(number) +
+                  " stands twice, must stand once");
+    mesh.vertices.push_back(position);
+  }
+
+
+
+  unsigned int
+  NodeNumbers::vertex(const std::int64_t number, const MeshText &text) const
+  {
+    const auto found = vertices_.find(number);
+    if (found == vertices_.end())
+      text.refuse("there is no node " + std::to_string(number));
+    return found->second;
+  }
+
+
+
+  unsigned int
+  to_id(const std::int64_t number, const MeshText &text)
+  {
+    if (number < 0 || number > 999999999)
+      text.refuse("'" + std::to_string(number) +
+                  "' is no number for a boundary or a material, must be from "
+                  "0 to 999999999");
+    return static_cast<unsigned int>(number);
+  }
+
+
+
+  void
+  add_name(const std::string &name,
+           const unsigned int id,
+           std::map<std::string, unsigned int> &names,
+           const MeshText &text)
+  {
+    if (name.empty() || name.find_first_of(":|;#") != std::string::npos ||
+        trim(name) != name ||
+        std::any_of(name.begin(), name.end(), [](const unsigned char c) {
+          return std::iscntrl(c) != 0;
+        }))
+      text.refuse("'" + name +
+                  "' is no name that a parameter file could use, must be a "
+                  "word or words without ':', '|', ';' and '#'");
+    if (name.find_first_not_of("0123456789") == std::string::npos &&
+        name != std::to_string(id))
+      text.refuse("'" + name + "' is the name of number " + std::to_string(id) +
+                  ", must not be another number");
+    const auto known = names.emplace(name, id);
+    if (known.first->second != id)
+      text.refuse("'" + name + "' is the name of number " +
+                  std::to_string(known.first->second) +
+                  " already, must be that of one");
+  }
+} // namespace stiction

@@ -1,0 +1,259 @@
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/prescribed_displacement.h>
+#include <stiction/elasticity/rigid_body_modes.h>
+#include <stiction/errors.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/numerics/vector_tools_boundary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Where an unknown of a cell near this rank is, and along which axis.
+    std::string
+    place_of(const Body &body, const types::global_dof_index dof)
+    {
+      const FiniteElement<3> &fe = body.dof_handler().get_fe();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        if (!cell->is_artificial())
+          {
+            cell->get_dof_indices(indices);
+            const auto i =
+              std::find(indices.begin(), indices.end(), dof) - indices.begin();
+            if (i == static_cast<std::ptrdiff_t>(indices.size()))
+              continue;
+            std::ostringstream place;
+            place << "along "
+                  << "xyz"[fe.system_to_component_index(i).first] << " at ("
+                  << body.mapping().transform_unit_to_real_cell(
+                       cell, fe.unit_support_point(i))
+                  << ")";
+            return place.str();
+          }
+      return "";
+    }
+  } // namespace
+
+
+
+  PrescribedDisplacement::PrescribedDisplacement(const Body &body,
+                                                 const Parameters &parameters)
+    : body_(body)
+    , location_(
+        parameters.source.locate("Boundary conditions/Prescribed displacement"))
+    , functions_(
+        parse_boundary_functions(parameters.boundary.prescribed_displacement,
+                                 location_,
+                                 body.boundary_names(),
+                                 3,
+                                 true,
+                                 parameters.boundary.time))
+    , points_location_(
+        parameters.source.locate("Boundary conditions/Prescribed points"))
+  {
+    const std::string &text = parameters.boundary.prescribed_points;
+    if (Utilities::trim(text).empty())
+      return;
+    for (const std::string &part : split_at_bars(text))
+      {
+        const std::size_t colon = part.find(':');
+        if (colon == std::string::npos)
+          throw InputError(points_location_ + " = " + text +
+                           ", must read 'x; y; z : ux; uy; uz', several "
+                           "separated by '|'.");
+        const std::string place = Utilities::trim(part.substr(0, colon));
+        const ParsedFunction position(place, 3, points_location_);
+        PrescribedPoint point;
+        for (unsigned int c = 0; c < 3; ++c)
+          point.position[c] = position.value(Point<3>(), c);
+        point.displacement = parse_components(part.substr(colon + 1),
+                                              points_location_,
+                                              "the point (" + place + ")",
+                                              parameters.boundary.time);
+        points_.push_back(std::move(point));
+      }
+  }
+
+
+
+  std::string
+  PrescribedDisplacement::components(const types::boundary_id boundary) const
+  {
+    std::string text;
+    const auto condition = functions_.find(boundary);
+    for (unsigned int c = 0; c < 3 && condition != functions_.end(); ++c)
+      if (condition->second.components[c])
+        text += "xyz"[c];
+    return text;
+  }
+
+
+
+  bool
+  PrescribedDisplacement::holds_completely(
+    const types::boundary_id boundary) const
+  {
+    const auto condition = functions_.find(boundary);
+    return condition != functions_.end() &&
+           condition->second.components.n_selected_components() == 3;
+  }
+
+
+
+  void
+  PrescribedDisplacement::add_to(AffineConstraints<double> &constraints) const
+  {
+    // Cells of other ranks around the own ones are looked at, too, so that a
+    // rank sees all boundaries around its nodes.
+    std::map<types::boundary_id, std::map<types::global_dof_index, double>>
+      values;
+    double largest = 0.;
+    together(body_.communicator(), [&]() {
+      for (const auto &condition : functions_)
+        {
+          auto &here = values[condition.first];
+          VectorTools::interpolate_boundary_values(body_.mapping(),
+                                                   body_.dof_handler(),
+                                                   condition.first,
+                                                   *condition.second.function,
+                                                   here,
+                                                   condition.second.components);
+          for (const auto &value : here)
+            largest = std::max(largest, std::abs(value.second));
+        }
+    });
+    largest = Utilities::MPI::max(largest, body_.communicator());
+
+    // rounding of formulas that mean the same
+    const double tolerance = 1e-10 * largest;
+    std::map<types::global_dof_index, types::boundary_id> first;
+    together(body_.communicator(), [&]() {
+      for (const auto &boundary : values)
+        for (const auto &value : boundary.second)
+          {
+            const types::boundary_id other =
+              first.emplace(value.first, boundary.first).first->second;
+            const double of_other = values.at(other).at(value.first);
+            if (std::abs(value.second - of_other) <= tolerance)
+              continue;
+            std::ostringstream message;
+            message << location_ << ": boundary "
+                    << body_.boundary_names().describe(other) << " prescribes "
+                    << of_other << " and boundary "
+                    << body_.boundary_names().describe(boundary.first) << " "
+                    << value.second << " " << place_of(body_, value.first)
+                    << ", must be the same where they meet or 'free' on one of "
+                       "them.";
+            throw InputError(message.str());
+          }
+    });
+
+    for (const auto &dof : first)
+      if (constraints.can_store_line(dof.first) &&
+          !constraints.is_constrained(dof.first))
+        {
+          constraints.add_line(dof.first);
+          constraints.set_inhomogeneity(dof.first,
+                                        values.at(dof.second).at(dof.first));
+        }
+    add_points_to(constraints);
+  }
+
+
+
+  void
+  PrescribedDisplacement::add_points_to(
+    AffineConstraints<double> &constraints) const
+  {
+    const auto corners = body_.bounding_box().get_boundary_points();
+    const double near  = 1e-6 * corners.first.distance(corners.second);
+    for (const PrescribedPoint &point : points_)
+      {
+        double distance             = std::numeric_limits<double>::max();
+        types::global_dof_index dof = 0;
+        Point<3> nearest;
+        for (const Body::Node &node : body_.locally_owned_nodes())
+          if (node.position.distance(point.position) < distance)
+            {
+              distance = node.position.distance(point.position);
+              dof      = node.dofs[0];
+              nearest  = node.position;
+            }
+        const double least =
+          Utilities::MPI::min(distance, body_.communicator());
+        const bool is_here = distance == least;
+        std::ostringstream message;
+        message << points_location_ << ": ";
+        together(body_.communicator(), [&]() {
+          if (!is_here || least <= near)
+            return;
+          message << "there is no node at (" << point.position
+                  << "), the nearest one is at (" << nearest
+                  << "), which must be given.";
+          throw InputError(message.str());
+        });
+        // what is nearest is one node, known to its owner
+        dof = Utilities::MPI::max(is_here ? dof : 0, body_.communicator());
+        together(body_.communicator(), [&]() {
+          if (body_.is_hanging(dof))
+            {
+              message << "the node at (" << point.position
+                      << ") hangs between others, must be one of a coarser "
+                         "cell.";
+              throw InputError(message.str());
+            }
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              if (!point.displacement.components[c] ||
+                  !constraints.can_store_line(dof + c))
+                continue;
+              const double value =
+                point.displacement.function->value(point.position, c);
+              if (!constraints.is_constrained(dof + c))
+                {
+                  constraints.add_line(dof + c);
+                  constraints.set_inhomogeneity(dof + c, value);
+                }
+              else if (constraints.get_inhomogeneity(dof + c) != value)
+                {
+                  message << "prescribes " << value << " along "
+                          << "xyz"[c] << " at (" << point.position
+                          << "), where "
+                          << constraints.get_inhomogeneity(dof + c)
+                          << " is prescribed already, must be the same or "
+                             "'free'.";
+                  throw InputError(message.str());
+                }
+            }
+        });
+      }
+  }
+
+
+
+  void
+  PrescribedDisplacement::require_support(
+    const AffineConstraints<double> &constraints) const
+  {
+    const std::string free_motions =
+      free_rigid_body_motions(body_, constraints);
+    if (!free_motions.empty())
+      throw InputError(location_ + ": the body is not held, free are " +
+                       free_motions +
+                       "; prescribe the displacement of a boundary other than "
+                       "the contact boundary.");
+  }
+} // namespace stiction

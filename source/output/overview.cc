@@ -1,0 +1,172 @@
+#include <stiction/contact/contact_boundary.h>
+#include <stiction/contact/contact_surface.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/loads.h>
+#include <stiction/elasticity/materials.h>
+#include <stiction/elasticity/prescribed_displacement.h>
+#include <stiction/memory.h>
+#include <stiction/output/log.h>
+#include <stiction/output/overview.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/table_handler.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    print(Log &log, const TableHandler &table)
+    {
+      std::stringstream out;
+      table.write_text(out, TableHandler::org_mode_table);
+      std::string line;
+      while (std::getline(out, line))
+        log.line("  " + line);
+    }
+
+    std::string
+    number(const double value)
+    {
+      return format("%.4g", value);
+    }
+
+    std::string
+    vector(const Tensor<1, 3> &v)
+    {
+      return format("%.4g, %.4g, %.4g", v[0], v[1], v[2]);
+    }
+
+    void
+    print_size(Log &log, const Body &body)
+    {
+      const auto corners = body.bounding_box().get_boundary_points();
+      log.line("Body");
+      log.line("  from [m]                 " + vector(corners.first));
+      log.line("  to [m]                   " + vector(corners.second));
+    }
+
+    void
+    print_materials(Log &log, const LinearElasticity &elasticity)
+    {
+      TableHandler table;
+      for (const auto id : elasticity.body().material_names().ids())
+        {
+          const Material &material = elasticity.materials().of(id);
+          table.add_value("material",
+                          elasticity.body().material_names().describe(id));
+          table.add_value(
+            "kind",
+            std::string(material.is_isotropic ? "isotropic" : "orthotropic"));
+          table.add_value("largest modulus [Pa]",
+                          number(material.youngs_modulus));
+          table.add_value("density [kg/m^3]", number(material.density));
+        }
+      log.line("Materials");
+      print(log, table);
+    }
+
+    void
+    print_boundaries(Log &log,
+                     const LinearElasticity &elasticity,
+                     const ContactSurface &surface)
+    {
+      const Body &body = elasticity.body();
+      TableHandler table;
+      for (const auto &boundary : elasticity.loads().on_boundaries())
+        {
+          const std::string held =
+            elasticity.prescribed_displacement().components(boundary.first);
+          table.add_value("boundary",
+                          body.boundary_names().describe(boundary.first));
+          table.add_value("area [m^2]", number(boundary.second.area));
+          table.add_value("prescribed", held.empty() ? "-" : held);
+          table.add_value("resultant of its load [N]",
+                          boundary.second.force.norm() > 0.
+                            ? vector(boundary.second.force)
+                            : std::string("-"));
+          table.add_value(
+            "contact",
+            std::string(surface.is_contact_boundary(boundary.first) ? "yes"
+                                                                    : "-"));
+        }
+      log.line("Boundaries");
+      print(log, table);
+
+      Tensor<1, 3> sum;
+      for (const Body::Node &node : body.locally_owned_nodes())
+        for (unsigned int c = 0; c < 3; ++c)
+          sum[c] += elasticity.load()(node.dofs[c]);
+      log.line("  all loads, those inside the body too [N]: " +
+               vector(Utilities::MPI::sum(sum, body.communicator())));
+      log.line("  free rigid-body motions: none");
+    }
+
+    void
+    print_contact(Log &log, const ContactSurface &surface)
+    {
+      TableHandler table;
+      for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
+        {
+          double smallest = std::numeric_limits<double>::max();
+          double largest = -smallest, area = 0.;
+          unsigned int n = 0, n_inside = 0;
+          for (const ContactNode &node : surface.nodes())
+            if (node.boundary == b)
+              {
+                ++n;
+                n_inside += node.gap < 0. ? 1 : 0;
+                area += node.area;
+                smallest = std::min(smallest, node.gap);
+                largest  = std::max(largest, node.gap);
+              }
+          table.add_value("contact boundary", surface.boundaries()[b].name());
+          table.add_value("nodes", n);
+          table.add_value("their area [m^2]", number(area));
+          table.add_value("smallest gap [m]", number(smallest));
+          table.add_value("largest gap [m]", number(largest));
+          table.add_value("nodes with interference", n_inside);
+        }
+      log.line("Contact");
+      print(log, table);
+    }
+  } // namespace
+
+
+
+  void
+  print_overview(Log &log,
+                 const LinearElasticity &elasticity,
+                 const ContactSurface &surface,
+                 const Parameters &parameters)
+  {
+    const Body &body = elasticity.body();
+    print_size(log, body);
+    print_materials(log, elasticity);
+    print_boundaries(log, elasticity, surface);
+    print_contact(log, surface);
+
+    const double mesh = memory_for_mesh(
+      parameters,
+      static_cast<double>(body.triangulation().n_global_active_cells()));
+    const double dual =
+      memory_for_dual_operator(parameters,
+                               3. * static_cast<double>(surface.n_nodes()),
+                               body.communicator());
+    log.line("Memory, estimated");
+    log.line(format("  mesh and elastic solves  %.3g GB", mesh / 1e9));
+    log.line(format("  dual operator            %.3g GB", dual / 1e9));
+    log.line(format("  available                %.3g GB",
+                    available_memory(body.communicator()) / 1e9));
+  }
+} // namespace stiction
