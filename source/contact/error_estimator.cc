@@ -27,169 +27,113 @@ namespace stiction
     using Cell      = DoFHandler<3>::active_cell_iterator;
     using Tractions = std::vector<Tensor<1, 3>>;
 
-    // A vector of all nodes of the own and the neighbouring cells, hanging
-    // ones included.
+    // Of the own cells and their neighbours.
     LA::Vector
     with_ghosts(const Body &body, const LA::Vector &u)
     {
-      LA::Vector owned(body.locally_owned_dofs(), body.communicator());
-      owned.copy_locally_owned_data_from(u);
-      body.hanging_nodes().distribute(owned);
       LA::Vector ghosted(body.locally_owned_dofs(),
                          body.locally_relevant_dofs(),
                          body.communicator());
-      ghosted.copy_locally_owned_data_from(owned);
+      ghosted.copy_locally_owned_data_from(u);
       ghosted.update_ghost_values();
       return ghosted;
     }
 
 
 
-    // The contact tractions on the body at the nodes of the contact boundary,
-    // and where they are known.
+    // The contact tractions on the body, interpolated between the nodes.
     class ContactTraction
     {
     public:
-      ContactTraction(const Body &body,
+      ContactTraction(const LinearElasticity &elasticity,
                       const ContactSurface &surface,
-                      const LinearElasticity &elasticity,
                       const Eigen::VectorXd &lambda)
-        : fe_(body.dof_handler().get_fe())
+        : elasticity_(elasticity)
+        , surface_(surface)
+        , force_(surface.force_to_cartesian(lambda))
+        , fe_(elasticity.body().dof_handler().get_fe())
         , dofs_(fe_.n_dofs_per_cell())
       {
-        LA::Vector traction = elasticity.zero_vector();
-        LA::Vector is_known = elasticity.zero_vector();
-        surface.add_transpose_B(-1., lambda, traction);
-        for (const Body::Node &node : body.locally_owned_nodes())
-          {
-            const Eigen::Index i = surface.node_of(node.dofs[0]);
-            if (i < 0)
-              continue;
-            for (const auto dof : node.dofs)
-              {
-                traction(dof) /= surface.areas()(i);
-                is_known(dof) = 1.;
-              }
-          }
-        traction_ = with_ghosts(body, traction);
-        is_known_ = with_ghosts(body, is_known);
       }
 
-      // At the quadrature points of a face of the contact boundary; nothing if
-      // it is known at none of its nodes.
+      // At the quadrature points of a face of a contact boundary; nothing if it
+      // is known at none of its nodes.
       Tractions
       at_points(const FEFaceValues<3> &values, const Cell &cell)
       {
         cell->get_dof_indices(dofs_);
-        const unsigned int f       = values.get_face_number();
-        const unsigned int n_nodes = fe_.n_dofs_per_face(f) / 3;
-        std::vector<bool> is_known(n_nodes);
-        Tractions at_nodes(n_nodes);
-        Tensor<1, 3> sum;
-        unsigned int n_known = 0;
-        for (unsigned int a = 0; a < n_nodes; ++a)
+        const unsigned int f = values.get_face_number();
+        const auto id        = cell->face(f)->boundary_id();
+        std::vector<std::optional<Tensor<1, 3>>> at_nodes(
+          fe_.n_dofs_per_face(f) / 3);
+        Tensor<1, 3> mean;
+        double n_known = 0.;
+        for (unsigned int a = 0; a < at_nodes.size(); ++a)
           {
-            const unsigned int first = fe_.face_to_cell_index(3 * a, f);
-            is_known[a]              = is_known_(dofs_[first]) > 1. - 1e-10;
-            if (!is_known[a])
-              continue;
-            for (unsigned int c = 0; c < 3; ++c)
-              at_nodes[a][c] = traction_(dofs_[first + c]);
-            sum += at_nodes[a];
-            ++n_known;
+            at_nodes[a] = at_node(dofs_[fe_.face_to_cell_index(3 * a, f)], id);
+            if (at_nodes[a])
+              {
+                mean += *at_nodes[a];
+                n_known += 1.;
+              }
           }
-        if (n_known == 0)
+        if (n_known == 0.)
           return {};
+        mean /= n_known;
 
         Tractions tractions(values.n_quadrature_points);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            const Tensor<1, 3> at_node =
-              is_known[a] ? at_nodes[a] : sum / static_cast<double>(n_known);
-            const unsigned int first = fe_.face_to_cell_index(3 * a, f);
-            for (unsigned int q = 0; q < tractions.size(); ++q)
-              tractions[q] += values.shape_value(first, q) * at_node;
-          }
+        for (unsigned int a = 0; a < at_nodes.size(); ++a)
+          for (unsigned int q = 0; q < tractions.size(); ++q)
+            tractions[q] +=
+              values.shape_value(fe_.face_to_cell_index(3 * a, f), q) *
+              at_nodes[a].value_or(mean);
         return tractions;
       }
 
     private:
-      const FiniteElement<3> &fe_;
-      std::vector<types::global_dof_index> dofs_;
-      LA::Vector traction_, is_known_;
-    };
-
-
-
-    // What the user gave, at any point.
-    class GivenData
-    {
-    public:
-      GivenData(const LinearElasticity &elasticity,
-                const ContactSurface &surface)
-        : elasticity_(elasticity)
-        , surface_(surface)
+      // Zero at a free node that faces away from the obstacle; nothing where a
+      // support may carry the load, or another contact boundary.
+      std::optional<Tensor<1, 3>>
+      at_node(const types::global_dof_index first_dof,
+              const types::boundary_id id) const
       {
+        Tensor<1, 3> traction;
+        if (elasticity_.is_hanging(first_dof))
+          {
+            for (const auto &master :
+                 *elasticity_.body().hanging_nodes().get_constraint_entries(
+                   first_dof))
+              {
+                const auto at_master = at_node(master.first, id);
+                if (!at_master)
+                  return std::nullopt;
+                traction += master.second * *at_master;
+              }
+            return traction;
+          }
+
+        const Eigen::Index m = surface_.n_nodes();
+        const Eigen::Index i = surface_.node_of(first_dof);
+        if (i >= 0)
+          {
+            const ContactNode &node = surface_.nodes()[i];
+            if (surface_.boundaries()[node.boundary].id() != id)
+              return std::nullopt;
+            for (unsigned int c = 0; c < 3; ++c)
+              traction[c] = -force_(i + c * m) / node.area;
+            return traction;
+          }
+        for (unsigned int c = 0; c < 3; ++c)
+          if (elasticity_.is_prescribed(first_dof + c))
+            return std::nullopt;
+        return traction;
       }
 
-      double
-      youngs_modulus(const Cell &cell) const
-      {
-        return elasticity_.materials().of(cell->material_id()).youngs_modulus;
-      }
-
-      SymmetricTensor<2, 3>
-      stress(const Cell &cell, const SymmetricTensor<2, 3> &strain) const
-      {
-        return elasticity_.materials().of(cell->material_id()).stress(strain);
-      }
-
-      Tensor<1, 3>
-      body_force(const Cell &cell, const Point<3> &p) const
-      {
-        return elasticity_.loads().inside(
-          elasticity_.materials().of(cell->material_id()).density, p);
-      }
-
-      Tensor<1, 3>
-      traction(const types::boundary_id id,
-               const Point<3> &p,
-               const Tensor<1, 3> &normal) const
-      {
-        return elasticity_.loads().traction(id, p, normal);
-      }
-
-      bool
-      is_prescribed(const types::boundary_id id, const unsigned int c) const
-      {
-        return elasticity_.prescribed_displacement().components(id).find(
-                 "xyz"[c]) != std::string::npos;
-      }
-
-      bool
-      is_contact_boundary(const types::boundary_id id) const
-      {
-        return surface_.is_contact_boundary(id);
-      }
-
-      // The gap at a point of a contact boundary and the normal towards the
-      // obstacle there; nothing where it faces away.
-      std::optional<ContactNode>
-      place(const types::boundary_id id,
-            const Point<3> &p,
-            const Tensor<1, 3> &normal) const
-      {
-        ContactNode node;
-        node.position = p;
-        node.normal   = normal;
-        if (!surface_.boundary(id).place(node))
-          return {};
-        return node;
-      }
-
-    private:
       const LinearElasticity &elasticity_;
       const ContactSurface &surface_;
+      const Eigen::VectorXd force_; // on the obstacle, by blocks (x; y; z)
+      const FiniteElement<3> &fe_;
+      std::vector<types::global_dof_index> dofs_;
     };
 
 
@@ -202,15 +146,16 @@ namespace stiction
                 const LA::Vector &u,
                 const Eigen::VectorXd &lambda)
         : body_(elasticity.body())
-        , data_(elasticity, surface)
-        , contact_(body_, surface, elasticity, lambda)
+        , elasticity_(elasticity)
+        , surface_(surface)
+        , contact_(elasticity, surface, lambda)
         , u_(with_ghosts(body_, u))
         , face_quadrature_(body_.dof_handler().get_fe().degree + 1)
         , inside_(body_.mapping(),
                   body_.dof_handler().get_fe(),
                   QGauss<3>(body_.dof_handler().get_fe().degree + 1),
-                  update_hessians | update_quadrature_points |
-                    update_JxW_values)
+                  update_gradients | update_hessians |
+                    update_quadrature_points | update_JxW_values)
         , face_(body_.mapping(),
                 body_.dof_handler().get_fe(),
                 face_quadrature_,
@@ -243,18 +188,41 @@ namespace stiction
       }
 
     private:
+      const Material &
+      material_of(const Cell &cell) const
+      {
+        return elasticity_.materials().of(cell->material_id());
+      }
+
+      // of ∇·u over the cell
+      double
+      mean_dilatation(const Cell &cell)
+      {
+        inside_.reinit(cell);
+        std::vector<double> divergence(inside_.n_quadrature_points);
+        inside_[displacement_].get_function_divergences(u_, divergence);
+        double sum = 0., volume = 0.;
+        for (const unsigned int q : inside_.quadrature_point_indices())
+          {
+            sum += divergence[q] * inside_.JxW(q);
+            volume += inside_.JxW(q);
+          }
+        return sum / volume;
+      }
+
       // h²/E ‖b + div σ‖²
       double
       residual(const Cell &cell)
       {
+        const Material &material = material_of(cell);
         inside_.reinit(cell);
         std::vector<Tensor<3, 3>> second(inside_.n_quadrature_points);
         inside_[displacement_].get_function_hessians(u_, second);
         double sum = 0.;
         for (const unsigned int q : inside_.quadrature_point_indices())
           {
-            Tensor<1, 3> r =
-              data_.body_force(cell, inside_.quadrature_point(q));
+            Tensor<1, 3> r = elasticity_.loads().inside(
+              material.density, inside_.quadrature_point(q));
             for (unsigned int j = 0; j < 3; ++j)
               {
                 SymmetricTensor<2, 3> strain; // its derivative along x_j
@@ -262,27 +230,37 @@ namespace stiction
                   for (unsigned int l = k; l < 3; ++l)
                     strain[k][l] =
                       (second[q][k][l][j] + second[q][l][k][j]) / 2.;
-                const auto stress = data_.stress(cell, strain);
+                if (elasticity_.materials().have_mean_dilatation())
+                  strain = deviator(strain);
+                const auto stress = material.stress(strain);
                 for (unsigned int i = 0; i < 3; ++i)
                   r[i] += stress[i][j];
               }
             sum += r.norm_square() * inside_.JxW(q);
           }
         const double h = cell->diameter();
-        return h * h / data_.youngs_modulus(cell) * sum;
+        return h * h / material.youngs_modulus * sum;
       }
 
       // σn at the quadrature points of a face
       Tractions
       tractions(const FEFaceValuesBase<3> &values,
                 const Cell &cell,
-                const FEFaceValuesBase<3> &with_normals) const
+                const FEFaceValuesBase<3> &with_normals)
       {
         std::vector<SymmetricTensor<2, 3>> strains(values.n_quadrature_points);
         values[displacement_].get_function_symmetric_gradients(u_, strains);
+        if (elasticity_.materials().have_mean_dilatation())
+          {
+            const double dilatation = mean_dilatation(cell);
+            for (auto &strain : strains)
+              strain = deviator(strain) +
+                       dilatation / 3. * unit_symmetric_tensor<3, double>();
+          }
         Tractions t(strains.size());
         for (unsigned int q = 0; q < t.size(); ++q)
-          t[q] = data_.stress(cell, strains[q]) * with_normals.normal_vector(q);
+          t[q] = material_of(cell).stress(strains[q]) *
+                 with_normals.normal_vector(q);
         return t;
       }
 
@@ -292,14 +270,14 @@ namespace stiction
            const Cell &cell,
            const FEFaceValuesBase<3> &other,
            const Cell &neighbor,
-           const double diameter) const
+           const double diameter)
       {
         const Tractions t         = tractions(own, cell, own);
         const Tractions on_others = tractions(other, neighbor, own);
         double sum                = 0.;
         for (unsigned int q = 0; q < t.size(); ++q)
           sum += (t[q] - on_others[q]).norm_square() / 4. * own.JxW(q);
-        return diameter / data_.youngs_modulus(cell) * sum;
+        return diameter / material_of(cell).youngs_modulus * sum;
       }
 
       double
@@ -343,7 +321,7 @@ namespace stiction
       {
         const auto face       = cell->face(f);
         const auto id         = face->boundary_id();
-        const bool is_contact = data_.is_contact_boundary(id);
+        const bool is_contact = surface_.is_contact_boundary(id);
         face_.reinit(cell, f);
         Tractions contact(face_.n_quadrature_points);
         if (is_contact)
@@ -351,17 +329,20 @@ namespace stiction
         if (contact.empty()) // held at all nodes
           return 0.;
 
-        const Tractions t      = tractions(face_, cell, face_);
-        const double stiffness = data_.youngs_modulus(cell) / face->diameter();
-        double sum             = 0.;
+        const Tractions t = tractions(face_, cell, face_);
+        const double stiffness =
+          material_of(cell).youngs_modulus / face->diameter();
+        const std::string held =
+          elasticity_.prescribed_displacement().components(id);
+        double sum = 0.;
         for (unsigned int q = 0; q < t.size(); ++q)
           {
-            const Point<3> &p = face_.quadrature_point(q);
             Tensor<1, 3> r =
-              data_.traction(id, p, face_.normal_vector(q)) + contact[q] - t[q];
-            for (unsigned int c = 0; c < 3; ++c)
-              if (data_.is_prescribed(id, c))
-                r[c] = 0.;
+              elasticity_.loads().traction(
+                id, face_.quadrature_point(q), face_.normal_vector(q)) +
+              contact[q] - t[q];
+            for (const char component : held)
+              r[component - 'x'] = 0.;
             sum += r.norm_square() / stiffness * face_.JxW(q);
           }
         return is_contact ? sum + between_contact_nodes(id, contact, stiffness)
@@ -374,17 +355,19 @@ namespace stiction
                             const Tractions &contact,
                             const double stiffness) const
       {
+        const ContactBoundary &boundary = surface_.boundary(id);
         std::vector<Tensor<1, 3>> u(face_.n_quadrature_points);
         face_[displacement_].get_function_values(u_, u);
         double sum = 0.;
         for (unsigned int q = 0; q < u.size(); ++q)
           {
-            const auto place = data_.place(
-              id, face_.quadrature_point(q), face_.normal_vector(q));
-            if (!place)
+            ContactNode place;
+            place.position = face_.quadrature_point(q);
+            place.normal   = face_.normal_vector(q);
+            if (!boundary.place(place))
               continue;
-            const double gap      = place->gap - place->normal * u[q];
-            const double pressure = -contact[q] * place->normal;
+            const double gap      = place.gap - place.normal * u[q];
+            const double pressure = -contact[q] * place.normal;
             sum += (gap < 0. ? stiffness * gap * gap
                              : std::max(pressure, 0.) * gap) *
                    face_.JxW(q);
@@ -393,7 +376,8 @@ namespace stiction
       }
 
       const Body &body_;
-      const GivenData data_;
+      const LinearElasticity &elasticity_;
+      const ContactSurface &surface_;
       ContactTraction contact_;
       const LA::Vector u_;
       const QGauss<2> face_quadrature_;
