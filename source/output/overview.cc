@@ -15,6 +15,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -41,10 +42,14 @@ namespace stiction
       return format("%.4g", value);
     }
 
+    // Components that are rounding are zero.
     std::string
     vector(const Tensor<1, 3> &v)
     {
-      return format("%.4g, %.4g, %.4g", v[0], v[1], v[2]);
+      const auto component = [&](const unsigned int c) {
+        return number(std::abs(v[c]) > 1e-12 * v.norm() ? v[c] : 0.);
+      };
+      return component(0) + ", " + component(1) + ", " + component(2);
     }
 
     void

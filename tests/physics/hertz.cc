@@ -19,6 +19,7 @@ namespace
   struct Ratios
   {
     double pressure, radius, approach, a;
+    double n_unknowns;
     bool certified;
   };
 
@@ -45,6 +46,7 @@ namespace
             std::sqrt(2.5 * second_moment / P) / a,
             0.01 / (a * a / R),
             a,
+            run.summary()["problem"]["dofs"].get<double>(),
             run.converged};
   }
 
@@ -90,16 +92,36 @@ main(int argc, char **argv)
                std::abs(paraboloid.radius - middle.radius) < 1e-3)
         << '\n';
 
-  // linear in a/L
-  const Ratios large = press({refinement(3),
-                              "Geometry/Lengths=16,16,16",
-                              "Geometry/Subdivisions=8,8,8",
-                              "Boundary conditions/Obstacle=sphere : 0; 0; "
-                              "116-0.01*t; 100"});
+  // a block twice as large, so that more of it is far from the contact
+  const auto in_large_block = [](const unsigned int r,
+                                 const unsigned int adaptive_steps) {
+    return press(
+      {refinement(r),
+       "Geometry/Lengths=16,16,16",
+       "Boundary conditions/Obstacle=sphere : 0; 0; 116-0.01*t; 100",
+       "Refinement/Adaptive steps=" + std::to_string(adaptive_steps)});
+  };
+
+  // linear in a/L, with cells of the same size
+  const Ratios large = in_large_block(4, 0);
   const double x = middle.a / 8., y = large.a / 16.;
   const double limit = (large.approach * x - middle.approach * y) / (x - y);
   out() << "approach: of the block itself more than 5 % off "
         << yes(error(middle.approach) > 0.05)
         << ", of an infinite one within 2 % " << yes(error(limit) < 0.02)
+        << '\n';
+
+  const Ratios uniform  = in_large_block(3, 0);
+  const Ratios adaptive = in_large_block(1, 6);
+  out() << "adaptive: certified " << yes(adaptive.certified)
+        << ", a quarter of the unknowns "
+        << yes(adaptive.n_unknowns <= uniform.n_unknowns / 4.)
+        << ", pressure not worse "
+        << yes(error(adaptive.pressure) <= error(uniform.pressure))
+        << ", radius not worse "
+        << yes(error(adaptive.radius) <= error(uniform.radius))
+        << ", approach not worse "
+        << yes(std::abs(adaptive.approach - large.approach) <=
+               std::abs(uniform.approach - large.approach))
         << '\n';
 }

@@ -1,0 +1,158 @@
+// What a problem writes and says once it is solved.
+
+#include <stiction/adaptive_refinement.h>
+#include <stiction/contact/certificate.h>
+#include <stiction/contact/contact_surface.h>
+#include <stiction/contact/dual_method.h>
+#include <stiction/contact/dual_problem.h>
+#include <stiction/contact/judge.h>
+#include <stiction/contact/newton_multigrid.h>
+#include <stiction/contact/schur_complement.h>
+#include <stiction/contact_problem.h>
+#include <stiction/elasticity/body.h>
+#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/errors.h>
+#include <stiction/output/convergence_history.h>
+#include <stiction/output/files.h>
+#include <stiction/output/log.h>
+#include <stiction/output/output_directory.h>
+#include <stiction/output/problem_files.h>
+#include <stiction/output/report.h>
+#include <stiction/output/summary.h>
+#include <stiction/output/vtu.h>
+#include <stiction/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <nlohmann/json.hpp>
+
+namespace stiction
+{
+  using nlohmann::json;
+
+  void
+  ContactProblem::output_results()
+  {
+    const auto phase             = phases_.scope("output");
+    const std::string &directory = parameters_.output.directory;
+    if (parameters_.output.write_solution)
+      write_solution(directory,
+                     *elasticity_,
+                     judge_->displacement(),
+                     refinement_ ? refinement_->indicators()
+                                 : dealii::Vector<double>());
+    else
+      remove_solution(directory, communicator_);
+    write_contact(directory, *elasticity_, *surface_, judge_->certificate());
+    write_run_files(parameters_, *history_, communicator_);
+  }
+
+
+
+  void
+  ContactProblem::export_problem()
+  {
+    const std::string &directory = parameters_.output.export_directory;
+    if (directory.empty())
+      return;
+    together(communicator_, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+        return;
+      DualProblem problem;
+      problem.Q          = *schur_->matrix();
+      problem.h          = schur_->right_hand_side();
+      problem.slip_bound = surface_->slip_bound();
+      problem.areas      = surface_->areas();
+      problem.positions.resize(surface_->n_nodes(), 3);
+      for (Eigen::Index i = 0; i < surface_->n_nodes(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          problem.positions(i, c) = surface_->nodes()[i].position[c];
+      stiction::export_problem(directory,
+                               problem,
+                               solution_->lambda,
+                               judge_->certificate().gradient());
+    });
+    log_->line("The discrete problem is in " + directory + ".");
+  }
+
+
+
+  void
+  ContactProblem::summarize()
+  {
+    const bool measured            = elastic_solve_iterations_ > 0;
+    const Certificate &certificate = judge_->certificate();
+
+    summary_             = std::make_unique<json>();
+    json &summary        = *summary_;
+    summary["program"]   = program_to_json(communicator_);
+    summary["converged"] = solution_->converged;
+    summary["problem"]   = {
+        {"cells", body_->triangulation().n_global_active_cells()},
+        {"nodes", body_->n_nodes()},
+        {"dofs", body_->dof_handler().n_dofs()},
+        {"contact_nodes", surface_->n_nodes()},
+        {"dual_unknowns", 3 * surface_->n_nodes()}};
+    summary["solver"] = newton_
+                          ? solver_to_json(parameters_.contact_solver, *newton_)
+                          : solver_to_json(parameters_.contact_solver,
+                                           surface_->slip_bound(),
+                                           *method_,
+                                           *schur_);
+    if (!newton_)
+      summary["solver"].update(
+        json({{"stiffness_solves", stiffness_solver_->n_solves()},
+              {"krylov_iterations", stiffness_solver_->n_iterations()}}));
+    summary["solver"].update(
+      json({{"law", parameters_.friction.name()},
+            {"elastic_solve_iterations",
+             measured ? json(elastic_solve_iterations_) : json(nullptr)},
+            {"elastic_solve_equivalents",
+             measured ? json(phases_.seconds("contact_solve") /
+                             phases_.seconds("elastic_solve"))
+                      : json(nullptr)}}));
+    summary["certificate"] = certificate_to_json(certificate);
+    summary["contact"]     = contact_to_json(
+      *surface_, certificate, parameters_.contact_solver.tolerance);
+    summary["displacement"] =
+      displacement_to_json(*elasticity_, judge_->displacement());
+    summary["energy"] = energy_to_json(*surface_, certificate);
+    if (refinement_)
+      summary["refinement"] = refinement_->to_json();
+    summary["seconds"]        = phases_.to_json();
+    summary["peak_memory_MB"] = peak_memory(communicator_);
+    write_summary(summary, parameters_.output.directory, communicator_);
+  }
+
+
+
+  void
+  ContactProblem::report() const
+  {
+    const std::string &directory = parameters_.output.directory;
+    print_report(*log_,
+                 *summary_,
+                 parameters_.contact_solver.tolerance,
+                 explain(*solution_,
+                         judge_->certificate(),
+                         parameters_.contact_solver.tolerance),
+                 parameters_.performance.print_timing);
+    const double depth =
+      solution_->converged
+        ? surface_->penetration_of_facing_away(judge_->displacement())
+        : 0.;
+    if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
+      log_->line(
+        format("WARNING: a node that faces away from its obstacle came "
+               "%.2g m into it; such nodes are no contact nodes, and "
+               "the certificate does not speak of them.",
+               depth));
+    log_->line("Open " +
+               (parameters_.output.write_solution
+                  ? directory + "/solution.pvtu and "
+                  : std::string()) +
+               directory + "/contact.pvtu in ParaView.");
+  }
+} // namespace stiction
