@@ -178,7 +178,10 @@ main(int argc, char *argv[])
 
   // Energies balance if nothing but the clamped top and the fixed rollers holds
   // the body; a moved roller does work.
-  const Settings moved = brick(1, 1, "right : 1e-4; free; free | " + top) +
+  const Settings moved = brick(1,
+                               1,
+                               "right : 1e-4; free; free | top : 1e-4*x; 4e-5; "
+                               "-1e-4*(1 + y)") +
                          squeezed_half +
                          Settings{"Friction/Coefficient=0.4; 0.15",
                                   "Friction/First direction=1; 1; 0"};
