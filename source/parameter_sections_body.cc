@@ -51,11 +51,15 @@ namespace stiction
                   Patterns::Double());
     add_parameter("Generator",
                   generator,
-                  "Name of a function of deal.II's GridGenerator that makes "
-                  "hexahedra in three dimensions, for example 'hyper_L' or "
-                  "'subdivided_hyper_cube'.",
+                  "Name of a function of deal.II's GridGenerator: one of those "
+                  "that make a single body of hexahedra from numbers and "
+                  "points.",
                   prm,
-                  Patterns::Anything());
+                  Patterns::Selection(
+                    "hyper_cube|hyper_rectangle|hyper_L|hyper_ball|"
+                    "hyper_ball_balanced|half_hyper_ball|quarter_hyper_ball|"
+                    "hyper_shell|half_hyper_shell|quarter_hyper_shell|"
+                    "cylinder|truncated_cone"));
     add_parameter("Generator arguments",
                   generator_arguments,
                   "Arguments of the generator after the mesh, separated by "
@@ -379,7 +383,9 @@ namespace stiction
       "psi/|grad psi| and the gap psi/|grad psi| where it is before "
       "deformation, which are kept: contact is linearised. Nodes whose "
       "outward normal is more than 84 degrees away from that normal face "
-      "away from the obstacle and cannot touch it; they must not be inside.",
+      "away from the obstacle and cannot touch it; they must not be inside. "
+      "Slip is that of the body's surface: an obstacle that moves with t "
+      "drags nothing along.",
       prm,
       Patterns::Anything());
     add_parameter(

@@ -59,6 +59,7 @@ namespace stiction
     collect_nodes(elasticity);
     require_nodes(
       parameters,
+      "Boundary conditions/Contact boundary",
       boundaries_.size() == 1
         ? "the displacement is prescribed at every node of this "
           "boundary, must be a boundary with free nodes"
@@ -67,7 +68,8 @@ namespace stiction
           "free nodes of its own");
     place_obstacles();
     require_nodes(parameters,
-                  "no free node of this boundary faces its obstacle, whose "
+                  "Boundary conditions/Obstacle",
+                  "no free node of the contact boundary faces it, its "
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
     evaluate_data();
@@ -255,6 +257,7 @@ namespace stiction
 
   void
   ContactSurface::require_nodes(const Parameters &parameters,
+                                const std::string &entry,
                                 const std::string &reason) const
   {
     std::vector<unsigned int> n(boundaries_.size(), 0);
@@ -264,7 +267,7 @@ namespace stiction
     if (empty == n.end())
       return;
     throw InputError(
-      parameters.source.describe("Boundary conditions/Contact boundary") +
+      parameters.source.describe(entry) +
       (n.size() == 1
          ? ""
          : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +

@@ -125,7 +125,8 @@ namespace stiction
                       "'Friction/Coefficient', a finer mesh, or "
                     : "try ") +
                  "'Stiffness solver/Type = amg' if cells are flat or the "
-                 "Poisson ratio is near 0.5";
+                 "Poisson ratio is near 0.5, or 'Contact solver/Method = "
+                 "newton', above all where friction is strongly orthotropic";
         fall_back(state,
                   residual.value(),
                   tolerance,

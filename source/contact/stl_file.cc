@@ -99,9 +99,10 @@ namespace stiction
   {
     std::ifstream in(file, std::ios::binary);
     std::string content;
-    if (in)
+    // a directory opens, but nothing can be read from it
+    if (in && (in.peek(), !in.bad()))
       content.assign(std::istreambuf_iterator<char>(in), {});
-    if (!in)
+    if (in.bad() || !in.is_open())
       throw InputError(description +
                        ", the file cannot be read, must be an STL file.");
 

@@ -162,8 +162,19 @@ namespace stiction
   CoarseMesh::generate(const GeometryParameters &geometry)
   {
     Triangulation<3> generated(Triangulation<3>::none, false);
-    GridGenerator::generate_from_name_and_arguments(
-      generated, geometry.generator, geometry.generator_arguments);
+    try
+      {
+        GridGenerator::generate_from_name_and_arguments(
+          generated, geometry.generator, geometry.generator_arguments);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw InputError(
+          geometry.location + ", does not take 'Generator arguments' = '" +
+          geometry.generator_arguments +
+          "', must get what deal.II's GridGenerator::" + geometry.generator +
+          "() has after the mesh, separated by ':'.");
+      }
     if (generated.n_active_cells() == 0)
       throw InputError(geometry.location + ", makes a mesh without cells.");
     if (!generated.all_reference_cells_are_hyper_cube())

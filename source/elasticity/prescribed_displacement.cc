@@ -75,10 +75,18 @@ namespace stiction
                            ", must read 'x; y; z : ux; uy; uz', several "
                            "separated by '|'.");
         const std::string place = Utilities::trim(part.substr(0, colon));
-        const ParsedFunction position(place, 3, points_location_);
+        const ParsedFunction position(
+          place, 3, points_location_, parameters.boundary.time);
         PrescribedPoint point;
         for (unsigned int c = 0; c < 3; ++c)
-          point.position[c] = position.value(Point<3>(), c);
+          {
+            point.position[c] = position.value(Point<3>(), c);
+            if (position.value(Point<3>(0.37, 0.61, 0.83), c) !=
+                point.position[c])
+              throw InputError(points_location_ + " = " + place +
+                               ", the place of a node must not depend on x, "
+                               "y, z.");
+          }
         point.displacement = parse_components(part.substr(colon + 1),
                                               points_location_,
                                               "the point (" + place + ")",
@@ -191,6 +199,9 @@ namespace stiction
               distance = node.position.distance(point.position);
               dof      = node.dofs[0];
               nearest  = node.position;
+              for (unsigned int c = 0; c < 3; ++c)
+                if (std::abs(nearest[c]) < 1e-9 * near)
+                  nearest[c] = 0.; // rounding
             }
         const double least =
           Utilities::MPI::min(distance, body_.communicator());
@@ -207,6 +218,9 @@ namespace stiction
         });
         // what is nearest is one node, known to its owner
         dof = Utilities::MPI::max(is_here ? dof : 0, body_.communicator());
+        for (unsigned int c = 0; c < 3; ++c)
+          nearest[c] = Utilities::MPI::sum(is_here ? nearest[c] : 0.,
+                                           body_.communicator());
         together(body_.communicator(), [&]() {
           if (body_.is_hanging(dof))
             {
@@ -220,14 +234,16 @@ namespace stiction
               if (!point.displacement.components[c] ||
                   !constraints.can_store_line(dof + c))
                 continue;
+              // at the node, where those of the boundaries are taken
               const double value =
-                point.displacement.function->value(point.position, c);
+                point.displacement.function->value(nearest, c);
               if (!constraints.is_constrained(dof + c))
                 {
                   constraints.add_line(dof + c);
                   constraints.set_inhomogeneity(dof + c, value);
                 }
-              else if (constraints.get_inhomogeneity(dof + c) != value)
+              else if (std::abs(constraints.get_inhomogeneity(dof + c) -
+                                value) > 1e-10 * std::abs(value))
                 {
                   message << "prescribes " << value << " along "
                           << "xyz"[c] << " at (" << point.position

@@ -33,7 +33,7 @@ namespace stiction
       table.write_text(out, TableHandler::org_mode_table);
       std::string line;
       while (std::getline(out, line))
-        log.line("  " + line);
+        log.line("  " + line.substr(0, line.find_last_not_of(' ') + 1));
     }
 
     std::string

@@ -217,6 +217,7 @@ namespace stiction
               sum[k] += master->second * values[k];
             sum[status] = values[status];
           }
+        sum[area] = 0.; // it has none of its own
         return sum;
       }
 

@@ -192,6 +192,7 @@ namespace stiction
     /// Throws InputError with the reason unless every boundary has nodes.
     void
     require_nodes(const Parameters &parameters,
+                  const std::string &entry,
                   const std::string &reason) const;
 
     /// Normals and gaps, and out with the nodes that face away.
