@@ -95,7 +95,7 @@ namespace stiction
     std::string
     describe_cell(const MeshData &mesh, const std::size_t number)
     {
-      std::array<double, 3> centre = {0., 0., 0.};
+      std::array<double, 3> centre = {{0., 0., 0.}};
       for (const unsigned int v : mesh.cells[number].vertices)
         for (unsigned int c = 0; c < 3; ++c)
           centre[c] += mesh.vertices[v][c] / 8.;
@@ -182,10 +182,10 @@ namespace stiction
                                                  {3, 0, 4, 7}};
         for (const auto &face : faces)
           {
-            const Key key      = sorted({in_order[face[0]],
-                                         in_order[face[1]],
-                                         in_order[face[2]],
-                                         in_order[face[3]]});
+            const Key key      = sorted({{in_order[face[0]],
+                                          in_order[face[1]],
+                                          in_order[face[2]],
+                                          in_order[face[3]]}});
             Neighbours &shared = cells_[key];
             if (shared.n == 0)
               shared.first = number;
