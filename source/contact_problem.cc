@@ -2,6 +2,7 @@
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/dual_method_factory.h>
+#include <stiction/contact/force_control.h>
 #include <stiction/contact/judge.h>
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/contact/schur_complement.h>
@@ -31,6 +32,7 @@
 #include <nlohmann/json.hpp>
 
 #include <stdexcept>
+#include <utility>
 
 
 namespace stiction
@@ -42,6 +44,11 @@ namespace stiction
     constexpr double linear_solver_safety = 1e-4;
 
     constexpr double duality_gap_accuracy = 1e-6;
+
+    // Where forces press obstacles on, the contact forces are wanted better
+    // than the tolerance: how they change from one place to another matters.
+    constexpr double fixed_obstacle_accuracy = 0.1;
+
   } // namespace
 
 
@@ -229,6 +236,7 @@ namespace stiction
     const auto phase = phases_.scope("mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
     elasticity_->require_support();
+    control_forces();
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(parameters_,
                                      3. *
@@ -252,6 +260,20 @@ namespace stiction
         ", problem files know one law of friction for all nodes, "
         "so 'Friction/Law' must not have both 'given' and "
         "'coulomb'.");
+  }
+
+
+
+  void
+  ContactProblem::control_forces()
+  {
+    if (surface_->pressing_forces().size() == 0)
+      return;
+    if (!force_control_)
+      force_control_ = std::make_unique<ForceControl>(
+        *surface_, elasticity_->materials().largest_youngs_modulus());
+    force_control_->begin_mesh();
+    surface_->move_obstacles(force_control_->distances());
   }
 
 
@@ -308,10 +330,13 @@ namespace stiction
   ContactProblem::solve_for_displacements()
   {
     const auto phase = phases_.scope("displacement_iteration");
-    solution_        = std::make_unique<ContactSolution>(
-      newton_->solve(parameters_.contact_solver.tolerance,
-                     parameters_.contact_solver.maximum_iterations,
-                     [&](const ContactStep &step) { history_->add(step); }));
+    solution_        = std::make_unique<ContactSolution>(newton_->solve(
+      parameters_.contact_solver.tolerance,
+      parameters_.contact_solver.maximum_iterations,
+      [&](const ContactStep &step) { history_->add(step); },
+      force_control_.get()));
+    if (force_control_)
+      surface_->move_obstacles(force_control_->distances());
   }
 
 
@@ -324,14 +349,46 @@ namespace stiction
       parameters_.contact_solver, *schur_, surface_->slip_bound().is_coulomb());
     judge_ =
       std::make_unique<BodyJudge>(*elasticity_, *surface_, *stiffness_solver_);
-    solution_ = std::make_unique<ContactSolution>(
-      certified_solve(*method_,
-                      *schur_,
-                      surface_->slip_bound(),
-                      *judge_,
-                      parameters_.contact_solver.tolerance,
-                      parameters_.contact_solver.maximum_iterations,
-                      [&](const ContactStep &step) { history_->add(step); }));
+    const double tolerance = parameters_.contact_solver.tolerance;
+    const auto solve       = [&](const double accuracy, Eigen::VectorXd start) {
+      solution_ = std::make_unique<ContactSolution>(certified_solve(
+        *method_,
+        *schur_,
+        surface_->slip_bound(),
+        *judge_,
+        accuracy,
+        parameters_.contact_solver.maximum_iterations,
+        [&](const ContactStep &step) { history_->add(step); },
+        std::move(start)));
+    };
+    if (!force_control_)
+      return solve(tolerance, {});
+
+    solve(fixed_obstacle_accuracy * tolerance, {});
+    while (move_obstacles())
+      solve(fixed_obstacle_accuracy * tolerance, solution_->lambda);
+    solution_->converged = judge_->certificate().converged(tolerance);
+  }
+
+
+
+  bool
+  ContactProblem::move_obstacles()
+  {
+    const Certificate &certificate = judge_->certificate();
+    const double tolerance         = parameters_.contact_solver.tolerance;
+    if (!certificate.is_solved(tolerance))
+      return false;
+    const bool are_to_move =
+      force_control_->advance(outcome_of(surface_->motion().directions(),
+                                         certificate.lambda(),
+                                         certificate.gradient()),
+                              tolerance * certificate.force_scale());
+    solution_->reason = force_control_->reason();
+    if (are_to_move)
+      schur_->shift_right_hand_side(
+        -surface_->move_obstacles(force_control_->distances()));
+    return are_to_move;
   }
 
 

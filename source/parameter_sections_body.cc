@@ -384,8 +384,8 @@ namespace stiction
       "deformation, which are kept: contact is linearised. Nodes whose "
       "outward normal is more than 84 degrees away from that normal face "
       "away from the obstacle and cannot touch it; they must not be inside. "
-      "Slip is that of the body's surface: an obstacle that moves with t "
-      "drags nothing along.",
+      "An obstacle that is moved by formulas in t drags nothing along; for "
+      "that there is 'Obstacle displacement'.",
       prm,
       Patterns::Anything());
     add_parameter(
@@ -395,6 +395,28 @@ namespace stiction
       "foundation along the outward normal, a formula in x, y, z, t; "
       "for other obstacles it is added to their distance. "
       "Negative: initial interference. Unit: m.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Obstacle displacement",
+      obstacle_displacement,
+      "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' "
+      "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U, and slip is "
+      "that of the body relative to the moved surface, which drags the body "
+      "along by friction. Small, like the displacements of the body: normals "
+      "stay. Unit: m.",
+      prm,
+      Patterns::Anything());
+    add_parameter(
+      "Obstacle force",
+      obstacle_force,
+      "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
+      "The obstacle is then free to move along this vector, from where the "
+      "other entries place it, and moves until it acts on the body with this "
+      "force along it; it does not turn, and is held in the directions "
+      "across. Of a body cut by planes of symmetry it is the part of the "
+      "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
+      "Unit: N.",
       prm,
       Patterns::Anything());
   }

@@ -19,6 +19,8 @@ namespace stiction
   class ContactSurface;
   class DualMethod;
   class DualOperator;
+  class ForceControl;
+
   class LinearElasticity;
   class Log;
   class NewtonMultigrid;
@@ -102,6 +104,9 @@ namespace stiction
     assemble_system();
     void
     make_contact_surface();
+    /// Prepares the search for the places of pressed obstacles.
+    void
+    control_forces();
     void
     open_output();
     void
@@ -114,6 +119,10 @@ namespace stiction
     set_up_multigrid();
     void
     solve_for_displacements();
+    /// Moves pressed obstacles on unless they press with their forces.
+    /// @return whether they were moved.
+    bool
+    move_obstacles();
     void
     certify();
     void
@@ -140,6 +149,7 @@ namespace stiction
     std::unique_ptr<Body> body_;
     std::unique_ptr<LinearElasticity> elasticity_;
     std::unique_ptr<ContactSurface> surface_;
+    std::unique_ptr<ForceControl> force_control_; ///< if a force is prescribed
     std::unique_ptr<StiffnessSolver> stiffness_solver_;
     std::unique_ptr<DualOperator> schur_;
     std::unique_ptr<DualMethod> method_;

@@ -119,12 +119,14 @@ namespace stiction
     std::string prescribed_points       = "";
     std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
     std::string pressure = "";
-    std::string body_force       = "";
-    std::string gravity          = "";
-    double time                  = 1.;
-    std::string contact_boundary = "4";
-    std::string obstacle         = "foundation";
-    std::string initial_gap      = "0";
+    std::string body_force            = "";
+    std::string gravity               = "";
+    double time                       = 1.;
+    std::string contact_boundary      = "4";
+    std::string obstacle              = "foundation";
+    std::string initial_gap           = "0";
+    std::string obstacle_displacement = "0; 0; 0";
+    std::string obstacle_force        = "0; 0; 0";
   };
 
   struct FrictionParameters : dealii::ParameterAcceptor

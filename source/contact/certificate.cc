@@ -1,5 +1,6 @@
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/force_control.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/stiffness_solver.h>
@@ -42,8 +43,7 @@ namespace stiction
     , elasticity_(elasticity)
     , surface_(surface)
   {
-    gradient_ = -surface.apply_B(u);
-    gradient_.head(surface.n_nodes()) += surface.gaps();
+    gradient_ = surface.motion().offset() - surface.apply_B(u);
     compute_body_figures(u);
     compute_contact_figures();
   }
@@ -132,6 +132,14 @@ namespace stiction
       std::hypot(sums[force], sums[force + 1], sums[force + 2]) / S;
     body_figures_.moment_balance =
       std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) / (S * size);
+    if (surface_.pressing_forces().size() > 0)
+      body_figures_.obstacle_force =
+        (outcome_of(surface_.motion().directions(), lambda_, gradient_).forces -
+         surface_.pressing_forces())
+          .cwiseAbs()
+          .maxCoeff() /
+        S;
+    force_scale_   = S;
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];
 
@@ -206,6 +214,19 @@ namespace stiction
                     body_figures_.equilibrium_residual);
     figures.emplace_back("force_balance", body_figures_.force_balance);
     figures.emplace_back("moment_balance", body_figures_.moment_balance);
+    if (body_figures_.obstacle_force >= 0.)
+      figures.emplace_back("obstacle_force", body_figures_.obstacle_force);
     return figures;
+  }
+
+
+
+  bool
+  Certificate::is_solved(const double tolerance) const
+  {
+    const auto figures = deciding_figures();
+    return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
+      return figure.first == "obstacle_force" || figure.second <= tolerance;
+    });
   }
 } // namespace stiction

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stiction
 {
@@ -52,7 +53,7 @@ namespace stiction
       const auto [force, work] = undoing(Q);
       const double total       = scaling.force.sum();
       const bool is_answer =
-        conditions.lambda().isZero(0.) && conditions.converged(tolerance);
+        conditions.lambda().isZero(0.) && conditions.is_solved(tolerance);
       if (force > 0. && (is_answer || total < rounding * force))
         {
           scaling.force *= force / total;
@@ -71,17 +72,23 @@ namespace stiction
                   Judge &judge,
                   const double tolerance,
                   const unsigned int max_iterations,
-                  const std::function<void(const ContactStep &)> &observer)
+                  const std::function<void(const ContactStep &)> &observer,
+                  Eigen::VectorXd lambda)
   {
     ContactSolution solution;
-    solution.lambda = Eigen::VectorXd::Zero(3 * Q.n_nodes());
+    const bool is_cold = lambda.size() == 0;
+    solution.lambda =
+      is_cold ? Eigen::VectorXd(Eigen::VectorXd::Zero(3 * Q.n_nodes()))
+              : std::move(lambda);
     const ContactConditions *conditions = &judge.judge(solution.lambda);
     DualIterate iterate{solution.lambda, conditions->gradient()};
 
     ContactStep row;
     row.residual = conditions->contact_figures().kkt_residual;
 
-    double target           = std::max(coarse_residual, 0.5 * tolerance);
+    double target = std::max(
+      is_cold ? coarse_residual : std::min(coarse_residual, 0.3 * row.residual),
+      0.5 * tolerance);
     double smallest         = row.residual;
     unsigned int iterations = 0, idle = 0;
     qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
@@ -89,7 +96,7 @@ namespace stiction
     // in both scales: no contact forces at all must be right in those of the
     // problem, too
     const auto is_content = [&]() {
-      return conditions->converged(tolerance) &&
+      return conditions->is_solved(tolerance) &&
              ContactConditions(solution.lambda,
                                conditions->gradient(),
                                slip_bound.at(solution.lambda),

@@ -19,6 +19,9 @@ namespace stiction
   namespace
   {
     const std::string obstacle_entry = "Boundary conditions/Obstacle";
+    const std::string displacement_entry =
+      "Boundary conditions/Obstacle displacement";
+    const std::string force_entry = "Boundary conditions/Obstacle force";
 
     // Below this cosine between the outward normal and the direction towards
     // the obstacle a node faces away from it.
@@ -79,12 +82,20 @@ namespace stiction
     const auto obstacles = values(obstacle_entry, parameters.boundary.obstacle);
     const auto gaps      = values("Boundary conditions/Initial gap",
                              parameters.boundary.initial_gap);
+    const auto displacements =
+      values(displacement_entry, parameters.boundary.obstacle_displacement);
+    const auto forces = values(force_entry, parameters.boundary.obstacle_force);
     const auto coefficients =
       values("Friction/Coefficient", parameters.friction.coefficient);
     const auto slip_stresses =
       values("Friction/Slip stress", parameters.friction.slip_stress);
     const auto directions =
       values("Friction/First direction", parameters.friction.first_direction);
+    const auto vector = [&](const std::string &of, const std::string &text) {
+      const std::vector<double> numbers =
+        read_numbers(text, 3, source.locate(of), parameters.boundary.time);
+      return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
+    };
     const auto formula = [&](const std::string &of, const std::string &text) {
       return std::make_unique<ParsedFunction>(
         text, 1, source.locate(of), parameters.boundary.time);
@@ -117,8 +128,10 @@ namespace stiction
           directions[b],
           source,
           parameters.boundary.time);
-        boundary.size_   = size;
-        boundary.source_ = &source;
+        boundary.displacement_ = vector(displacement_entry, displacements[b]);
+        boundary.force_        = vector(force_entry, forces[b]);
+        boundary.size_         = size;
+        boundary.source_       = &source;
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace stiction
 {
@@ -76,8 +77,8 @@ namespace stiction
     : stiffness_(&elasticity.stiffness())
     , load_(&elasticity.load())
     , trace_(surface.trace())
-    , gaps_(surface.gaps())
     , areas_(surface.areas())
+    , motion_(surface.motion())
     , youngs_modulus_(elasticity.materials().largest_youngs_modulus())
     , boundary_area_(surface.boundary_area())
     , slip_bound_(surface.slip_bound())
@@ -139,15 +140,25 @@ namespace stiction
     const auto &on_finer  = trace_hierarchy.on_finer_level(level);
     const auto &weights   = trace_hierarchy.prolongation(level + 1);
     const auto n_vertices = static_cast<Eigen::Index>(on_finer.size());
-    gaps_.resize(n_vertices);
+    const Eigen::VectorXd finer_offset      = finer.motion_.offset_at_start();
+    const Eigen::MatrixXd &finer_directions = finer.motion_.directions();
+    Eigen::VectorXd offset(3 * n_vertices);
+    Eigen::MatrixXd directions(3 * n_vertices, finer_directions.cols());
     Eigen::VectorXd coefficient(n_vertices);
     for (Eigen::Index j = 0; j < n_vertices; ++j)
       {
-        gaps_(j)       = finer.gaps_(on_finer[j]);
+        for (Eigen::Index c = 0; c < 3; ++c)
+          {
+            const Eigen::Index k       = on_finer[j] + c * finer.n_nodes();
+            offset(j + c * n_vertices) = finer_offset(k);
+            directions.row(j + c * n_vertices) = finer_directions.row(k);
+          }
+
         coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
         frames_.push_back(finer.frames_[on_finer[j]]);
       }
-    areas_ = weights.transpose() * finer.areas_;
+    motion_ = ObstacleMotion(std::move(offset), std::move(directions));
+    areas_  = weights.transpose() * finer.areas_;
     const Eigen::VectorXd constant =
       weights.transpose() * finer.slip_bound_.constant();
     slip_bound_ = finer.slip_bound_.is_coulomb()
@@ -303,9 +314,7 @@ namespace stiction
   Eigen::VectorXd
   ContactLevel::penetration_and_slip(const LA::Vector &u) const
   {
-    Eigen::VectorXd w = apply_B(u);
-    w.head(n_nodes()) -= gaps_;
-    return w;
+    return apply_B(u) - motion_.offset();
   }
 
 

@@ -33,6 +33,10 @@ namespace stiction
       return b;
     }
 
+    // A force presses on a boundary if the cosine of its direction with the
+    // normal of some node is beyond this one.
+    constexpr double pressing_cosine = 0.1;
+
     // Whether the bit of a component is set.
     bool
     has_component(const double bits, const unsigned int c)
@@ -73,6 +77,7 @@ namespace stiction
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
     evaluate_data();
+    displace_obstacles(parameters);
   }
 
 
@@ -295,9 +300,13 @@ namespace stiction
         const Tensor<1, 3> normal = node.normal;
         if (!set_tangents(node))
           continue;
+        node.gap_growth = normal;
         // of a normal that is partly held, the free part has to close the gap
         if (node.is_held())
-          node.gap /= normal * node.normal;
+          {
+            node.gap /= normal * node.normal;
+            node.gap_growth /= normal * node.normal;
+          }
         facing.push_back(node);
         for (unsigned int c = 0; c < 3; ++c)
           dofs[c].push_back(trace_.dofs()[i + c * m]);
@@ -325,6 +334,7 @@ namespace stiction
         Point<3> p = facing_away_[i].position;
         for (unsigned int c = 0; c < 3; ++c)
           p[c] += moved(static_cast<Eigen::Index>(i + c * m));
+        p -= obstacle_displacement(boundaries_[facing_away_[i].boundary].id());
         depth =
           std::max(depth, boundaries_[facing_away_[i].boundary].penetration(p));
       }
@@ -336,7 +346,6 @@ namespace stiction
   void
   ContactSurface::evaluate_data()
   {
-    gaps_.resize(n_nodes());
     areas_.resize(n_nodes());
     Eigen::VectorXd constant(n_nodes()), coefficient(n_nodes());
     bool is_coulomb = false;
@@ -345,7 +354,7 @@ namespace stiction
         ContactNode &node               = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
         boundary.set_friction(node);
-        gaps_(i)       = node.gap;
+
         areas_(i)      = node.area;
         constant(i)    = node.area * node.slip_stress;
         coefficient(i) = node.coefficient;
@@ -354,6 +363,79 @@ namespace stiction
     slip_bound_ = is_coulomb ? qp::SlipBound::mixed(std::move(constant),
                                                     std::move(coefficient))
                              : qp::SlipBound::given(std::move(constant));
+  }
+
+
+
+  void
+  ContactSurface::displace_obstacles(const Parameters &parameters)
+  {
+    // of those with a force, the column; of the others none
+    std::vector<Eigen::Index> column(boundaries_.size(), -1);
+    std::vector<double> forces;
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      if (boundaries_[b].force().norm() > 0.)
+        {
+          column[b] = static_cast<Eigen::Index>(forces.size());
+          forces.push_back(boundaries_[b].force().norm());
+        }
+    pressing_forces_ = Eigen::Map<const Eigen::VectorXd>(
+      forces.data(), static_cast<Eigen::Index>(forces.size()));
+
+    Eigen::VectorXd offset(3 * n_nodes());
+    Eigen::MatrixXd directions =
+      Eigen::MatrixXd::Zero(3 * n_nodes(), pressing_forces_.size());
+    std::vector<double> largest_approach(boundaries_.size(), 0.);
+    const auto seen_from = [](const ContactNode &node,
+                              const Tensor<1, 3> &displacement) {
+      Eigen::Vector3d local = node.displacement_to_local(
+        {displacement[0], displacement[1], displacement[2]});
+      local(0) = node.gap_growth * displacement;
+      return local;
+    };
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const ContactNode &node         = nodes_[i];
+        const ContactBoundary &boundary = boundaries_[node.boundary];
+        Eigen::Vector3d e = seen_from(node, boundary.displacement());
+        e(0) += node.gap;
+        set_at_node(offset, i, e);
+        if (column[node.boundary] < 0)
+          continue;
+        const Eigen::Vector3d direction =
+          seen_from(node, boundary.force() / boundary.force().norm());
+        for (unsigned int c = 0; c < 3; ++c)
+          directions(i + c * n_nodes(), column[node.boundary]) = direction(c);
+        largest_approach[node.boundary] =
+          std::max(largest_approach[node.boundary], -direction(0));
+      }
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      if (column[b] >= 0 && largest_approach[b] < pressing_cosine)
+        throw InputError(
+          parameters.source.describe("Boundary conditions/Obstacle force") +
+          ", does not press the obstacle of boundary '" +
+          boundaries_[b].name() +
+          "' against the body, must point from the obstacle into the body.");
+    motion_ = ObstacleMotion(std::move(offset), std::move(directions));
+  }
+
+
+
+  Tensor<1, 3>
+  ContactSurface::obstacle_displacement(const types::boundary_id id) const
+  {
+    Eigen::Index column = 0;
+    for (const ContactBoundary &boundary : boundaries_)
+      {
+        const double force = boundary.force().norm();
+        if (boundary.id() == id)
+          return force > 0.
+                   ? boundary.displacement() +
+                       motion_.distances()(column) / force * boundary.force()
+                   : boundary.displacement();
+        column += force > 0. ? 1 : 0;
+      }
+    return Tensor<1, 3>();
   }
 
 

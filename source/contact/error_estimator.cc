@@ -356,6 +356,7 @@ namespace stiction
                             const double stiffness) const
       {
         const ContactBoundary &boundary = surface_.boundary(id);
+        const Tensor<1, 3> moved        = surface_.obstacle_displacement(id);
         std::vector<Tensor<1, 3>> u(face_.n_quadrature_points);
         face_[displacement_].get_function_values(u_, u);
         double sum = 0.;
@@ -366,7 +367,7 @@ namespace stiction
             place.normal   = face_.normal_vector(q);
             if (!boundary.place(place))
               continue;
-            const double gap      = place.gap - place.normal * u[q];
+            const double gap      = place.gap + place.normal * (moved - u[q]);
             const double pressure = -contact[q] * place.normal;
             sum += (gap < 0. ? stiffness * gap * gap
                              : std::max(pressure, 0.) * gap) *

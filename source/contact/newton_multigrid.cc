@@ -1,4 +1,5 @@
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/force_control.h>
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/elasticity/linear_elasticity.h>
 
@@ -11,6 +12,11 @@ namespace stiction
     // A coarse level need not be solved better than it approximates the next:
     // from 0.1 to 1e-4 the steps on the finest level are the same.
     constexpr double coarse_tolerance = 0.03;
+
+    // The certificate measures afresh: what is aimed at, as part of the
+    // tolerance.
+    constexpr double force_accuracy = 0.5;
+
 
     std::vector<dealii::types::global_dof_index>
     first_dofs(const ContactSurface &surface)
@@ -44,7 +50,8 @@ namespace stiction
   ContactSolution
   NewtonMultigrid::solve(const double tolerance,
                          const unsigned int max_steps,
-                         const Observer &observer)
+                         const Observer &observer,
+                         ForceControl *const force_control)
   {
     state_ = std::make_unique<ContactState>(*problems_[0]);
     problems_[0]->prescribe(state_->u);
@@ -58,11 +65,11 @@ namespace stiction
         if (l > 0)
           lambda = refine(l);
         const bool is_finest = l == finest_level();
-        LevelNewton newton(*problems_[l], l, multigrid_, options_);
+
         const unsigned int iterations = row.iterations;
         row.residual                  = 0.; // that of another problem
-        solution.reason               = newton.solve(
-          *state_,
+        solution.reason               = solve_on_level(
+          l,
           lambda,
           is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
           max_steps - steps,
@@ -77,13 +84,56 @@ namespace stiction
             row.normal_force =
               state_->lambda.head(problems_[l]->n_nodes()).sum();
             observer(row);
-          });
-        statistics_[l] = newton.statistics();
+          },
+          force_control);
+
         steps += statistics_[l].newton_steps;
       }
     solution.lambda    = state_->lambda;
     solution.converged = solution.reason.empty();
     return solution;
+  }
+
+
+
+  std::string
+  NewtonMultigrid::solve_on_level(const unsigned int level,
+                                  const Eigen::VectorXd &lambda,
+                                  const double tolerance,
+                                  const unsigned int max_steps,
+                                  const LevelNewton::Observer &observer,
+                                  ForceControl *const force_control)
+  {
+    ContactLevel &problem = *problems_[level];
+    LevelNewton newton(problem, level, multigrid_, options_);
+    if (!force_control)
+      {
+        const std::string reason =
+          newton.solve(*state_, lambda, tolerance, max_steps, observer);
+        statistics_[level] = newton.statistics();
+        return reason;
+      }
+
+    force_control->begin_mesh();
+    Eigen::VectorXd start = lambda;
+    for (;;)
+      {
+        problem.move_obstacles(force_control->distances());
+        state_->w = problem.penetration_and_slip(state_->u);
+        const std::string reason =
+          newton.solve(*state_, start, tolerance, max_steps, observer);
+        statistics_[level] = newton.statistics();
+        if (!reason.empty())
+          return reason;
+        const double force_scale =
+          problem.scales(state_->u, state_->R, state_->lambda).force;
+        if (!force_control->advance(outcome_of(problem.motion().directions(),
+                                               state_->lambda,
+                                               -state_->w),
+                                    force_accuracy * tolerance * force_scale))
+          return force_control->reason();
+        start = state_->lambda;
+      }
   }
 
 

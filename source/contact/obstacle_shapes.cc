@@ -91,27 +91,6 @@ namespace stiction
       const double R_;
     };
 
-
-
-    // The values of formulas that may depend on no coordinate.
-    std::vector<double>
-    read_numbers(const std::string &text,
-                 const unsigned int n,
-                 const std::string &location,
-                 const double time)
-    {
-      const ParsedFunction function(text, n, location, time);
-      std::vector<double> numbers;
-      for (unsigned int c = 0; c < n; ++c)
-        {
-          numbers.push_back(function.value(Point<3>(), c));
-          if (function.value(Point<3>(0.37, 0.61, 0.83), c) != numbers.back())
-            throw InputError(location + " = " + text +
-                             ", the numbers of a shape must not depend on x, "
-                             "y, z.");
-        }
-      return numbers;
-    }
   } // namespace
 
 

@@ -18,9 +18,7 @@ namespace stiction
     {
       LA::Vector u = elasticity.zero_vector();
       solver.solve(u, elasticity.constrained_load());
-      Eigen::VectorXd h = surface.apply_B(u);
-      h.head(surface.n_nodes()) -= surface.gaps();
-      return h;
+      return surface.apply_B(u) - surface.motion().offset();
     }
 
     // What Q gets on its diagonal where nodes are held: of the size of the

@@ -183,6 +183,27 @@ namespace stiction
 
 
 
+  std::vector<double>
+  read_numbers(const std::string &text,
+               const unsigned int n_components,
+               const std::string &location,
+               const double time)
+  {
+    const ParsedFunction function(text, n_components, location, time);
+    std::vector<double> numbers;
+    for (unsigned int c = 0; c < n_components; ++c)
+      {
+        numbers.push_back(function.value(dealii::Point<3>(), c));
+        if (function.value(dealii::Point<3>(0.37, 0.61, 0.83), c) !=
+            numbers.back())
+          throw InputError(location + " = " + trim(text) +
+                           ", must not depend on x, y, z.");
+      }
+    return numbers;
+  }
+
+
+
   std::vector<std::string>
   split_at_bars(const std::string &text)
   {

@@ -45,6 +45,9 @@ namespace stiction
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
       double moment_balance = 0.;
+      /// max_j |force of obstacle j − prescribed one|/S; negative: no force is
+      /// prescribed.
+      double obstacle_force = -1.;
       /// Bound on the relative energy error ‖û − u*‖_K/‖û‖_K of the problem
       /// with the slip bound frozen at its last value; negative: not computed.
       double duality_gap = -1.;
@@ -81,6 +84,16 @@ namespace stiction
     std::vector<std::pair<std::string, double>>
     deciding_figures() const override;
 
+    bool
+    is_solved(double tolerance) const override;
+
+    /// S, N.
+    double
+    force_scale() const
+    {
+      return force_scale_;
+    }
+
     /// uᵀKu/2 in J.
     double
     strain_energy() const
@@ -115,7 +128,7 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;
-    double strain_energy_ = 0., load_work_ = 0.;
+    double force_scale_ = 1., strain_energy_ = 0., load_work_ = 0.;
     dealii::Tensor<1, 3> force_on_body_, moment_on_body_;
   };
 } // namespace stiction

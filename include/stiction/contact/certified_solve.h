@@ -38,13 +38,15 @@ namespace stiction
 
 
 
-  /// Solves the contact problem from zero contact forces: lets the method
+  /// Solves the contact problem, with the obstacles where they are: lets the
+  /// method
   /// work, has its result judged, and hands the gradient and the scales of
   /// the judgement back to it until the judge is content or nothing moves any
   /// more. The method's own stopping test never decides on success. Collective.
   ///
   /// @param tolerance of the judge.
   /// @param max_iterations of the method, in all.
+  /// @param lambda where to start, 3m contact forces; empty: zero.
   ContactSolution
   certified_solve(DualMethod &method,
                   const DualOperator &Q,
@@ -52,7 +54,8 @@ namespace stiction
                   Judge &judge,
                   double tolerance,
                   unsigned int max_iterations,
-                  const std::function<void(const ContactStep &)> &observer);
+                  const std::function<void(const ContactStep &)> &observer,
+                  Eigen::VectorXd lambda = {});
 } // namespace stiction
 
 #endif

@@ -1,9 +1,8 @@
 #ifndef stiction_contact_contact_boundary_h
 #define stiction_contact_contact_boundary_h
 
-
-
 #include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
 #include <memory>
@@ -28,7 +27,6 @@ namespace stiction
   public:
     /// All contact boundaries, in the order of the parameter file. Collective.
     /// The parameters must outlive them.
-
     ///
     /// Throws InputError for a boundary that the mesh does not have or that
     /// stands twice, for entries with neither one value nor one a boundary, and
@@ -54,6 +52,23 @@ namespace stiction
 
     FrictionLaw
     law() const;
+
+    /// How far the obstacle is moved from where it is said to be, m.
+    const dealii::Tensor<1, 3> &
+    displacement() const
+    {
+      return displacement_;
+    }
+
+    /// The force in N that presses the obstacle on and along which it is free
+    /// to move; zero: it is held.
+    const dealii::Tensor<1, 3> &
+    force() const
+    {
+      return force_;
+    }
+
+
 
     /// Gives a node of this boundary, whose normal is the outward one, its gap
     /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ at its place: the
@@ -86,6 +101,7 @@ namespace stiction
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
     std::unique_ptr<ParsedFunction> gap_;
     std::unique_ptr<FrictionData> friction_;
+    dealii::Tensor<1, 3> displacement_, force_;
     double size_                 = 0.; ///< of the body, m
     const ParameterFile *source_ = nullptr;
   };

@@ -68,6 +68,14 @@ namespace stiction
     bool
     converged(double tolerance) const;
 
+    /// The same without figures that only other places of the obstacles can
+    /// lower.
+    virtual bool
+    is_solved(const double tolerance) const
+    {
+      return converged(tolerance);
+    }
+
     /// "kkt_residual is 3e-4": the largest of them.
     std::string
     worst() const;

@@ -2,6 +2,7 @@
 #define stiction_contact_contact_level_h
 
 #include <stiction/contact/contact_frame.h>
+#include <stiction/contact/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/nodal_support.h>
 #include <stiction/elasticity/trace.h>
@@ -29,9 +30,9 @@ namespace stiction
   /// a matrix, loads, contact nodes with their frames and data.
   ///
   /// On a coarser level it is the problem in the subspace of that level: loads,
-  /// areas and given slip bounds are restricted, gaps, frames and coefficients
-  /// taken at the vertices. Vectors over the contact nodes are replicated, by
-  /// blocks (ν; t1; t2).
+  /// areas and given slip bounds are restricted, obstacles, frames and
+  /// coefficients taken at the vertices. Vectors over the contact nodes are
+  /// replicated, by blocks (ν; t1; t2).
   class ContactLevel
   {
   public:
@@ -104,7 +105,19 @@ namespace stiction
                            const std::vector<double> &entries,
                            LA::Vector &v) const;
 
-    /// B v, and w = Bu − (d; 0; 0). Collective.
+    /// The obstacles, as the nodes of this level see them.
+    const ObstacleMotion &
+    motion() const
+    {
+      return motion_;
+    }
+    void
+    move_obstacles(const Eigen::VectorXd &distances)
+    {
+      motion_.move_to(distances);
+    }
+
+    /// B v, and w = Bu − e with the offset e of motion(). Collective.
     Eigen::VectorXd
     apply_B(const LA::Vector &v) const;
     /// The y for which Bᵀ y is R at the contact nodes in directions that are
@@ -179,7 +192,8 @@ namespace stiction
 
     Trace trace_;
     std::vector<ContactFrame> frames_;
-    Eigen::VectorXd gaps_, areas_;
+    Eigen::VectorXd areas_;
+    ObstacleMotion motion_;
     Eigen::VectorXd youngs_moduli_; ///< around the nodes
     double youngs_modulus_;         ///< the largest in the body
     double boundary_area_ = 0.;

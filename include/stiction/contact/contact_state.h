@@ -20,7 +20,7 @@ namespace stiction
     LA::Vector u;           ///< m
     LA::Vector R;           ///< f − Ku, N
     Eigen::VectorXd lambda; ///< the contact forces y, Bᵀy = R, N
-    Eigen::VectorXd w;      ///< Bu − (d; 0; 0), m
+    Eigen::VectorXd w;      ///< Bu − e = (penetration; slip), m
 
     /// Sets R, λ and w from u by a product with K. Collective.
     void

@@ -2,6 +2,7 @@
 #define stiction_contact_contact_surface_h
 
 #include <stiction/contact/contact_frame.h>
+#include <stiction/contact/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/trace.h>
 #include <stiction/qp/slip_bound.h>
@@ -30,6 +31,9 @@ namespace stiction
   {
     dealii::Point<3> position; ///< undeformed, m
     double gap = 0.;           ///< d along n, m; negative: interference
+    /// By how much the gap grows with displacements of the obstacle: n, and
+    /// where a part of n is held, n over its cosine with what is left.
+    dealii::Tensor<1, 3> gap_growth;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
     double area           = 0.;
@@ -63,8 +67,8 @@ namespace stiction
     ///
     /// Throws InputError if a contact boundary does not exist, is prescribed
     /// itself, has no node that can touch its obstacle, or if what is said of
-    /// it (obstacle, gap, coefficient, slip stress) cannot be read or has a
-    /// value that is not allowed.
+    /// it (obstacle, gap, displacement, force, coefficient, slip stress) cannot
+    /// be read or has a value that is not allowed.
     ContactSurface(const LinearElasticity &elasticity,
                    const Parameters &parameters);
     ~ContactSurface();
@@ -88,12 +92,40 @@ namespace stiction
       return boundaries_;
     }
 
-    /// Initial gaps d_i in m, length m.
-    const Eigen::VectorXd &
+    /// Initial gaps d_i in m, length m, with the obstacles where they are now.
+    Eigen::VectorXd
     gaps() const
     {
-      return gaps_;
+      return motion_.offset().head(n_nodes());
     }
+
+    /// What the displacements of the obstacles are to the contact nodes.
+    const ObstacleMotion &
+    motion() const
+    {
+      return motion_;
+    }
+
+    /// The forces that press obstacles on, N, in the order of the columns of
+    /// motion().directions(): of those boundaries that have one.
+    const Eigen::VectorXd &
+    pressing_forces() const
+    {
+      return pressing_forces_;
+    }
+
+    /// Moves the pressed obstacles to these distances. @return the change of
+    /// the offset.
+    Eigen::VectorXd
+    move_obstacles(const Eigen::VectorXd &distances)
+    {
+      return motion_.move_to(distances);
+    }
+
+    /// How far the obstacle of a contact boundary is from where the parameter
+    /// file places it, m.
+    dealii::Tensor<1, 3>
+    obstacle_displacement(dealii::types::boundary_id id) const;
 
     /// Nodal areas A_i in m², length m.
     const Eigen::VectorXd &
@@ -202,11 +234,17 @@ namespace stiction
     void
     evaluate_data();
 
+    /// Throws InputError if a force presses no node.
+    void
+    displace_obstacles(const Parameters &parameters);
+
     std::vector<ContactBoundary> boundaries_;
     std::vector<ContactNode> nodes_, facing_away_;
     Trace facing_away_trace_;
     Trace trace_;
-    Eigen::VectorXd gaps_, areas_;
+    Eigen::VectorXd areas_;
+    ObstacleMotion motion_;
+    Eigen::VectorXd pressing_forces_;
     qp::SlipBound slip_bound_;
     double boundary_area_ = 0.;
 

@@ -69,6 +69,13 @@ namespace stiction
       return nullptr;
     }
 
+    /// h += change: obstacles have moved.
+    void
+    shift_right_hand_side(const Eigen::VectorXd &change)
+    {
+      h_ += change;
+    }
+
   protected:
     explicit DualOperator(Eigen::Index n_nodes);
 

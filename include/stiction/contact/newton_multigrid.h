@@ -13,12 +13,15 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace stiction
 {
   class ContactSurface;
+  class ForceControl;
   class LinearElasticity;
+
 
   /// Contact with friction for the price of about two elastic solves: the
   /// semismooth Newton method in displacements (PrimalLinearization), each step
@@ -41,8 +44,14 @@ namespace stiction
 
     /// Solves the problem to the tolerance, in the figures of the certificate.
     /// Collective.
+    ///
+    /// @param force_control moves the obstacles until they press with their
+    ///   forces, on every level; null: they stay where they are.
     ContactSolution
-    solve(double tolerance, unsigned int max_steps, const Observer &observer);
+    solve(double tolerance,
+          unsigned int max_steps,
+          const Observer &observer,
+          ForceControl *force_control = nullptr);
 
     /// The displacement found, m.
     const LA::Vector &
@@ -77,6 +86,17 @@ namespace stiction
     }
 
   private:
+    /// Solves the problem of a level from the present state.
+    ///
+    /// @return why it could not be solved; empty: it was.
+    std::string
+    solve_on_level(unsigned int level,
+                   const Eigen::VectorXd &lambda,
+                   double tolerance,
+                   unsigned int max_steps,
+                   const LevelNewton::Observer &observer,
+                   ForceControl *force_control);
+
     /// Interpolates the state to this level from the one below. Returns the
     /// interpolated contact forces.
     Eigen::VectorXd

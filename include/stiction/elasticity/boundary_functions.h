@@ -54,6 +54,17 @@ namespace stiction
 
 
 
+  /// The values of formulas separated by ';' that depend on t alone.
+  ///
+  /// Throws InputError as ParsedFunction, and if they depend on x, y, z.
+  std::vector<double>
+  read_numbers(const std::string &text,
+               unsigned int n_components,
+               const std::string &location,
+               double time);
+
+
+
   /// What a user says about a boundary: a vector of formulas.
   struct BoundaryFunction
   {
