@@ -31,6 +31,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -270,9 +271,18 @@ namespace stiction
     if (surface_->pressing_forces().size() == 0)
       return;
     if (!force_control_)
-      force_control_ = std::make_unique<ForceControl>(
-        *surface_, elasticity_->materials().largest_youngs_modulus());
-    force_control_->begin_mesh();
+      {
+        const auto corners = body_->bounding_box().get_boundary_points();
+        force_control_     = std::make_unique<ForceControl>(
+          surface_->pressing_forces(),
+          range_of_search(surface_->motion(),
+                          surface_->areas(),
+                          surface_->pressing_forces(),
+
+                          elasticity_->materials().largest_youngs_modulus(),
+                          corners.first.distance(corners.second)));
+      }
+
     surface_->move_obstacles(force_control_->distances());
   }
 
@@ -364,31 +374,25 @@ namespace stiction
     if (!force_control_)
       return solve(tolerance, {});
 
-    solve(fixed_obstacle_accuracy * tolerance, {});
-    while (move_obstacles())
-      solve(fixed_obstacle_accuracy * tolerance, solution_->lambda);
+    const std::string reason = force_control_->press(
+      [&](const double accuracy) {
+        schur_->shift_right_hand_side(
+          -surface_->move_obstacles(force_control_->distances()));
+        solve(accuracy,
+              solution_ ? std::move(solution_->lambda) : Eigen::VectorXd());
+        const Certificate &certificate = judge_->certificate();
+        auto outcome = outcome_of(surface_->motion().directions(),
+                                  certificate.lambda(),
+                                  certificate.gradient(),
+                                  certificate.force_scale());
+        if (!certificate.is_solved(std::max(accuracy, tolerance)))
+          outcome.reason = solution_->reason;
+        return outcome;
+      },
+      tolerance,
+      fixed_obstacle_accuracy * tolerance);
     solution_->converged = judge_->certificate().converged(tolerance);
-  }
-
-
-
-  bool
-  ContactProblem::move_obstacles()
-  {
-    const Certificate &certificate = judge_->certificate();
-    const double tolerance         = parameters_.contact_solver.tolerance;
-    if (!certificate.is_solved(tolerance))
-      return false;
-    const bool are_to_move =
-      force_control_->advance(outcome_of(surface_->motion().directions(),
-                                         certificate.lambda(),
-                                         certificate.gradient()),
-                              tolerance * certificate.force_scale());
-    solution_->reason = force_control_->reason();
-    if (are_to_move)
-      schur_->shift_right_hand_side(
-        -surface_->move_obstacles(force_control_->distances()));
-    return are_to_move;
+    solution_->reason    = reason;
   }
 
 

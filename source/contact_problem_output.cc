@@ -5,6 +5,7 @@
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_problem.h>
+#include <stiction/contact/force_control.h>
 #include <stiction/contact/judge.h>
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/contact/schur_complement.h>
@@ -107,6 +108,7 @@ namespace stiction
               {"krylov_iterations", stiffness_solver_->n_iterations()}}));
     summary["solver"].update(
       json({{"law", parameters_.friction.name()},
+            {"force_trials", force_control_ ? force_control_->n_trials() : 0},
             {"elastic_solve_iterations",
              measured ? json(elastic_solve_iterations_) : json(nullptr)},
             {"elastic_solve_equivalents",

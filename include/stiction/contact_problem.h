@@ -119,10 +119,6 @@ namespace stiction
     set_up_multigrid();
     void
     solve_for_displacements();
-    /// Moves pressed obstacles on unless they press with their forces.
-    /// @return whether they were moved.
-    bool
-    move_obstacles();
     void
     certify();
     void

@@ -134,7 +134,8 @@ namespace stiction
       std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) / (S * size);
     if (surface_.pressing_forces().size() > 0)
       body_figures_.obstacle_force =
-        (outcome_of(surface_.motion().directions(), lambda_, gradient_).forces -
+        (outcome_of(surface_.motion().directions(), lambda_, gradient_, S)
+           .forces -
          surface_.pressing_forces())
           .cwiseAbs()
           .maxCoeff() /

@@ -398,7 +398,15 @@ namespace stiction
         const ContactNode &node         = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
         Eigen::Vector3d e = seen_from(node, boundary.displacement());
-        e(0) += node.gap;
+                e(0) += node.gap;
+        if (e(0) < -boundary.body_size())
+          throw InputError(
+            parameters.source.describe(
+              "Boundary conditions/Obstacle displacement") +
+            ", moves the obstacle of boundary '" + boundary.name() +
+            "' into the body by more than the body is large, must be small "
+            "like the displacements of the body.");
+
         set_at_node(offset, i, e);
         if (column[node.boundary] < 0)
           continue;

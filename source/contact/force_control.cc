@@ -1,10 +1,12 @@
-#include <stiction/contact/contact_surface.h>
 #include <stiction/contact/force_control.h>
+#include <stiction/contact/obstacle_motion.h>
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace stiction
 {
@@ -19,9 +21,14 @@ namespace stiction
 
     // An obstacle goes at most so many times as far beyond the place of first
     // contact as it has been.
-    constexpr double largest_growth = 3.;
+    constexpr double largest_growth = 10.;
 
     constexpr unsigned int max_trials = 40;
+
+    // To tell how the forces change, the contact problem need only be solved
+    // this much better than the last error of the forces.
+    constexpr double accuracy_of_error = 1e-3;
+
 
     // A direction approaches a node if its cosine with −n is above this one.
     constexpr double approaching_cosine = 0.1;
@@ -54,36 +61,12 @@ namespace stiction
 
 
 
-  ForceControl::ForceControl(const ContactSurface &surface,
-                             const double youngs_modulus)
-    : prescribed_(surface.pressing_forces())
-    , size_(std::sqrt(surface.boundary_area()))
-    , distances_(prescribed_.size())
-    , touch_(prescribed_.size())
-    , reach_(prescribed_.size())
+  ForceControl::ForceControl(Eigen::VectorXd prescribed, Range range)
+    : prescribed_(std::move(prescribed))
+    , range_(std::move(range))
+    , first_reach_(range_.reach)
+    , distances_(range_.touch + range_.reach)
   {
-    const Eigen::MatrixXd &directions = surface.motion().directions();
-    const Eigen::VectorXd gaps        = surface.gaps();
-    for (Eigen::Index j = 0; j < prescribed_.size(); ++j)
-      {
-        touch_(j) = shortest_way(directions, gaps, j);
-        // E √(A/π) δ, with half the area that is cut for the one in contact
-        const auto guess = [&](const double depth) {
-          double area = 0.;
-          for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-            if (way_to(directions, gaps, i, j) <= touch_(j) + depth)
-              area += surface.areas()(i);
-          return youngs_modulus * std::sqrt(area / (2. * M_PI)) * depth;
-        };
-        double low = 0., high = size_;
-        for (unsigned int k = 0; k < 60; ++k)
-          {
-            const double middle                           = 0.5 * (low + high);
-            (guess(middle) < prescribed_(j) ? low : high) = middle;
-          }
-        reach_(j)     = high;
-        distances_(j) = touch_(j) + reach_(j);
-      }
   }
 
 
@@ -92,39 +75,65 @@ namespace stiction
   ForceControl::begin_mesh()
   {
     last_.reset();
-    too_near_         = infinity;
-    too_far_          = -infinity;
-    n_on_one_side_    = 0;
-    n_trials_on_mesh_ = 0;
+    before_last_.reset();
+    too_near_   = infinity;
+    too_far_    = -infinity;
+    last_error_ = error_before_ = infinity;
   }
 
 
 
-  bool
-  ForceControl::advance(const Outcome &outcome, const double tolerance)
+  std::string
+  ForceControl::press(const Solve &solve,
+                      const double tolerance,
+                      const double finest_accuracy)
   {
-    ++n_trials_;
-    if (((outcome.forces - prescribed_).array().abs() <= tolerance).all())
-      return false;
-    if (!outcome.forces.allFinite() || ++n_trials_on_mesh_ == max_trials)
+    begin_mesh();
+    double accuracy = std::max(accuracy_of_error, finest_accuracy);
+    for (unsigned int trials = 1;; ++trials)
       {
-        reason_ = "no place of the obstacle was found where it presses with "
-                  "its force, check 'Boundary conditions/Obstacle force'";
-        return false;
-      }
+        const Outcome outcome = solve(accuracy);
+        ++n_trials_;
+        if (!outcome.reason.empty())
+          return outcome.reason;
+        const double error =
+          (outcome.forces - prescribed_).cwiseAbs().maxCoeff() /
+          outcome.force_scale;
+        if (error <= tolerance && accuracy <= finest_accuracy)
+          return {};
+        if (!outcome.forces.allFinite() || trials == max_trials)
+          return "no place of the obstacle was found where it presses with its "
+                 "force, check 'Boundary conditions/Obstacle force'";
 
-    learn(outcome.forces);
+        if (error > tolerance)
+          {
+            const std::string reason = advance(outcome, accuracy);
+            if (!reason.empty())
+              return reason;
+          }
+        accuracy = std::max(std::min(accuracy, accuracy_of_error * error),
+                            finest_accuracy);
+      }
+  }
+
+
+
+  std::string
+  ForceControl::advance(const Outcome &outcome, const double accuracy)
+  {
     Eigen::VectorXd next = distances_ + next_step(outcome);
     if (next.size() == 1)
-      stay_within_interval(outcome.forces(0), next(0));
-    reach_     = reach_.cwiseMax((next - touch_).cwiseAbs());
-    distances_ = next;
-    if (reach_.maxCoeff() <= size_)
-      return true;
-    reason_ = "an obstacle would have to move by more than the contact "
-              "boundary is large to press with its force, lower 'Boundary "
-              "conditions/Obstacle force' or hold the body better";
-    return false;
+      stay_within_interval(outcome.forces(0) - prescribed_(0),
+                           accuracy * outcome.force_scale,
+                           next(0));
+    const Eigen::VectorXd reach = (next - range_.touch).cwiseAbs();
+    if (reach.maxCoeff() > range_.largest_reach)
+      return "an obstacle would have to move by more than the body is large to "
+             "press with its force, lower 'Boundary conditions/Obstacle force' "
+             "or hold the body better";
+    range_.reach = range_.reach.cwiseMax(reach);
+    distances_   = next;
+    return {};
   }
 
 
@@ -132,12 +141,6 @@ namespace stiction
   void
   ForceControl::learn(const Eigen::VectorXd &forces)
   {
-    const auto in_contact = forces.array() > no_force * prescribed_.array();
-    if (!in_contact.all())
-      {
-        last_.reset();
-        return;
-      }
     if (last_)
       {
         const Eigen::VectorXd step   = distances_ - last_->distances;
@@ -152,7 +155,7 @@ namespace stiction
         for (Eigen::Index j = 0; j < forces.size(); ++j)
           {
             const double depth =
-              std::max(distances_(j) - touch_(j), 1e-3 * reach_(j));
+              std::max(distances_(j) - range_.touch(j), 1e-3 * range_.reach(j));
             const double ratio = prescribed_(j) / forces(j);
             const double way   = depth * (std::pow(ratio, 1. / exponent) - 1.);
             slope(j)           = std::abs(ratio - 1.) > 1e-6
@@ -161,53 +164,117 @@ namespace stiction
           }
         slope_ = Eigen::MatrixXd(slope.asDiagonal());
       }
-    last_ = {distances_, forces};
+    before_last_ = last_;
+    last_        = {distances_, forces};
   }
 
 
 
   Eigen::VectorXd
-  ForceControl::next_step(const Outcome &outcome) const
+  ForceControl::next_step(const Outcome &outcome)
   {
+    const Eigen::ArrayXd no_contact =
+      (outcome.forces.array() <= no_force * prescribed_.array()).cast<double>();
+    // One obstacle is led by its interval. Of several, one has lost contact
+    // because the step was too large.
+    if (no_contact.any() && last_ && no_contact.size() > 1)
+      return 0.5 * (last_->distances - distances_);
+    if (no_contact.any())
+      return no_contact *
+             (outcome.clearance +
+              first_reach_.cwiseMax((distances_ - range_.touch).cwiseAbs()))
+               .array();
+
+    learn(outcome.forces);
     const Eigen::VectorXd missing = prescribed_ - outcome.forces;
-    Eigen::VectorXd step          = Eigen::VectorXd::Zero(missing.size());
-    if (last_)
-      step = slope_->partialPivLu().solve(missing);
+    Eigen::VectorXd step =
+      before_last_ && missing.size() == 1
+        ? Eigen::VectorXd::Constant(1, interpolate() - distances_(0))
+        : Eigen::VectorXd(slope_->partialPivLu().solve(missing));
     for (Eigen::Index j = 0; j < step.size(); ++j)
-      if (outcome.forces(j) <= no_force * prescribed_(j))
-        step(j) = outcome.clearance(j) + reach_(j);
-      else
-        {
-          // a force that no longer grows leaves the size of the step open
-          const double limit = largest_growth * reach_(j);
-          if (!std::isfinite(step(j)) ||
-              (step.size() == 1 && step(j) * missing(j) <= 0.))
-            step(j) = missing(j) > 0. ? limit : -limit;
-          step(j) = std::clamp(step(j), -limit, limit);
-        }
+      {
+        // a force that no longer grows leaves the size of the step open
+        const double limit = largest_growth * range_.reach(j);
+        if (!std::isfinite(step(j)) ||
+            (step.size() == 1 && step(j) * missing(j) <= 0.))
+          step(j) = missing(j) > 0. ? limit : -limit;
+        step(j) = std::clamp(step(j), -limit, limit);
+      }
     return step;
   }
 
 
 
-  void
-  ForceControl::stay_within_interval(const double force, double &next)
+  double
+  ForceControl::interpolate() const
   {
-    // far: not near enough to press as it should
-    const bool is_far = force < prescribed_(0);
-    double &end       = is_far ? too_far_ : too_near_;
-    n_on_one_side_    = (is_far ? distances_(0) > end : distances_(0) < end)
-                          ? n_on_one_side_ + 1
-                          : 1;
-    end               = distances_(0);
-    if (!std::isfinite(too_far_) || !std::isfinite(too_near_))
-      return;
-    const bool is_slow = n_on_one_side_ > 3;
-    if (is_slow || !(next > too_far_ && next < too_near_))
+    const double x1 = before_last_->distances(0), x2 = last_->distances(0);
+    const double f1 = before_last_->forces(0), f2 = last_->forces(0);
+    const double depth1 = x1 - range_.touch(0), depth2 = x2 - range_.touch(0);
+    const double slope = (f2 - f1) / (x2 - x1);
+    if (depth1 > 0. && depth2 > 0. && slope > 0.)
       {
-        next           = 0.5 * (too_far_ + too_near_);
-        n_on_one_side_ = 0;
+        const double power =
+          std::clamp(std::log(f2 / f1) / std::log(depth2 / depth1), 0.3, 5.);
+        return range_.touch(0) +
+               depth2 * std::pow(prescribed_(0) / f2, 1. / power);
       }
+    return x2 + (prescribed_(0) - f2) / slope;
+  }
+
+
+
+  void
+  ForceControl::stay_within_interval(const double error,
+                                     const double noise,
+                                     double &next)
+  {
+    if (error < -noise)
+      too_far_ = std::max(too_far_, distances_(0));
+    if (error > noise)
+      too_near_ = std::min(too_near_, distances_(0));
+    const bool is_slow = std::abs(error) > 0.5 * error_before_;
+    error_before_      = last_error_;
+    last_error_        = std::abs(error);
+    if (std::isfinite(too_far_) && std::isfinite(too_near_) &&
+        (is_slow || !(next > too_far_ && next < too_near_)))
+      next = 0.5 * (too_far_ + too_near_);
+  }
+
+
+
+  ForceControl::Range
+  range_of_search(const ObstacleMotion &motion,
+                  const Eigen::VectorXd &areas,
+                  const Eigen::VectorXd &forces,
+                  const double youngs_modulus,
+                  const double body_size)
+  {
+    const Eigen::MatrixXd &directions = motion.directions();
+    const Eigen::VectorXd gaps        = motion.offset().head(areas.size());
+    ForceControl::Range range;
+    range.touch.resize(forces.size());
+    range.reach.resize(forces.size());
+    range.largest_reach = body_size;
+    for (Eigen::Index j = 0; j < forces.size(); ++j)
+      {
+        range.touch(j)   = shortest_way(directions, gaps, j);
+        const auto force = [&](const double depth) {
+          double area = 0.;
+          for (Eigen::Index i = 0; i < areas.size(); ++i)
+            if (way_to(directions, gaps, i, j) <= range.touch(j) + depth)
+              area += areas(i);
+          return youngs_modulus * std::sqrt(area / (2. * M_PI)) * depth;
+        };
+        double low = 0., high = body_size;
+        for (unsigned int k = 0; k < 60; ++k)
+          {
+            const double middle                      = 0.5 * (low + high);
+            (force(middle) < forces(j) ? low : high) = middle;
+          }
+        range.reach(j) = high;
+      }
+    return range;
   }
 
 
@@ -215,11 +282,14 @@ namespace stiction
   ForceControl::Outcome
   outcome_of(const Eigen::MatrixXd &directions,
              const Eigen::VectorXd &lambda,
-             const Eigen::VectorXd &gradient)
+             const Eigen::VectorXd &gradient,
+             const double force_scale)
   {
     ForceControl::Outcome outcome;
-    outcome.forces    = -directions.transpose() * lambda;
-    outcome.clearance = Eigen::VectorXd::Zero(directions.cols());
+    outcome.forces      = -directions.transpose() * lambda;
+    outcome.force_scale = force_scale;
+    outcome.clearance   = Eigen::VectorXd::Zero(directions.cols());
+
     for (Eigen::Index j = 0; j < directions.cols(); ++j)
       outcome.clearance(j) =
         std::max(shortest_way(directions, gradient, j), 0.);

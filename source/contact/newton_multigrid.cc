@@ -114,26 +114,25 @@ namespace stiction
         return reason;
       }
 
-    force_control->begin_mesh();
     Eigen::VectorXd start = lambda;
-    for (;;)
-      {
+    return force_control->press(
+      [&](const double accuracy) {
         problem.move_obstacles(force_control->distances());
         state_->w = problem.penetration_and_slip(state_->u);
         const std::string reason =
-          newton.solve(*state_, start, tolerance, max_steps, observer);
+          newton.solve(*state_, start, accuracy, max_steps, observer);
         statistics_[level] = newton.statistics();
-        if (!reason.empty())
-          return reason;
-        const double force_scale =
-          problem.scales(state_->u, state_->R, state_->lambda).force;
-        if (!force_control->advance(outcome_of(problem.motion().directions(),
-                                               state_->lambda,
-                                               -state_->w),
-                                    force_accuracy * tolerance * force_scale))
-          return force_control->reason();
-        start = state_->lambda;
-      }
+        start              = state_->lambda;
+        auto outcome       = outcome_of(
+          problem.motion().directions(),
+          state_->lambda,
+          -state_->w,
+          problem.scales(state_->u, state_->R, state_->lambda).force);
+        outcome.reason = reason;
+        return outcome;
+      },
+      force_accuracy * tolerance,
+      tolerance);
   }
 
 

@@ -120,20 +120,25 @@ namespace stiction
     void
     print_contact(Log &log, const ContactSurface &surface)
     {
+      // where the parameter file puts the obstacles, not where the search for
+      // the place of a pressed one begins
+      const Eigen::VectorXd gaps =
+        surface.motion().offset_at_start().head(surface.n_nodes());
       TableHandler table;
       for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
         {
           double smallest = std::numeric_limits<double>::max();
           double largest = -smallest, area = 0.;
           unsigned int n = 0, n_inside = 0;
-          for (const ContactNode &node : surface.nodes())
-            if (node.boundary == b)
+          for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+            if (surface.nodes()[i].boundary == b)
               {
+                const double gap = gaps(i);
                 ++n;
-                n_inside += node.gap < 0. ? 1 : 0;
-                area += node.area;
-                smallest = std::min(smallest, node.gap);
-                largest  = std::max(largest, node.gap);
+                n_inside += gap < 0. ? 1 : 0;
+                area += surface.areas()(i);
+                smallest = std::min(smallest, gap);
+                largest  = std::max(largest, gap);
               }
           table.add_value("contact boundary", surface.boundaries()[b].name());
           table.add_value("nodes", n);
@@ -141,6 +146,9 @@ namespace stiction
           table.add_value("smallest gap [m]", number(smallest));
           table.add_value("largest gap [m]", number(largest));
           table.add_value("nodes with interference", n_inside);
+          const Tensor<1, 3> &force = surface.boundaries()[b].force();
+          table.add_value("obstacle pressed on by [N]",
+                          force.norm() > 0. ? vector(force) : std::string("-"));
         }
       log.line("Contact");
       print(log, table);

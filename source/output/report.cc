@@ -47,7 +47,8 @@ namespace stiction
             std::make_pair("release_steps", "releases"),
             std::make_pair("admm_iterations", "ADMM iterations"),
             std::make_pair("dense_factorizations", "dense factorizations"),
-            std::make_pair("fallbacks", "fallbacks")})
+            std::make_pair("fallbacks", "fallbacks"),
+            std::make_pair("force_trials", "places of pressed obstacles")})
         if (solver.value(count.first, 0u) > 0)
           all += (all.empty() ? "" : ", ") + std::string(count.second) +
                  format(" %u", solver.value(count.first, 0u));
@@ -111,6 +112,10 @@ namespace stiction
       {
         log.line(
           vector_line("force on the body [N]", contact["force_on_body"]));
+        for (const json &boundary : contact["boundaries"])
+          if (boundary["obstacle_displacement"] != json({0., 0., 0.}))
+            log.line(vector_line("obstacle moved by [m]",
+                                 boundary["obstacle_displacement"]));
         log.line(format("  %-24s %.6g",
                         "largest pressure [Pa]",
                         contact["max_pressure"].get<double>()));
@@ -133,7 +138,7 @@ namespace stiction
       const char *name, *meaning;
       bool decides;
     };
-    static const std::array<Row, 9> rows = {
+    static const std::array<Row, 10> rows = {
       {{"equilibrium_residual", "forces in balance at every node", true},
        {"kkt_residual", "contact and friction conditions", true},
        {"penetration", "depth below the foundation", true},
@@ -141,6 +146,7 @@ namespace stiction
        {"cone_violation", "friction above its bound", true},
        {"force_balance", "forces in balance as a whole", true},
        {"moment_balance", "moments in balance as a whole", true},
+       {"obstacle_force", "obstacles press with their forces", true},
        {"slip_angle", "degrees between friction and slip", false},
        {"duality_gap", "bound on the relative energy error", false}}};
     for (const Row &row : rows)

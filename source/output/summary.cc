@@ -61,7 +61,10 @@ namespace stiction
                           {"nodes", parts[b].nodes},
                           {"normal_force", parts[b].normal_force},
                           {"force_on_body", to_json(parts[b].force_on_body)},
-                          {"area", parts[b].area}});
+                          {"area", parts[b].area},
+                          {"obstacle_displacement",
+                           to_json(surface.obstacle_displacement(
+                             surface.boundaries()[b].id()))}});
       return result;
     }
   } // namespace
@@ -80,6 +83,7 @@ namespace stiction
                            {"slip_angle", figures.slip_angle},
                            {"force_balance", nullptr},
                            {"moment_balance", nullptr},
+                           {"obstacle_force", nullptr},
                            {"duality_gap", nullptr}};
     if (const auto *certificate =
           dynamic_cast<const Certificate *>(&conditions))
@@ -88,6 +92,8 @@ namespace stiction
         result["equilibrium_residual"] = body.equilibrium_residual;
         result["force_balance"]        = body.force_balance;
         result["moment_balance"]       = body.moment_balance;
+        if (body.obstacle_force >= 0.)
+          result["obstacle_force"] = body.obstacle_force;
         if (body.duality_gap >= 0.)
           result["duality_gap"] = body.duality_gap;
       }
@@ -230,8 +236,8 @@ namespace stiction
     result["moment"]           = to_json(certificate.moment_on_body());
     result["max_pressure"]     = max_pressure;
     result["area"]             = area;
-    if (surface.boundaries().size() > 1)
-      result["boundaries"] = boundaries_to_json(surface, certificate);
+    result["boundaries"]       = boundaries_to_json(surface, certificate);
+
     return result;
   }
 

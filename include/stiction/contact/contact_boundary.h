@@ -70,6 +70,13 @@ namespace stiction
 
 
 
+        /// That of the body, m: no obstacle may be deeper in it.
+    double
+    body_size() const
+    {
+      return size_;
+    }
+
     /// Gives a node of this boundary, whose normal is the outward one, its gap
     /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ at its place: the
     /// linearisation of ψ(x + u) ≥ 0.

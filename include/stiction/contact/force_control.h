@@ -3,28 +3,39 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 
 namespace stiction
 {
-  class ContactSurface;
+  class ObstacleMotion;
+
 
   /// Finds how far obstacles have to move until they press on the body with
   /// the forces that are prescribed.
   ///
   /// The force on an obstacle at rest is a function of its distance alone, the
   /// contact problem being solved for every distance that is tried: none as
-  /// long as it is away, then growing. Its root is found by the secant method,
-  /// for one obstacle safeguarded by an interval around the root, for several
-  /// in Broyden's form. There is nothing to tune: the first distance comes from
-  /// Hertz' formula for the part of the surface that the obstacle would cut.
+  /// long as it is away, then growing. Its root is found by the secant method:
+  /// for one obstacle in logarithms, where punch, sphere and cone are straight
+  /// lines, and safeguarded by an interval around the root; for several in
+  /// Broyden's form.
   class ForceControl
   {
   public:
-    /// @param youngs_modulus of the body, Pa: for the first distance only.
-    ForceControl(const ContactSurface &surface, double youngs_modulus);
+    /// Where the search begins and ends, one entry an obstacle.
+    struct Range
+    {
+      Eigen::VectorXd touch; ///< the distance of first contact, m
+      Eigen::VectorXd reach; ///< how far beyond it to begin, m, > 0
+      double largest_reach;  ///< m: beyond that there is no use in going on
+    };
+
+    /// @param prescribed forces, N, > 0.
+    ForceControl(Eigen::VectorXd prescribed, Range range);
+
 
     /// Where the obstacles are to be.
     const Eigen::VectorXd &
@@ -33,34 +44,29 @@ namespace stiction
       return distances_;
     }
 
-    /// Before the same obstacles press on another mesh of the body: the
-    /// distances and how the forces change with them are kept.
-    void
-    begin_mesh();
-
-    /// What came out at the present distances.
+    /// What came out at some distances.
     struct Outcome
     {
       Eigen::VectorXd forces;    ///< on the body, N
       Eigen::VectorXd clearance; ///< how far it is to contact, m; 0 in contact
+      double force_scale = 1.;   ///< S of the certificate, N
+      std::string reason; ///< if the contact problem was not solved: why not
     };
 
-    /// Takes note of what came out, and moves the obstacles on unless every
-    /// force is the prescribed one but for @p tolerance (N).
+    /// Solves the contact problem with the obstacles at distances() to an
+    /// accuracy, in the figures of the certificate.
+    using Solve = std::function<Outcome(double accuracy)>;
+
+    /// Moves the obstacles until the error of every force is below
+    /// @p tolerance S, and the contact problem is solved to
+    /// @p finest_accuracy. On another mesh of the body it goes on from the
+    /// distances found before.
     ///
-    /// @return whether they were moved. If not, and reason() says something,
-    ///   the forces cannot be reached.
-    bool
-    advance(const Outcome &outcome, double tolerance);
+    /// @return why that was not reached, and what to change; empty: it was.
+    std::string
+    press(const Solve &solve, double tolerance, double finest_accuracy);
 
-    /// Why the forces were not reached, and what to change; empty otherwise.
-    const std::string &
-    reason() const
-    {
-      return reason_;
-    }
-
-    /// Distances that were tried so far, on all meshes.
+    /// Contact problems that were solved so far, on all meshes.
     unsigned int
     n_trials() const
     {
@@ -69,37 +75,69 @@ namespace stiction
 
   private:
     void
+    begin_mesh();
+
+    /// @return why there is no use in going on; empty: the obstacles moved.
+    std::string
+    advance(const Outcome &outcome, double accuracy);
+
+
+    void
     learn(const Eigen::VectorXd &forces);
 
     Eigen::VectorXd
-    next_step(const Outcome &outcome) const;
+    next_step(const Outcome &outcome);
 
+    double
+    interpolate() const;
+
+    /// Of one obstacle alone: notes on which side of the root it is, and keeps
+    /// the next distance between both.
     void
-    stay_within_interval(double force, double &next);
+    stay_within_interval(double error, double noise, double &next);
+
 
     const Eigen::VectorXd prescribed_;
-    double size_; ///< of the contact boundary, m: no obstacle goes further
-
+    Range range_; ///< its reach: as far as the search has come
+    const Eigen::VectorXd first_reach_;
     Eigen::VectorXd distances_;
-    Eigen::VectorXd touch_; ///< where the undeformed body is met
-    Eigen::VectorXd reach_; ///< how far beyond that the search has come
+
+
 
     struct Trial
     {
       Eigen::VectorXd distances, forces;
     };
-    std::optional<Trial>
-      last_; ///< on this mesh, with every obstacle in contact
+    /// The last ones on this mesh, with every obstacle in contact.
+    std::optional<Trial> last_, before_last_;
+
     std::optional<Eigen::MatrixXd> slope_; ///< d forces/d distances, N/m
 
     // of one obstacle alone
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     double too_near_ = infinity, too_far_ = -infinity;
-    unsigned int n_on_one_side_ = 0;
+    double last_error_ = infinity, error_before_ = infinity; ///< N
 
-    unsigned int n_trials_ = 0, n_trials_on_mesh_ = 0;
-    std::string reason_;
+
+    unsigned int n_trials_ = 0;
   };
+
+
+
+  /// Where to search for the places of the pressed obstacles. They begin where
+  /// E √(A/2π) δ is the force, A being the area that would be cut off by an
+  /// obstacle δ beyond the place of first contact: half of it would be in
+  /// contact (Hertz), and a flat punch has that stiffness.
+  ///
+  /// @param areas of the contact nodes, m².
+  /// @param forces prescribed, N.
+  /// @param youngs_modulus, body_size Pa, m.
+  ForceControl::Range
+  range_of_search(const ObstacleMotion &motion,
+                  const Eigen::VectorXd &areas,
+                  const Eigen::VectorXd &forces,
+                  double youngs_modulus,
+                  double body_size);
 
 
 
@@ -107,10 +145,12 @@ namespace stiction
   ///
   /// @param directions C of ObstacleMotion, 3m × n.
   /// @param lambda, gradient contact forces and r = (remaining gap; −slip).
+  /// @param force_scale S.
   ForceControl::Outcome
   outcome_of(const Eigen::MatrixXd &directions,
              const Eigen::VectorXd &lambda,
-             const Eigen::VectorXd &gradient);
+             const Eigen::VectorXd &gradient,
+             double force_scale);
 } // namespace stiction
 
 #endif

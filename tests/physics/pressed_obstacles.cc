@@ -1,0 +1,286 @@
+// Obstacles that are displaced, and that are pressed on with a force. Exact: a
+// column under pressure from a plane. On the reference brick: to displace the
+// foundation is to displace the supports; what a force reaches, the distance it
+// found reaches as a prescribed displacement; energies balance. All kinds of
+// methods; an oblique force; two obstacles on one body; on graded and
+// quadratic meshes; a sphere that is drawn along.
+
+#include "tests.h"
+
+#include <stiction/contact/force_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace stiction;
+
+namespace
+{
+  using Settings = std::vector<std::string>;
+
+  Settings
+  operator+(Settings a, const Settings &b)
+  {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+
+  const Eigen::VectorXd &
+  lambda(const Run &run)
+  {
+    return run.problem->solution().lambda;
+  }
+
+  double
+  distance(const Run &a, const Run &b)
+  {
+    return (lambda(a) - lambda(b)).norm() / lambda(b).norm();
+  }
+
+  nlohmann::json
+  boundary(const Run &run, const unsigned int number = 0)
+  {
+    return run.summary()["contact"]["boundaries"][number];
+  }
+
+  // Relative to the work of the loads and of the obstacles.
+  double
+  imbalance_of_energy(const Run &run)
+  {
+    const auto &energy  = run.summary()["energy"];
+    const double strain = energy["strain"], work = energy["load_work"],
+                 friction = energy["friction_dissipation"];
+    const double obstacles =
+      -lambda(run).dot(run.problem->contact_surface().motion().offset());
+    return std::abs(2. * strain + friction - work - obstacles) /
+           std::max(std::abs(work), std::abs(obstacles));
+  }
+
+  const std::vector<Settings> methods = {
+    {"Contact solver/Method=gauss seidel"},
+    {"Contact solver/Method=mpgp"},
+    {"Contact solver/Method=newton"},
+    {"Contact solver/Method=newton", "Dual operator/Form=by solves"},
+    {"Contact solver/Method=admm"},
+    {"Contact solver/Method=newton multigrid"},
+    {"Contact solver/Method=newton multigrid", "Stiffness solver/Type=amg"}};
+
+  // P = 3000 N on 0.5 m², E = 1e6 Pa, height 2 m: 0.012 m beyond the gap.
+  void
+  press_column()
+  {
+    const Settings column = {
+      "Geometry/Table 1 level=0",
+      "Geometry/Lengths=1,0.5,2",
+      "Geometry/Subdivisions=2,1,2",
+      "Geometry/Global refinement=1",
+      "Material/Young's modulus=1e6",
+      "Material/Poisson ratio=0.3",
+      "Boundary conditions/Prescribed displacement=top : free; free; 0 | left "
+      ": 0; free; free | front : free; 0; free",
+      "Boundary conditions/Traction=",
+      "Boundary conditions/Initial gap=0.001",
+      "Boundary conditions/Obstacle force=0; 0; 1500*t",
+      "Boundary conditions/Time=2",
+      "Friction/Law=frictionless",
+      "Contact solver/Tolerance=1e-9"};
+    const std::vector<Settings> bodies = {
+      {},
+      {"Geometry/Element degree=2"},
+      {"Geometry/Contact refinement=1"},
+      {"Boundary conditions/Obstacle=plane : 0; 0; 0; 0; 0; 1"}};
+    bool are_certified = true;
+    double error       = 0.;
+    const auto check   = [&](const Settings &settings) {
+      const Run run(shipped("brick.prm"), column + settings);
+      are_certified       = are_certified && run.converged;
+      const auto &surface = run.problem->contact_surface();
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        error = std::max(
+          error, std::abs(lambda(run)(i) / surface.areas()(i) / 6e3 - 1.));
+      error = std::max(
+        error,
+        std::abs(boundary(run)["obstacle_displacement"][2].get<double>() /
+                   0.013 -
+                 1.));
+      error = std::max(error, imbalance_of_energy(run));
+    };
+    for (const Settings &method : methods)
+      check(method);
+    for (const Settings &body : bodies)
+      {
+        check(body);
+        check(body + Settings{"Contact solver/Method=newton multigrid"});
+      }
+    out() << "column: certified " << yes(are_certified)
+          << ", pressure, distance and energies to 1e-8 " << yes(error < 1e-8)
+          << std::endl;
+  }
+
+  const Settings brick = {"Geometry/Table 1 level=0",
+                          "Geometry/Subdivisions=4,3,1",
+                          "Geometry/Global refinement=1",
+                          "Contact solver/Tolerance=1e-9"};
+
+  // The whole world moved by U changes no force.
+  void
+  move_the_foundation()
+  {
+    const std::string U = "2e-4; -1e-4; 1e-4", minus_U = "-2e-4; 1e-4; -1e-4";
+    for (const std::string law : {"given", "coulomb"})
+      for (const std::string method : {"gauss seidel", "newton multigrid"})
+        {
+          const Settings all =
+            brick +
+            Settings{"Friction/Law=" + law, "Contact solver/Method=" + method};
+          const Run foundation(shipped("brick.prm"),
+                               all + Settings{"Boundary conditions/Obstacle "
+                                              "displacement=" +
+                                              U});
+          const Run supports(shipped("brick.prm"),
+                             all + Settings{"Boundary conditions/Prescribed "
+                                            "displacement=2 : " +
+                                            minus_U});
+          const Run neither(shipped("brick.prm"), all);
+          out() << law << ", " << method << ", moved foundation: certified "
+                << yes(foundation.converged)
+                << ", the forces of moved supports to 1e-6 "
+                << yes(distance(foundation, supports) < 1e-6)
+                << ", others than at rest "
+                << yes(distance(foundation, neither) > 0.1)
+                << ", energies balance to 1e-8 "
+                << yes(imbalance_of_energy(foundation) < 1e-8) << std::endl;
+        }
+  }
+
+  // Up and a little sideways, with all three states.
+  void
+  press_obliquely()
+  {
+    const std::string entry = "Boundary conditions/Obstacle force=";
+    const Settings all      = brick + Settings{entry + "1e7; 0; 3e8"};
+    const double P          = std::hypot(1e7, 3e8);
+    const Run first(shipped("brick.prm"), all + methods[0]);
+    const auto along_force = [&](const nlohmann::json &v) {
+      return (1e7 * v[0].get<double>() + 3e8 * v[2].get<double>()) / P;
+    };
+    const auto u = boundary(first)["obstacle_displacement"];
+    const Run displaced(shipped("brick.prm"),
+                        brick + Settings{"Boundary conditions/Obstacle "
+                                         "displacement=" +
+                                         exact(u[0]) + "; 0; " + exact(u[2])});
+    const auto &contact = first.summary()["contact"];
+    out() << "oblique: certified " << yes(first.converged)
+          << ", force along its direction to 1e-8 "
+          << yes(std::abs(along_force(boundary(first)["force_on_body"]) / P -
+                          1.) < 1e-8)
+          << ", moved along it "
+          << yes(std::abs(u[0].get<double>() * 3e8 - u[2].get<double>() * 1e7) <
+                 1e-8 * P)
+          << ", the forces of that displacement to 1e-6 "
+          << yes(distance(first, displaced) < 1e-6) << ", nodes slip and stick "
+          << yes(contact["slip"] > 0 && contact["stick"] > 0)
+          << ", energies balance to 1e-8 "
+          << yes(imbalance_of_energy(first) < 1e-8) << std::endl;
+
+    bool are_certified = true;
+    double largest     = 0.;
+    for (const Settings &method : methods)
+      {
+        const Run run(shipped("brick.prm"), all + method);
+        are_certified = are_certified && run.converged;
+        largest       = std::max(largest, distance(run, first));
+      }
+    const Run moved_on(shipped("brick.prm"),
+                       all + Settings{"Friction/Law=coulomb",
+                                      "Contact solver/Coulomb iteration=fixed "
+                                      "point"});
+    out() << "all methods: certified " << yes(are_certified)
+          << ", the same forces to 1e-6 " << yes(largest < 1e-6)
+          << "; fixed point: " << yes(distance(moved_on, first) < 1e-6)
+          << std::endl;
+  }
+
+  // One from below and one from above, which are felt by each other.
+  void
+  press_from_two_sides()
+  {
+    const Settings two =
+      brick +
+      Settings{
+        "Boundary conditions/Traction=",
+        "Boundary conditions/Contact boundary=bottom | top",
+        "Boundary conditions/Obstacle=foundation | sphere : 2; 2; 11; 10",
+        "Boundary conditions/Obstacle force=0; 0; 3e7 | 0; 0; -2e7"};
+    for (const std::string method : {"newton", "newton multigrid"})
+      {
+        const Run run(shipped("brick.prm"),
+                      two + Settings{"Contact solver/Method=" + method});
+        const auto force = [&](const unsigned int b) {
+          return boundary(run, b)["force_on_body"][2].get<double>();
+        };
+        out() << "two obstacles, " << method << ": certified "
+              << yes(run.converged) << ", forces to 1e-7 "
+              << yes(std::abs(force(0) / 3e7 - 1.) < 1e-7 &&
+                     std::abs(force(1) / -2e7 - 1.) < 1e-7)
+              << std::endl;
+      }
+  }
+
+  // Amontons' law for a sphere that slides, and less for one that does not.
+  void
+  slide()
+  {
+    const auto ratio = [](const Run &run) {
+      const auto force = boundary(run)["force_on_body"];
+      return -force[0].get<double>() / force[2].get<double>() / 0.3;
+    };
+    const auto draw = [](const std::string &u) {
+      return Run(shipped("sliding_sphere.prm"),
+                 {"Boundary conditions/Obstacle displacement=" + u + "; 0; 0",
+                  "Geometry/Global refinement=1"});
+    };
+    const Run little = draw("0.002"), far = draw("0.1");
+    out() << "sliding sphere: certified "
+          << yes(little.converged && far.converged) << ", pressed by its force "
+          << yes(std::abs(boundary(far)["force_on_body"][2].get<double>() /
+                            -3077. -
+                          1.) < 1e-6)
+          << ", slips and sticks "
+          << yes(little.summary()["contact"]["slip"] > 0 &&
+                 little.summary()["contact"]["stick"] > 0)
+          << ", with less than friction could carry "
+          << yes(ratio(little) < 0.8) << ", slides as a whole "
+          << yes(far.summary()["contact"]["stick"] == 0)
+          << ", with what friction carries to 1e-3 "
+          << yes(std::abs(ratio(far) - 1.) < 1e-3) << std::endl;
+  }
+
+  // A force that the body cannot take within its size.
+  void
+  press_too_hard()
+  {
+    const Run run(shipped("brick.prm"),
+                  brick + Settings{"Boundary conditions/Obstacle force="
+                                   "0; 0; 1e13"});
+    out() << "more than the body can take: not converged "
+          << yes(!run.converged) << ", says why "
+          << yes(run.problem->solution().reason.find("Obstacle force") !=
+                 std::string::npos)
+          << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  press_column();
+  move_the_foundation();
+  press_obliquely();
+  press_from_two_sides();
+  slide();
+  press_too_hard();
+}
