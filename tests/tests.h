@@ -42,10 +42,55 @@ exact(const double value)
   return out.str();
 }
 
+// Three components as entries want them.
+inline std::string
+three(const double x, const double y, const double z)
+{
+  return exact(x) + ";" + exact(y) + ";" + exact(z);
+}
+
+// 'Section/Entry=value', as on the command line; later ones count.
+using Settings = std::vector<std::string>;
+
+inline Settings
+operator+(Settings a, const Settings &b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// A way to solve a problem.
+struct Method
+{
+  std::string name;
+  Settings settings;
+  bool solves_given = true; // false: differs for Coulomb's law only
+};
+
+inline const std::vector<Method> &
+all_methods()
+{
+  static const std::vector<Method> methods = {
+    {"newton", {"Contact solver/Method=newton"}},
+    {"gauss seidel", {"Contact solver/Method=gauss seidel"}},
+    {"fixed point",
+     {"Contact solver/Method=newton",
+      "Contact solver/Coulomb iteration=fixed point"},
+     false},
+    {"mpgp", {"Contact solver/Method=mpgp"}},
+    {"admm", {"Contact solver/Method=admm"}},
+    {"by solves",
+     {"Contact solver/Method=newton", "Dual operator/Form=by solves"}},
+    {"newton multigrid", {"Contact solver/Method=newton multigrid"}},
+    {"newton multigrid, amg",
+     {"Contact solver/Method=newton multigrid", "Stiffness solver/Type=amg"}}};
+  return methods;
+}
+
 // A problem that was solved silently, with what it needs to stay alive.
 struct Run
 {
-  Run(const std::string &file, std::vector<std::string> settings)
+  Run(const std::string &file, Settings settings)
   {
     settings.emplace_back("Output/Directory=results");
     settings.emplace_back("Output/Print progress=false");
@@ -76,6 +121,14 @@ struct Run
   std::unique_ptr<stiction::ContactProblem> problem;
   bool converged = false;
 };
+
+// Of the contact forces, relative.
+inline double
+distance(const Run &run, const Run &reference)
+{
+  const auto &lambda = reference.problem->solution().lambda;
+  return (run.problem->solution().lambda - lambda).norm() / lambda.norm();
+}
 
 // The stream of rank 0.
 inline std::ostream &

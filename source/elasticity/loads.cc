@@ -59,6 +59,31 @@ namespace stiction
       return std::make_unique<ParsedFunction>(
         text, 3, parameters.source.locate(entry), parameters.boundary.time);
     }
+
+    // Calls back with the values on each face of the boundary whose cell this
+    // rank owns.
+    template<typename IsWanted, typename Callback>
+    void
+    for_each_boundary_face(const Body &body,
+                           const IsWanted &is_wanted,
+                           const Callback &callback)
+    {
+      const FiniteElement<3> &fe = body.dof_handler().get_fe();
+      const QGauss<2> quadrature(fe.degree + 1);
+      FEFaceValues<3> values(body.mapping(),
+                             fe,
+                             quadrature,
+                             update_values | update_quadrature_points |
+                               update_JxW_values | update_normal_vectors);
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && is_wanted(face->boundary_id()))
+              {
+                values.reinit(cell, face);
+                callback(cell, face->boundary_id(), values);
+              }
+    }
   } // namespace
 
 
@@ -159,29 +184,19 @@ namespace stiction
     std::map<types::boundary_id, OnBoundary> sums;
     for (const auto id : body_.boundary_names().ids())
       sums[id] = {};
-    const QGauss<2> quadrature(body_.dof_handler().get_fe().degree + 1);
-    FEFaceValues<3> values(body_.mapping(),
-                           body_.dof_handler().get_fe(),
-                           quadrature,
-                           update_quadrature_points | update_JxW_values |
-                             update_normal_vectors);
-    for (const auto &cell : body_.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            {
-              const auto id   = face->boundary_id();
-              OnBoundary &sum = sums[id];
-              values.reinit(cell, face);
-              for (const unsigned int q : values.quadrature_point_indices())
-                {
-                  sum.area += values.JxW(q);
-                  sum.force +=
-                    values.JxW(q) * traction(id,
-                                             values.quadrature_point(q),
-                                             values.normal_vector(q));
-                }
-            }
+    for_each_boundary_face(
+      body_,
+      [](types::boundary_id) { return true; },
+      [&](const auto &, const types::boundary_id id, const auto &values) {
+        OnBoundary &sum = sums[id];
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            sum.area += values.JxW(q);
+            sum.force +=
+              values.JxW(q) *
+              traction(id, values.quadrature_point(q), values.normal_vector(q));
+          }
+      });
     for (auto &boundary : sums)
       {
         OnBoundary &sum = boundary.second;
@@ -197,35 +212,25 @@ namespace stiction
   Loads::add_boundary_loads(LA::Vector &load) const
   {
     const FiniteElement<3> &fe = body_.dof_handler().get_fe();
-    const QGauss<2> quadrature(fe.degree + 1);
-    FEFaceValues<3> values(body_.mapping(),
-                           fe,
-                           quadrature,
-                           update_values | update_quadrature_points |
-                             update_JxW_values | update_normal_vectors);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-
-    for (const auto &cell : body_.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const auto &face : cell->face_iterators())
+    for_each_boundary_face(
+      body_,
+      [&](const types::boundary_id id) {
+        return traction_.count(id) > 0 || pressure_.count(id) > 0;
+      },
+      [&](const auto &cell, const types::boundary_id id, const auto &values) {
+        cell->get_dof_indices(indices);
+        for (const unsigned int q : values.quadrature_point_indices())
           {
-            const auto id = face->boundary_id();
-            if (!face->at_boundary() ||
-                (traction_.count(id) == 0 && pressure_.count(id) == 0))
-              continue;
-            values.reinit(cell, face);
-            cell->get_dof_indices(indices);
-            for (const unsigned int q : values.quadrature_point_indices())
-              {
-                const Tensor<1, 3> force = traction(
-                  id, values.quadrature_point(q), values.normal_vector(q));
-                for (const unsigned int i : values.dof_indices())
-                  add(indices[i],
-                      force[fe.system_to_component_index(i).first] *
-                        values.shape_value(i, q) * values.JxW(q),
-                      load);
-              }
+            const Tensor<1, 3> force =
+              traction(id, values.quadrature_point(q), values.normal_vector(q));
+            for (const unsigned int i : values.dof_indices())
+              add(indices[i],
+                  force[fe.system_to_component_index(i).first] *
+                    values.shape_value(i, q) * values.JxW(q),
+                  load);
           }
+      });
   }
 
 

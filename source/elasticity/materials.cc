@@ -33,6 +33,16 @@ namespace stiction
       return value >= 1e-30 && value <= 1e30;
     }
 
+    double
+    largest(const std::map<material_id, Material> &materials,
+            double Material::*const modulus)
+    {
+      double value = 0.;
+      for (const auto &material : materials)
+        value = std::max(value, material.second.*modulus);
+      return value;
+    }
+
     // One entry of the form 'material : words | material : words ...'.
     class MaterialList
     {
@@ -320,10 +330,7 @@ namespace stiction
   double
   Materials::largest_youngs_modulus() const
   {
-    double largest = 0.;
-    for (const auto &material : by_id_)
-      largest = std::max(largest, material.second.youngs_modulus);
-    return largest;
+    return largest(by_id_, &Material::youngs_modulus);
   }
 
 
@@ -331,10 +338,7 @@ namespace stiction
   double
   Materials::largest_shear_modulus() const
   {
-    double largest = 0.;
-    for (const auto &material : by_id_)
-      largest = std::max(largest, material.second.shear_modulus);
-    return largest;
+    return largest(by_id_, &Material::shear_modulus);
   }
 
 

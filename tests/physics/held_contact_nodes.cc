@@ -20,31 +20,6 @@ using namespace stiction;
 
 namespace
 {
-  using Settings = std::vector<std::string>;
-
-  const std::vector<std::pair<std::string, Settings>> methods = {
-    {"newton", {"Contact solver/Method=newton"}},
-    {"gauss seidel", {"Contact solver/Method=gauss seidel"}},
-    {"fixed point",
-     {"Contact solver/Method=newton",
-      "Contact solver/Coulomb iteration=fixed point"}},
-    {"mpgp", {"Contact solver/Method=mpgp"}},
-    {"admm", {"Contact solver/Method=admm"}},
-    {"by solves, amg",
-     {"Contact solver/Method=newton",
-      "Dual operator/Form=by solves",
-      "Stiffness solver/Type=amg"}},
-    {"newton multigrid", {"Contact solver/Method=newton multigrid"}},
-    {"newton multigrid, amg",
-     {"Contact solver/Method=newton multigrid", "Stiffness solver/Type=amg"}}};
-
-  Settings
-  operator+(Settings a, const Settings &b)
-  {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  }
-
   Settings
   brick(const int nx, const int ny, const std::string &prescribed)
   {
@@ -127,6 +102,11 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::vector<Method> methods = all_methods();
+  methods.push_back({"by solves, amg",
+                     {"Contact solver/Method=newton",
+                      "Dual operator/Form=by solves",
+                      "Stiffness solver/Type=amg"}});
 
   const std::string top         = "top : 0; 4e-5; -1e-4*(1 + y)";
   const std::string quarter_top = "top : 0; 0; -1e-4";
@@ -137,7 +117,7 @@ main(int argc, char *argv[])
   for (const std::string coefficient : {"0.3", "0.5; 0.3"})
     {
       const Settings friction = {"Friction/Coefficient=" + coefficient};
-      const Settings newton   = methods.front().second + friction;
+      const Settings newton   = methods.front().settings + friction;
       const Run whole(shipped("brick.prm"),
                       brick(2, 1, top) + squeezed + newton);
       const Run all_four(shipped("brick.prm"),
@@ -149,19 +129,19 @@ main(int argc, char *argv[])
             << yes(states["slip"].get<int>() > 0 &&
                    states["stick"].get<int>() > 0)
             << std::endl;
-      for (const auto &method : methods)
+      for (const Method &method : methods)
         {
           const Run half(shipped("brick.prm"),
                          brick(1, 1, "right : 0; free; free | " + top) +
-                           squeezed_half + friction + method.second);
+                           squeezed_half + friction + method.settings);
           const Run quarter(
             shipped("brick.prm"),
             brick(1,
                   1,
                   "right : 0; free; free | back : free; 0; free | " +
                     quarter_top) +
-              squeezed_half + friction + method.second);
-          out() << method.first << ": certified "
+              squeezed_half + friction + method.settings);
+          out() << method.name << ": certified "
                 << yes(half.converged && quarter.converged)
                 << ", half agrees to 1e-8 "
                 << yes(difference(half, whole, false) < 1e-8)
@@ -185,17 +165,17 @@ main(int argc, char *argv[])
                          squeezed_half +
                          Settings{"Friction/Coefficient=0.4; 0.15",
                                   "Friction/First direction=1; 1; 0"};
-  const Run newton(shipped("brick.prm"), moved + methods.front().second);
-  for (const auto &method : methods)
+  const Run newton(shipped("brick.prm"), moved + methods.front().settings);
+  for (const Method &method : methods)
     {
-      const Run run(shipped("brick.prm"), moved + method.second);
+      const Run run(shipped("brick.prm"), moved + method.settings);
       const auto &lambda = newton.problem->solution().lambda;
       const auto &energy = run.summary()["energy"];
       const double work  = energy["load_work"].get<double>();
       const double kept  = 2. * energy["strain"].get<double>() +
                           energy["friction_dissipation"].get<double>();
-      out() << method.first << ", moved roller: certified "
-            << yes(run.converged) << ", agrees to 1e-8 "
+      out() << method.name << ", moved roller: certified " << yes(run.converged)
+            << ", agrees to 1e-8 "
             << yes((run.problem->solution().lambda - lambda).norm() <
                    1e-8 * lambda.norm())
             << ", work is strain and friction "
@@ -211,7 +191,8 @@ main(int argc, char *argv[])
   const Settings given = {"Friction/Law=given",
                           "Friction/Slip stress=1e7; 4e6",
                           "Contact solver/Tolerance=1e-9"};
-  const Run dual(shipped("brick.prm"), moved + given + methods.front().second);
+  const Run dual(shipped("brick.prm"),
+                 moved + given + methods.front().settings);
   LevelNewton::Options options;
   options.only_fallback = true;
   NewtonMultigrid newton_multigrid(

@@ -25,12 +25,6 @@ namespace
 
   using Vector = dealii::Tensor<1, 3>;
 
-  std::string
-  three(const double x, const double y, const double z)
-  {
-    return exact(x) + ";" + exact(y) + ";" + exact(z);
-  }
-
   std::vector<std::string>
   material_and_method(const std::string &method)
   {

@@ -18,13 +18,6 @@ namespace
     settings.emplace_back("Contact solver/Tolerance=1e-8");
     return Run(shipped("brick.prm"), settings);
   }
-
-  double
-  distance(const Run &run, const Run &reference)
-  {
-    const auto &lambda = reference.problem->solution().lambda;
-    return (run.problem->solution().lambda - lambda).norm() / lambda.norm();
-  }
 } // namespace
 
 

@@ -24,12 +24,6 @@ namespace
   constexpr double G    = E / (2. * (1. + nu));
   constexpr double p    = (lame + 2. * G) * epsilon;
 
-  std::string
-  three(const double x, const double y, const double z)
-  {
-    return exact(x) + ";" + exact(y) + ";" + exact(z);
-  }
-
   std::vector<std::string>
   block(const std::string &method)
   {

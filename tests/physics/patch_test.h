@@ -24,12 +24,6 @@ struct Patch
   bool has_hanging_nodes;
 };
 
-inline std::string
-three(const double x, const double y, const double z)
-{
-  return exact(x) + ";" + exact(y) + ";" + exact(z);
-}
-
 // The brick of 1.5 m x 1.2 m x 1 m, its top shifted in a direction that is
 // given in degrees; settings are those of mesh and solver.
 inline Patch

@@ -3,4 +3,5 @@
 // independent programs agree on. Here with a factorisation.
 
 #define STIFFNESS_SOLVER "mumps"
+#define LARGEST_LEVEL 3
 #include "reference_brick.h"

@@ -25,12 +25,6 @@ namespace
   constexpr double lame = E * nu / ((1. + nu) * (1. - 2. * nu));
   constexpr double G    = E / (2. * (1. + nu));
 
-  std::string
-  three(const double x, const double y, const double z)
-  {
-    return exact(x) + ";" + exact(y) + ";" + exact(z);
-  }
-
   // η of a solution with other contact forces.
   double
   estimate(const Run &run, const Eigen::VectorXd &lambda)
