@@ -115,7 +115,8 @@ namespace stiction
       prescribed, // components, as bits
       area,
       normal,                // × area
-      position = normal + 3, // from the owner of the node
+      value    = normal + 3, // of prescribed components
+      position = value + 3,  // from the owner of the node
       n_data   = position + 3
     };
     using Share = std::array<double, n_data>;
@@ -130,18 +131,22 @@ namespace stiction
       if (!place.second && share[boundary] > sum[boundary])
         return;
       const bool is_new = place.second || share[boundary] < sum[boundary];
-      for (unsigned int k = area; k < position; ++k)
+      for (unsigned int k = area; k < value; ++k)
         sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
       sum[first_dof]  = static_cast<double>(dof);
       sum[boundary]   = share[boundary];
       sum[prescribed] = share[prescribed];
+      std::copy_n(&share[value], 3, &sum[value]);
     };
     const auto add_with_prescribed =
       [&](const types::global_dof_index dof, const double weight, Share share) {
         unsigned int components = 0;
         for (unsigned int c = 0; c < 3; ++c)
           if (elasticity.is_prescribed(dof + c))
-            components |= 1u << c;
+            {
+              components |= 1u << c;
+              share[value + c] = elasticity.prescribed_value(dof + c);
+            }
         if (components == 7)
           return;
         share[prescribed] = components;
@@ -243,6 +248,7 @@ namespace stiction
             node.position[c]   = share[position + c];
             node.normal[c]     = share[normal + c];
             node.prescribed[c] = has_component(share[prescribed], c);
+            node.prescribed_displacement[c] = share[value + c];
           }
         node.normal /= node.normal.norm();
         node.area     = share[area];
@@ -304,8 +310,9 @@ namespace stiction
         // of a normal that is partly held, the free part has to close the gap
         if (node.is_held())
           {
-            node.gap /= normal * node.normal;
             node.gap_growth /= normal * node.normal;
+            node.gap = node.gap / (normal * node.normal) -
+                       node.gap_growth * node.prescribed_displacement;
           }
         facing.push_back(node);
         for (unsigned int c = 0; c < 3; ++c)
@@ -398,7 +405,7 @@ namespace stiction
         const ContactNode &node         = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
         Eigen::Vector3d e = seen_from(node, boundary.displacement());
-                e(0) += node.gap;
+        e(0) += node.gap;
         if (e(0) < -boundary.body_size())
           throw InputError(
             parameters.source.describe(

@@ -129,6 +129,37 @@ namespace
         }
   }
 
+  // A body of one layer of cells, of which every contact node is held along x,
+  // and a plane that leans that way: all that the plane sees of supports that
+  // are moved along x is that it is moved the other way.
+  void
+  move_held_nodes()
+  {
+    const auto press = [](const double u, const double obstacle) {
+      const std::string along_x = exact(u) + "; free; free";
+      return Run(
+        shipped("brick.prm"),
+        {"Geometry/Table 1 level=0",
+         "Geometry/Lengths=0.25,3,1",
+         "Geometry/Subdivisions=1,6,2",
+         "Geometry/Global refinement=0",
+         "Boundary conditions/Prescribed displacement=front : free; "
+         "0; 0 | left : " +
+           along_x + " | right : " + along_x,
+         "Boundary conditions/Traction=top : 0; 0; -1e8",
+         "Boundary conditions/Obstacle=plane : 0; 0; -1e-3; 0.3; 0; 1",
+         "Boundary conditions/Obstacle displacement=" + three(obstacle, 0., 0.),
+         "Contact solver/Tolerance=1e-9"});
+    };
+    const Run supports = press(2e-3, 0.), plane = press(0., -2e-3),
+              neither = press(0., 0.);
+    out() << "held along a part of the normal: certified "
+          << yes(supports.converged && plane.converged)
+          << ", moved supports are a moved plane to 1e-7 "
+          << yes(distance(supports, plane) < 1e-7) << ", and not one at rest "
+          << yes(distance(supports, neither) > 0.01) << std::endl;
+  }
+
   // Up and a little sideways, with all three states.
   void
   press_obliquely()
@@ -249,6 +280,7 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   press_column();
   move_the_foundation();
+  move_held_nodes();
   press_obliquely();
   press_from_two_sides();
   slide();

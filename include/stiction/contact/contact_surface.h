@@ -34,6 +34,8 @@ namespace stiction
     /// By how much the gap grows with displacements of the obstacle: n, and
     /// where a part of n is held, n over its cosine with what is left.
     dealii::Tensor<1, 3> gap_growth;
+    /// Its prescribed components, 0 in the others, m.
+    dealii::Tensor<1, 3> prescribed_displacement;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
     double area           = 0.;
