@@ -152,8 +152,9 @@ namespace stiction
         if (items.size() < 4)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
-        mesh_.add_node(
-          items[0], items[1] + ' ' + items[2] + ' ' + items[3], text_);
+        mesh_.add_node(text_.to_integer(items[0]),
+                       items[1] + ' ' + items[2] + ' ' + items[3],
+                       text_);
       }
 
       void

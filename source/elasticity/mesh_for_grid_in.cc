@@ -3,8 +3,9 @@
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
-#include <algorithm>
+#include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace stiction
@@ -64,17 +65,23 @@ namespace stiction
 
 
   void
-  MeshForGridIn::add_node(const std::string &number,
+  MeshForGridIn::add_node(const std::int64_t number,
                           const std::string &coordinates,
                           const MeshText &text)
   {
-    text.to_integer(number);
-    if (split(coordinates).size() != 3)
-      text.refuse("node " + number + " must have three coordinates");
-    if (!numbers_.insert(number).second)
-      text.refuse("node " + number + " stands twice, must stand once");
-    nodes_ += number + ' ' + coordinates + '\n';
-    node_lines_.push_back(text.line());
+    if (std::abs(number) > std::numeric_limits<int>::max())
+      text.refuse("node " + std::to_string(number) +
+                  " has a number that is too large, must be below 2147483648");
+    const std::vector<std::string> words = split(coordinates);
+    for (const std::string &word : words)
+      text.to_real(word);
+    if (words.size() != 3)
+      text.refuse("node " + std::to_string(number) +
+                  " must have three coordinates");
+    if (!numbers_.insert(std::to_string(number)).second)
+      text.refuse("node " + std::to_string(number) +
+                  " stands twice, must stand once");
+    nodes_ += std::to_string(number) + ' ' + coordinates + '\n';
   }
 
 
@@ -98,10 +105,9 @@ namespace stiction
       ++mesh.other_elements[kind.second];
     if (type != 3 && type != 5)
       return;
-    n_hexahedra_ += type == 5 ? 1 : 0;
-    n_faces_ += type == 3 ? 1 : 0;
-    elements_ += "0 " + std::to_string(type) + " 1 " + std::to_string(id) +
-                 ' ' + nodes + '\n';
+    (type == 5 ? hexahedra_ : faces_)
+      .push_back("0 " + std::to_string(type) + " 1 " + std::to_string(id) +
+                 ' ' + nodes + '\n');
   }
 
 
@@ -109,7 +115,7 @@ namespace stiction
   bool
   MeshForGridIn::is_of_hexahedra() const
   {
-    return n_hexahedra_ > 0 && mesh.other_elements.empty();
+    return !hexahedra_.empty() && mesh.other_elements.empty();
   }
 
 
@@ -120,51 +126,62 @@ namespace stiction
     if (!is_of_hexahedra())
       {
         MeshData others = mesh;
-        others.faces.boundary_quads.resize(n_faces_);
+        others.faces.boundary_quads.resize(faces_.size());
         return others;
       }
 
-    // A triangle keeps GridIn from putting vertices and cells in order, which
-    // it can do only if they fit together.
-    const std::string n_nodes    = std::to_string(node_lines_.size());
-    const std::string n_elements = std::to_string(n_hexahedra_ + n_faces_ + 1);
-    const std::string file = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" +
-                             n_nodes + '\n' + nodes_ +
-                             "$EndNodes\n$Elements\n" + n_elements +
-                             "\n0 2 0 0 0 0\n" + elements_ + "$EndElements\n";
-    std::istringstream in(file);
-    in.exceptions(std::ios::failbit | std::ios::badbit);
     Kept kept;
-    try
+    if (!hand_over(0, hexahedra_.size(), kept))
       {
-        GridIn<3>(kept).read_msh(in);
-      }
-    catch (const std::ios::failure &)
-      {
-        in.exceptions(std::ios::goodbit);
-        in.clear();
-        const auto stop  = static_cast<std::size_t>(in.tellg());
-        const auto begin = file.find_last_of(" \n", stop - 1) + 1;
-        const auto end   = file.find_first_of(" \n", begin);
-        const auto line =
-          std::count(file.begin(),
-                     file.begin() + static_cast<std::ptrdiff_t>(begin),
-                     '\n') -
-          5;
-        text.refuse(
-          "'" + file.substr(begin, std::min<std::size_t>(end - begin, 40)) +
-            "' stands where a number should, or is too large",
-          node_lines_.at(static_cast<std::size_t>(line)));
-      }
-    catch (const ExceptionBase &)
-      {
-        text.refuse("has a hexahedron without volume, must be of hexahedra "
-                    "that are not folded");
+        // halves the hexahedra among which one is refused
+        std::size_t first = 0, n = hexahedra_.size();
+        while (n > 1)
+          if (hand_over(first, n / 2, kept))
+            {
+              first += n / 2;
+              n -= n / 2;
+            }
+          else
+            n /= 2;
+        text.refuse("hexahedron " + std::to_string(first + 1) +
+                    " up to here is inverted or degenerate, its corners must "
+                    "make a hexahedron that is not folded");
       }
     MeshData &data = kept.data;
     data.faces.boundary_quads.erase(data.faces.boundary_quads.begin());
     data.boundary_names = mesh.boundary_names;
     data.material_names = mesh.material_names;
     return data;
+  }
+
+
+
+  bool
+  MeshForGridIn::hand_over(const std::size_t first,
+                           const std::size_t n,
+                           Triangulation<3> &triangulation) const
+  {
+    // A triangle keeps GridIn from putting vertices and cells in order, which
+    // it can do only if they fit together.
+    std::stringstream file;
+    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+         << numbers_.size() << '\n'
+         << nodes_ << "$EndNodes\n$Elements\n"
+         << n + faces_.size() + 1 << "\n0 2 0 0 0 0\n";
+    for (std::size_t i = first; i < first + n; ++i)
+      file << hexahedra_[i];
+    for (const std::string &face : faces_)
+      file << face;
+    file << "$EndElements\n";
+    file.exceptions(std::ios::failbit | std::ios::badbit);
+    try
+      {
+        GridIn<3>(triangulation).read_msh(file);
+      }
+    catch (const std::exception &)
+      {
+        return false;
+      }
+    return true;
   }
 } // namespace stiction

@@ -3,6 +3,8 @@
 
 #include "mesh_text.h"
 
+#include <deal.II/grid/tria.h>
+
 #include <unordered_set>
 
 namespace stiction
@@ -22,11 +24,12 @@ namespace stiction
   class MeshForGridIn
   {
   public:
-    /// Throws InputError if there is a node of this number already.
+    /// Throws InputError if there is a node of this number already, or if they
+    /// are no three numbers.
     ///
     /// @param coordinates three words.
     void
-    add_node(const std::string &number,
+    add_node(std::int64_t number,
              const std::string &coordinates,
              const MeshText &text);
 
@@ -50,7 +53,7 @@ namespace stiction
 
     /// Has GridIn read it, if there are hexahedra and nothing that is no use.
     ///
-    /// Throws InputError if GridIn finds a word that is no number.
+    /// Throws InputError if a hexahedron has no volume in any order of nodes.
     MeshData
     read(const MeshText &text) const;
 
@@ -58,9 +61,14 @@ namespace stiction
     MeshData mesh;
 
   private:
-    std::string nodes_, elements_;
-    std::vector<std::size_t> node_lines_; // where they stand in the file
-    std::size_t n_hexahedra_ = 0, n_faces_ = 0;
+    // Whether GridIn takes n hexahedra and all faces.
+    bool
+    hand_over(std::size_t first,
+              std::size_t n,
+              dealii::Triangulation<3> &triangulation) const;
+
+    std::string nodes_;
+    std::vector<std::string> hexahedra_, faces_;
     std::unordered_set<std::string> numbers_; // of nodes
   };
 } // namespace stiction

@@ -131,7 +131,7 @@ namespace stiction
       {
         for (std::uint64_t n = text_.count(); n > 0; --n)
           {
-            const std::string number = text_.word();
+            const std::int64_t number = text_.integer();
             mesh_.add_node(number, text_.words(3), text_);
           }
       }
@@ -146,10 +146,10 @@ namespace stiction
             const std::uint64_t dimension = text_.count();
             text_.word(); // the entity
             const bool is_parametric = text_.count() != 0;
-            std::vector<std::string> numbers;
+            std::vector<std::int64_t> numbers;
             for (std::uint64_t n = text_.count(); n > 0; --n)
-              numbers.push_back(text_.word());
-            for (const std::string &number : numbers)
+              numbers.push_back(text_.integer());
+            for (const std::int64_t number : numbers)
               {
                 mesh_.add_node(number, text_.words(3), text_);
                 text_.words(is_parametric ? dimension : 0);

@@ -167,11 +167,10 @@ namespace stiction
 
 
   void
-  MeshText::refuse(const std::string &reason, const std::size_t line) const
+  MeshText::refuse(const std::string &reason) const
   {
-    std::string message = location_ + ", line " +
-                          std::to_string(line == 0 ? number_ : line) + ": " +
-                          reason + ".";
+    std::string message =
+      location_ + ", line " + std::to_string(number_) + ": " + reason + ".";
     std::replace(message.begin(), message.end(), '\0', '?');
     throw InputError(message);
   }

@@ -64,17 +64,9 @@ namespace stiction
     double
     to_real(const std::string &word) const;
 
-    /// The number of the line that was read last.
-    std::size_t
-    line() const
-    {
-      return number_;
-    }
-
-    /// Throws InputError with the line, that which was read last if it is 0,
-    /// and the reason.
+    /// Throws InputError with the line and the reason.
     [[noreturn]] void
-    refuse(const std::string &reason, std::size_t line = 0) const;
+    refuse(const std::string &reason) const;
 
   private:
     bool

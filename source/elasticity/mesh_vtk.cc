@@ -114,7 +114,7 @@ namespace stiction
       read_points(const std::uint64_t n)
       {
         for (std::uint64_t i = 0; i < n; ++i)
-          mesh_.add_node(std::to_string(i), text_.words(3), text_);
+          mesh_.add_node(static_cast<std::int64_t>(i), text_.words(3), text_);
       }
 
       // "CELLS n size" and rows "n_vertices v v ..."; from 5.1 on "CELLS n + 1
