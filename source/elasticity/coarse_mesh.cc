@@ -20,9 +20,6 @@ namespace stiction
   {
     using Vertices = std::array<Point<3>, 8>; // in deal.II's order
 
-    // deal.II's vertices, in lines along x, among those of MeshData, in turn
-    constexpr unsigned int in_turn[] = {0, 1, 3, 2, 4, 5, 7, 6};
-
     double
     determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
     {
@@ -71,18 +68,6 @@ namespace stiction
         text.pop_back();
       return text.substr(0, 200);
     }
-
-    std::map<std::array<unsigned int, 4>, types::boundary_id>
-    ids_by_vertices(const MeshData &mesh)
-    {
-      std::map<std::array<unsigned int, 4>, types::boundary_id> ids;
-      for (MeshData::Face face : mesh.faces)
-        {
-          std::sort(face.vertices.begin(), face.vertices.end());
-          ids[face.vertices] = face.boundary;
-        }
-      return ids;
-    }
   } // namespace
 
 
@@ -109,7 +94,8 @@ namespace stiction
           {
             const MeshData mesh =
               read_mesh_file(geometry.mesh_file, geometry.location);
-            take(mesh);
+            triangulation_.create_triangulation(
+              mesh.vertices, mesh.cells, mesh.faces);
             boundaries = mesh.boundary_names;
             materials  = mesh.material_names;
           }
@@ -186,50 +172,6 @@ namespace stiction
     for (const auto manifold : generated.get_manifold_ids())
       if (manifold != numbers::flat_manifold_id)
         triangulation_.set_manifold(manifold, generated.get_manifold(manifold));
-  }
-
-
-
-  void
-  CoarseMesh::take(const MeshData &mesh)
-  {
-    std::vector<Point<3>> points;
-    for (const auto &vertex : mesh.vertices)
-      points.emplace_back(vertex[0], vertex[1], vertex[2]);
-
-    std::vector<CellData<3>> cells;
-    for (const MeshData::Cell &from : mesh.cells)
-      {
-        CellData<3> cell;
-        Vertices vertices;
-        for (unsigned int v = 0; v < 8; ++v)
-          {
-            cell.vertices[v] = from.vertices[in_turn[v]];
-            vertices[v]      = points[cell.vertices[v]];
-          }
-        // some programs list the top first
-        if (determinant_of_map(vertices, Point<3>(.5, .5, .5)) < 0.)
-          for (unsigned int v = 0; v < 4; ++v)
-            std::swap(cell.vertices[v], cell.vertices[v + 4]);
-        cell.material_id = from.material;
-        cells.push_back(cell);
-      }
-    GridTools::consistently_order_cells(cells);
-    triangulation_.create_triangulation(points, cells, SubCellData());
-
-    const auto ids = ids_by_vertices(mesh);
-    for (const auto &cell : triangulation_.active_cell_iterators())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
-          {
-            std::array<unsigned int, 4> key;
-            for (unsigned int v = 0; v < 4; ++v)
-              key[v] = face->vertex_index(v);
-            std::sort(key.begin(), key.end());
-            const auto id = ids.find(key);
-            if (id != ids.end())
-              face->set_boundary_id(id->second);
-          }
   }
 
 

@@ -1,32 +1,14 @@
-#include "mesh_text.h"
+#include "mesh_for_grid_in.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <sstream>
+#include <unordered_map>
 
 namespace stiction
 {
   namespace
   {
-    std::string
-    trim(const std::string &text)
-    {
-      const std::size_t first = text.find_first_not_of(" \t\r");
-      return first == std::string::npos
-               ? ""
-               : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-    }
-
-    std::string
-    upper(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-        return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-      });
-      return text;
-    }
-
     bool
     begins_with_any(const std::string &text,
                     const std::vector<std::string> &beginnings)
@@ -49,6 +31,8 @@ namespace stiction
       return items;
     }
 
+    // GridIn's own reader of these files takes ids from the digits in names,
+    // element n to be the n-th, and nine digits of coordinates.
     // What it takes from an input file: *NODE, *ELEMENT, *ELSET, *SURFACE and
     // *SOLID SECTION; other keywords are passed over. Words are not case
     // sensitive; names appear as they are written first.
@@ -77,12 +61,15 @@ namespace stiction
               read_data(line);
           }
         end_of_data();
-        if (mesh_.other_elements.empty())
+        if (mesh_.is_of_hexahedra())
           {
-            name_surfaces();
+            add_surfaces();
             name_materials();
           }
-        return std::move(mesh_);
+        MeshData mesh = mesh_.read(text_);
+        for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+          mesh.cells[i].material_id = hexahedra_[i].material;
+        return mesh;
       }
 
     private:
@@ -165,10 +152,9 @@ namespace stiction
         if (items.size() < 4)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
-        std::array<double, 3> position;
-        for (unsigned int c = 0; c < 3; ++c)
-          position[c] = text_.to_real(items[c + 1]);
-        nodes_.add(text_.to_integer(items[0]), position, mesh_, text_);
+        mesh_.add_node(text_.to_integer(items[0]),
+                       items[1] + ' ' + items[2] + ' ' + items[3],
+                       text_);
       }
 
       void
@@ -181,33 +167,39 @@ namespace stiction
             if (items.size() != 9)
               text_.refuse("a hexahedron with its number and eight nodes "
                            "should stand here");
-            MeshData::Cell cell;
-            for (unsigned int v = 0; v < 8; ++v)
-              cell.vertices[v] =
-                nodes_.vertex(text_.to_integer(items[v + 1]), text_);
-            cell.material             = 0;
             const std::int64_t number = text_.to_integer(items[0]);
-            if (!cells_.emplace(number, mesh_.cells.size()).second)
+            if (!numbers_.emplace(number, hexahedra_.size()).second)
               text_.refuse("element " + items[0] +
                            " stands twice, must stand once");
-            mesh_.cells.push_back(cell);
+            hexahedra_.push_back({{items.begin() + 1, items.end()}, 0});
+            add_element(5, 0, hexahedra_.back().nodes);
             add_to_set(options_["ELSET"], number);
             if (!options_["ELSET"].empty())
               element_sets_.insert(upper(options_["ELSET"]));
           }
         else if (begins_with_any(type, {"C3D4", "C3D10"}))
-          ++mesh_.other_elements["tetrahedra"];
+          ++mesh_.mesh.other_elements["tetrahedra"];
         else if (begins_with_any(type, {"C3D6", "C3D15", "SC6"}))
-          ++mesh_.other_elements["wedges"];
+          ++mesh_.mesh.other_elements["wedges"];
         else if (begins_with_any(type, {"C3D5", "C3D13"}))
-          ++mesh_.other_elements["pyramids"];
+          ++mesh_.mesh.other_elements["pyramids"];
         else if (begins_with_any(type, {"C3D"}))
           text_.refuse("has elements of type " + type +
                        ", must be linear hexahedra (C3D8)");
-        else if (begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
-          return; // no part of a body, written for its edges
-        else
-          ++mesh_.other_elements["elements of type " + type];
+        else if (!begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
+          // those are no part of a body, written for its edges
+          ++mesh_.mesh.other_elements["elements of type " + type];
+      }
+
+      void
+      add_element(const std::int64_t type,
+                  const unsigned int id,
+                  const std::vector<std::string> &nodes)
+      {
+        std::string line;
+        for (const std::string &node : nodes)
+          line += node + ' ';
+        mesh_.add_element(type, id, line, text_);
       }
 
       void
@@ -264,7 +256,7 @@ namespace stiction
       }
 
       void
-      name_surfaces()
+      add_surfaces()
       {
         // the faces S1 to S6 in Abaqus' manual
         static const unsigned int face_vertices[6][4] = {{0, 1, 2, 3},
@@ -276,17 +268,14 @@ namespace stiction
         unsigned int id                               = 0;
         for (const Surface &surface : surfaces_)
           {
-            add_name(surface.name, ++id, mesh_.boundary_names, text_);
+            add_name(surface.name, ++id, mesh_.mesh.boundary_names, text_);
             for (const auto &part : surface.parts)
               for (const std::int64_t element : elements(part.first))
                 {
-                  MeshData::Face face;
-                  for (unsigned int v = 0; v < 4; ++v)
-                    face.vertices[v] =
-                      mesh_.cells[cell(element)]
-                        .vertices[face_vertices[part.second][v]];
-                  face.boundary = id;
-                  mesh_.faces.push_back(face);
+                  std::vector<std::string> nodes;
+                  for (const unsigned int v : face_vertices[part.second])
+                    nodes.push_back(hexahedron(element).nodes[v]);
+                  add_element(3, id, nodes);
                 }
           }
       }
@@ -303,10 +292,11 @@ namespace stiction
           {
             const auto id = ids.emplace(upper(section.second), last + 1);
             if (id.second)
-              add_name(section.second, ++last, mesh_.material_names, text_);
+              add_name(
+                section.second, ++last, mesh_.mesh.material_names, text_);
             for (const std::int64_t element : elements(section.first))
               {
-                unsigned int &material = mesh_.cells[cell(element)].material;
+                unsigned int &material = hexahedron(element).material;
                 if (material != 0 && material != id.first->second)
                   text_.refuse("element " + std::to_string(element) +
                                " has two materials, must have one");
@@ -329,13 +319,19 @@ namespace stiction
         return {text_.to_integer(what)};
       }
 
-      std::size_t
-      cell(const std::int64_t element) const
+      struct Hexahedron
       {
-        const auto found = cells_.find(element);
-        if (found == cells_.end())
+        std::vector<std::string> nodes;
+        unsigned int material;
+      };
+
+      Hexahedron &
+      hexahedron(const std::int64_t element)
+      {
+        const auto found = numbers_.find(element);
+        if (found == numbers_.end())
           text_.refuse("there is no hexahedron " + std::to_string(element));
-        return found->second;
+        return hexahedra_[found->second];
       }
 
       struct Surface
@@ -346,9 +342,9 @@ namespace stiction
       };
 
       MeshText &text_;
-      MeshData mesh_;
-      NodeNumbers nodes_;
-      std::unordered_map<std::int64_t, std::size_t> cells_;
+      MeshForGridIn mesh_;
+      std::vector<Hexahedron> hexahedra_;
+      std::unordered_map<std::int64_t, std::size_t> numbers_; // of hexahedra
 
       std::string keyword_, unfinished_;
       std::map<std::string, std::string> options_;

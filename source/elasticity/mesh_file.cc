@@ -3,40 +3,32 @@
 #include <stiction/elasticity/mesh_file.h>
 #include <stiction/errors.h>
 
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
-#include <cctype>
-#include <limits>
-#include <numeric>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
 namespace stiction
 {
+  using namespace dealii;
+
   namespace
   {
-    std::string
-    extension(const std::string &file)
-    {
-      const std::size_t name = file.find_last_of('/');
-      const std::size_t dot  = file.find_last_of('.');
-      if (dot == std::string::npos || (name != std::string::npos && dot < name))
-        return "";
-      std::string result = file.substr(dot);
-      for (char &c : result)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return result;
-    }
-
     MeshData
     read_by_extension(const std::string &file, const std::string &location)
     {
-      const std::string kind = extension(file);
-      if (kind != ".msh" && kind != ".inp" && kind != ".vtk")
+      const std::string kind = upper(std::filesystem::path(file).extension());
+      if (kind != ".MSH" && kind != ".INP" && kind != ".VTK")
         throw InputError(location + ", must be a file .msh (Gmsh), .inp "
                                     "(Abaqus) or .vtk (VTK).");
       MeshText text(file, location);
-      return kind == ".msh"   ? read_gmsh(text)
-             : kind == ".inp" ? read_abaqus(text)
+      return kind == ".MSH"   ? read_gmsh(text)
+             : kind == ".INP" ? read_abaqus(text)
                               : read_vtk(text);
     }
 
@@ -52,7 +44,7 @@ namespace stiction
           is_solid = is_solid || kind.first == "tetrahedra" ||
                      kind.first == "wedges" || kind.first == "pyramids";
         }
-      if (!is_solid && (!others.empty() || !mesh.faces.empty()))
+      if (!is_solid && (!others.empty() || !mesh.faces.boundary_quads.empty()))
         throw InputError(location + ", has faces but no cells, must be a mesh "
                                     "of a solid body.");
       if (!is_solid)
@@ -66,42 +58,17 @@ namespace stiction
                          "('Mesh.SubdivisionAlgorithm = 2', all hexas).");
     }
 
-    void
-    drop_unused_vertices(MeshData &mesh)
-    {
-      constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
-      std::vector<unsigned int> index(mesh.vertices.size(), unused);
-      for (const MeshData::Cell &cell : mesh.cells)
-        for (const unsigned int v : cell.vertices)
-          index[v] = 0;
-      unsigned int n = 0;
-      for (unsigned int v = 0; v < index.size(); ++v)
-        if (index[v] != unused)
-          {
-            mesh.vertices[n] = mesh.vertices[v];
-            index[v]         = n++;
-          }
-      mesh.vertices.resize(n);
-      for (MeshData::Cell &cell : mesh.cells)
-        for (unsigned int &v : cell.vertices)
-          v = index[v];
-      for (MeshData::Face &face : mesh.faces)
-        for (unsigned int &v : face.vertices)
-          v = index[v];
-    }
-
     // "hexahedron 7 with its centre at (1, 2, 3)", counted from 1 in the order
     // of the file
     std::string
     describe_cell(const MeshData &mesh, const std::size_t number)
     {
-      std::array<double, 3> centre = {{0., 0., 0.}};
+      Point<3> centre;
       for (const unsigned int v : mesh.cells[number].vertices)
-        for (unsigned int c = 0; c < 3; ++c)
-          centre[c] += mesh.vertices[v][c] / 8.;
+        centre += mesh.vertices[v] / 8.;
       std::ostringstream out;
-      out << "hexahedron " << number + 1 << " with its centre at (" << centre[0]
-          << ' ' << centre[1] << ' ' << centre[2] << ')';
+      out << "hexahedron " << number + 1 << " with its centre at (" << centre
+          << ')';
       return out.str();
     }
 
@@ -109,12 +76,11 @@ namespace stiction
     class Faces
     {
     public:
-      Faces(const MeshData &mesh, const std::string &location)
+      Faces(MeshData &mesh, const std::string &location)
         : mesh_(mesh)
         , location_(location)
-        , piece_(mesh.cells.size())
+        , pieces_(mesh.cells.size())
       {
-        std::iota(piece_.begin(), piece_.end(), 0);
         for (std::size_t i = 0; i < mesh.cells.size(); ++i)
           add_cell(i);
       }
@@ -122,39 +88,44 @@ namespace stiction
       void
       require_one_piece()
       {
-        for (std::size_t i = 0; i < piece_.size(); ++i)
-          if (piece(i) != piece(0))
+        const std::size_t first = 0;
+        for (std::size_t i = first; i < mesh_.cells.size(); ++i)
+          if (pieces_.find_set(i) != pieces_.find_set(first))
             throw InputError(location_ + ", " + describe_cell(mesh_, i) +
                              " is not connected by faces with hexahedron 1, "
                              "must be one body, in which neighbours have the "
                              "same nodes.");
       }
 
+      // and marks what is inside, which is no boundary
       void
       require_boundaries_fit()
       {
         std::map<Key, unsigned int> ids;
-        for (const MeshData::Face &face : mesh_.faces)
+        for (CellData<2> &face : mesh_.faces.boundary_quads)
           {
             const Key key = sorted(face.vertices);
             if (cells_.count(key) == 0)
               throw InputError(location_ +
                                ", has a quadrilateral of boundary " +
-                               std::to_string(face.boundary) +
+                               std::to_string(face.boundary_id) +
                                " that is no face of a hexahedron, faces and "
                                "hexahedra must have the same nodes.");
-            const auto known = ids.emplace(key, face.boundary);
-            if (known.first->second != face.boundary)
-              throw InputError(
-                location_ + ", has a face of " +
-                describe_cell(mesh_, cells_.at(key).first) +
-                " on the boundaries " + std::to_string(known.first->second) +
-                " and " + std::to_string(face.boundary) + ", must be on one.");
+            const auto known = ids.emplace(key, face.boundary_id);
+            if (known.first->second != face.boundary_id)
+              throw InputError(location_ + ", has a face of " +
+                               describe_cell(mesh_, cells_.at(key).first) +
+                               " on the boundaries " +
+                               std::to_string(known.first->second) + " and " +
+                               std::to_string(face.boundary_id) +
+                               ", must be on one.");
+            if (cells_.at(key).n == 2)
+              face.boundary_id = numbers::internal_face_boundary_id;
           }
       }
 
     private:
-      using Key = std::array<unsigned int, 4>;
+      using Key = std::vector<unsigned int>; // sorted
 
       static Key
       sorted(Key vertices)
@@ -166,31 +137,25 @@ namespace stiction
       void
       add_cell(const std::size_t number)
       {
-        auto vertices       = mesh_.cells[number].vertices;
-        const auto in_order = vertices;
-        std::sort(vertices.begin(), vertices.end());
+        const auto &in_order = mesh_.cells[number].vertices;
+        const Key vertices   = sorted(in_order);
         if (std::adjacent_find(vertices.begin(), vertices.end()) !=
             vertices.end())
           throw InputError(location_ + ", " + describe_cell(mesh_, number) +
                            " has a node twice, must have eight nodes.");
 
-        static const unsigned int faces[6][4] = {{0, 1, 2, 3},
-                                                 {4, 5, 6, 7},
-                                                 {0, 1, 5, 4},
-                                                 {1, 2, 6, 5},
-                                                 {2, 3, 7, 6},
-                                                 {3, 0, 4, 7}};
-        for (const auto &face : faces)
+        for (const unsigned int f : GeometryInfo<3>::face_indices())
           {
-            const Key key      = sorted({{in_order[face[0]],
-                                          in_order[face[1]],
-                                          in_order[face[2]],
-                                          in_order[face[3]]}});
+            Key key;
+            for (unsigned int v = 0; v < 4; ++v)
+              key.push_back(
+                in_order[GeometryInfo<3>::face_to_cell_vertices(f, v)]);
+            key                = sorted(key);
             Neighbours &shared = cells_[key];
             if (shared.n == 0)
               shared.first = number;
             else
-              join(shared.first, number);
+              pieces_.union_set(shared.first, number);
             if (++shared.n > 2)
               throw InputError(location_ + ", " + describe_cell(mesh_, number) +
                                " shares a face with two others, at most two "
@@ -201,31 +166,17 @@ namespace stiction
                            " stands twice, must stand once.");
       }
 
-      std::size_t
-      piece(std::size_t i)
-      {
-        while (piece_[i] != i)
-          i = piece_[i] = piece_[piece_[i]];
-        return i;
-      }
-
-      void
-      join(const std::size_t a, const std::size_t b)
-      {
-        piece_[piece(b)] = piece(a);
-      }
-
       struct Neighbours
       {
         std::size_t first = 0;
         unsigned int n    = 0;
       };
 
-      const MeshData &mesh_;
+      MeshData &mesh_;
       const std::string &location_;
-      std::vector<std::size_t> piece_; // of connected cells: a cell of it
+      boost::disjoint_sets_with_storage<> pieces_; // of connected cells
       std::map<Key, Neighbours> cells_;
-      std::set<std::array<unsigned int, 8>> cells_by_vertices_;
+      std::set<Key> cells_by_vertices_;
     };
   } // namespace
 
@@ -236,10 +187,11 @@ namespace stiction
   {
     MeshData mesh = read_by_extension(file, location);
     require_hexahedra(mesh, location);
-    drop_unused_vertices(mesh);
+    GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, mesh.faces);
     Faces faces(mesh, location);
     faces.require_one_piece();
     faces.require_boundaries_fit();
+    GridTools::consistently_order_cells(mesh.cells);
     return mesh;
   }
 } // namespace stiction

@@ -1,4 +1,4 @@
-#include "mesh_text.h"
+#include "mesh_for_grid_in.h"
 
 #include <set>
 
@@ -7,6 +7,8 @@ namespace stiction
   namespace
   {
     // Sections of the formats 2.2 and 4.1 (Gmsh's manual, "File formats").
+    // GridIn reads 4.1 too, but in a Release build it believes its counts and
+    // dimensions, and it takes no curve in two groups.
     class GmshReader
     {
     public:
@@ -24,7 +26,7 @@ namespace stiction
             read_section(line);
         if (!has_format_)
           text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
-        return std::move(mesh_);
+        return mesh_.read(text_);
       }
 
     private:
@@ -90,8 +92,8 @@ namespace stiction
                            "group, must be a number > 0");
             add_name(name,
                      to_id(number, text_),
-                     dimension == 2 ? mesh_.boundary_names
-                                    : mesh_.material_names,
+                     dimension == 2 ? mesh_.mesh.boundary_names
+                                    : mesh_.mesh.material_names,
                      text_);
           }
       }
@@ -107,15 +109,13 @@ namespace stiction
             {
               const std::int64_t entity = text_.integer();
               // where it is: a point, or the corners of a box
-              for (int c = 0; c < (dimension == 0 ? 3 : 6); ++c)
-                text_.real();
+              text_.words(dimension == 0 ? 3 : 6);
               const std::uint64_t n_groups = text_.count();
               std::set<std::int64_t> groups;
               for (std::uint64_t g = 0; g < n_groups; ++g)
                 groups.insert(std::abs(text_.integer()));
               if (dimension > 0)
-                for (std::uint64_t b = text_.count(); b > 0; --b)
-                  text_.integer();
+                text_.words(text_.count());
               if (dimension >= 2 && groups.size() > 1)
                 text_.refuse(
                   std::string(dimension == 2 ? "surface " : "volume ") +
@@ -127,41 +127,32 @@ namespace stiction
       }
 
       void
-      read_node(const std::int64_t number)
-      {
-        std::array<double, 3> position;
-        for (double &x : position)
-          x = text_.real();
-        nodes_.add(number, position, mesh_, text_);
-      }
-
-      void
       read_nodes_2()
       {
         for (std::uint64_t n = text_.count(); n > 0; --n)
-          read_node(text_.integer());
+          {
+            const std::int64_t number = text_.integer();
+            mesh_.add_node(number, text_.words(3), text_);
+          }
       }
 
       void
       read_nodes_4()
       {
         std::uint64_t n_blocks = text_.count();
-        for (int i = 0; i < 3; ++i)
-          text_.count(); // how many, smallest and largest number
+        text_.words(3); // how many, smallest and largest number
         for (; n_blocks > 0; --n_blocks)
           {
             const std::uint64_t dimension = text_.count();
-            text_.integer(); // the entity
-            const bool is_parametric = text_.integer() != 0;
-            const std::uint64_t n    = text_.count();
+            text_.word(); // the entity
+            const bool is_parametric = text_.count() != 0;
             std::vector<std::int64_t> numbers;
-            for (std::uint64_t i = 0; i < n; ++i)
+            for (std::uint64_t n = text_.count(); n > 0; --n)
               numbers.push_back(text_.integer());
             for (const std::int64_t number : numbers)
               {
-                read_node(number);
-                for (std::uint64_t c = 0; is_parametric && c < dimension; ++c)
-                  text_.real();
+                mesh_.add_node(number, text_.words(3), text_);
+                text_.words(is_parametric ? dimension : 0);
               }
           }
       }
@@ -173,14 +164,9 @@ namespace stiction
           {
             text_.integer(); // its number
             const std::int64_t type    = text_.integer();
-            std::int64_t group         = 0;
             const std::uint64_t n_tags = text_.count();
-            for (std::uint64_t t = 0; t < n_tags; ++t)
-              {
-                const std::int64_t tag = text_.integer();
-                if (t == 0)
-                  group = std::abs(tag);
-              }
+            const std::int64_t group   = n_tags == 0 ? 0 : text_.integer();
+            text_.words(n_tags == 0 ? 0 : n_tags - 1);
             read_element(type, group);
           }
       }
@@ -189,20 +175,17 @@ namespace stiction
       read_elements_4()
       {
         std::uint64_t n_blocks = text_.count();
-        for (int i = 0; i < 3; ++i)
-          text_.count();
+        text_.words(3);
         for (; n_blocks > 0; --n_blocks)
           {
             const std::uint64_t dimension = text_.count();
             const std::int64_t entity     = text_.integer();
             const std::int64_t type       = text_.integer();
-            std::int64_t group            = 0;
-            if (dimension < 4 && group_of_[dimension].count(entity) != 0)
-              group = group_of_[dimension].at(entity);
             for (std::uint64_t n = text_.count(); n > 0; --n)
               {
                 text_.integer();
-                read_element(type, group);
+                read_element(type,
+                             dimension < 4 ? group_of_[dimension][entity] : 0);
               }
           }
       }
@@ -210,47 +193,14 @@ namespace stiction
       void
       read_element(const std::int64_t type, const std::int64_t group)
       {
-        // of first order, as the manual numbers them
-        static const std::map<std::int64_t, std::pair<int, const char *>>
-          others = {{15, {1, ""}},
-                    {1, {2, ""}},
-                    {2, {3, "triangles"}},
-                    {4, {4, "tetrahedra"}},
-                    {6, {6, "wedges"}},
-                    {7, {5, "pyramids"}}};
-        if (type == 5)
-          {
-            MeshData::Cell cell;
-            for (unsigned int &v : cell.vertices)
-              v = nodes_.vertex(text_.integer(), text_);
-            cell.material = to_id(group, text_);
-            mesh_.cells.push_back(cell);
-          }
-        else if (type == 3)
-          {
-            MeshData::Face face;
-            for (unsigned int &v : face.vertices)
-              v = nodes_.vertex(text_.integer(), text_);
-            face.boundary = to_id(group, text_);
-            mesh_.faces.push_back(face);
-          }
-        else if (others.count(type) != 0)
-          {
-            for (int i = 0; i < others.at(type).first; ++i)
-              text_.integer();
-            const std::string name = others.at(type).second;
-            if (!name.empty())
-              ++mesh_.other_elements[name];
-          }
-        else
-          text_.refuse("has elements of Gmsh's type " + std::to_string(type) +
-                       ", must be linear hexahedra, 'gmsh -order 1' writes "
-                       "elements of first order");
+        mesh_.add_element(type,
+                          to_id(std::abs(group), text_),
+                          text_.words(element_kind(type, text_).first),
+                          text_);
       }
 
       MeshText &text_;
-      MeshData mesh_;
-      NodeNumbers nodes_;
+      MeshForGridIn mesh_;
       std::array<std::map<std::int64_t, std::int64_t>, 4> group_of_;
       bool has_format_ = false;
       bool is_4_       = false;

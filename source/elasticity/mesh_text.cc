@@ -14,16 +14,28 @@ namespace stiction
   namespace
   {
     constexpr const char *spaces = " \t\r\n\f\v";
+  }
 
-    std::string
-    trim(const std::string &text)
-    {
-      const std::size_t first = text.find_first_not_of(spaces);
-      return first == std::string::npos
-               ? ""
-               : text.substr(first, text.find_last_not_of(spaces) - first + 1);
-    }
-  } // namespace
+
+
+  std::string
+  trim(const std::string &text)
+  {
+    const std::size_t first = text.find_first_not_of(spaces);
+    return first == std::string::npos
+             ? ""
+             : text.substr(first, text.find_last_not_of(spaces) - first + 1);
+  }
+
+
+
+  std::string
+  upper(std::string text)
+  {
+    for (char &c : text)
+      c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+  }
 
 
 
@@ -91,6 +103,17 @@ namespace stiction
 
 
 
+  std::string
+  MeshText::words(const std::uint64_t n)
+  {
+    std::string result;
+    for (std::uint64_t i = 0; i < n; ++i)
+      result += (i == 0 ? "" : " ") + word();
+    return result;
+  }
+
+
+
   std::int64_t
   MeshText::integer()
   {
@@ -102,19 +125,7 @@ namespace stiction
   std::uint64_t
   MeshText::count()
   {
-    const std::int64_t value = integer();
-    if (value < 0)
-      refuse("'" + std::to_string(value) +
-             "' stands where a number >= 0 should");
-    return static_cast<std::uint64_t>(value);
-  }
-
-
-
-  double
-  MeshText::real()
-  {
-    return to_real(word());
+    return to_count(word());
   }
 
 
@@ -128,6 +139,17 @@ namespace stiction
     if (result.ec != std::errc() || result.ptr != end)
       refuse("'" + word.substr(0, 40) + "' stands where a whole number should");
     return value;
+  }
+
+
+
+  std::uint64_t
+  MeshText::to_count(const std::string &word) const
+  {
+    const std::int64_t value = to_integer(word);
+    if (value < 0)
+      refuse("'" + word + "' stands where a number >= 0 should");
+    return static_cast<std::uint64_t>(value);
   }
 
 
@@ -147,34 +169,10 @@ namespace stiction
   void
   MeshText::refuse(const std::string &reason) const
   {
-    throw InputError(location_ + ", line " + std::to_string(number_) + ": " +
-                     reason + ".");
-  }
-
-
-
-  void
-  NodeNumbers::add(const std::int64_t number,
-                   const std::array<double, 3> &position,
-                   MeshData &mesh,
-                   const MeshText &text)
-  {
-    const auto index = static_cast<unsigned int>(mesh.vertices.size());
-    if (!vertices_.emplace(number, index).second)
-      text.refuse("node " + std::to_string(number) +
-                  " stands twice, must stand once");
-    mesh.vertices.push_back(position);
-  }
-
-
-
-  unsigned int
-  NodeNumbers::vertex(const std::int64_t number, const MeshText &text) const
-  {
-    const auto found = vertices_.find(number);
-    if (found == vertices_.end())
-      text.refuse("there is no node " + std::to_string(number));
-    return found->second;
+    std::string message =
+      location_ + ", line " + std::to_string(number_) + ": " + reason + ".";
+    std::replace(message.begin(), message.end(), '\0', '?');
+    throw InputError(message);
   }
 
 

@@ -6,10 +6,19 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
-#include <unordered_map>
 
 namespace stiction
 {
+  /// Without spaces at its ends.
+  std::string
+  trim(const std::string &text);
+
+  /// In capital letters.
+  std::string
+  upper(std::string text);
+
+
+
   /// A text file read line by line or word by word, which knows where it is.
   class MeshText
   {
@@ -31,6 +40,10 @@ namespace stiction
     std::string
     word();
 
+    /// The next words, with a space between them.
+    std::string
+    words(std::uint64_t n);
+
     /// The next word as a whole number.
     std::int64_t
     integer();
@@ -39,13 +52,13 @@ namespace stiction
     std::uint64_t
     count();
 
-    /// The next word as a finite number.
-    double
-    real();
-
     /// A word as a whole number. Throws InputError if it is none.
     std::int64_t
     to_integer(const std::string &word) const;
+
+    /// A word as a whole number >= 0.
+    std::uint64_t
+    to_count(const std::string &word) const;
 
     /// A word as a finite number. Throws InputError if it is none.
     double
@@ -64,27 +77,6 @@ namespace stiction
     std::string line_;
     std::size_t position_ = 0;
     std::size_t number_   = 0;
-  };
-
-
-
-  /// The numbers that a file gives its nodes, and the indices of the vertices.
-  class NodeNumbers
-  {
-  public:
-    /// Appends a vertex to the mesh. Throws InputError if the number is taken.
-    void
-    add(std::int64_t number,
-        const std::array<double, 3> &position,
-        MeshData &mesh,
-        const MeshText &text);
-
-    /// Throws InputError if there is no such node.
-    unsigned int
-    vertex(std::int64_t number, const MeshText &text) const;
-
-  private:
-    std::unordered_map<std::int64_t, unsigned int> vertices_;
   };
 
 

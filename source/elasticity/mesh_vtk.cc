@@ -1,13 +1,14 @@
-#include "mesh_text.h"
+#include "mesh_for_grid_in.h"
 
-#include <algorithm>
-#include <cctype>
+#include <array>
+#include <sstream>
 
 namespace stiction
 {
   namespace
   {
-    // VTK's legacy format, versions 2 to 5.1, data set UNSTRUCTURED_GRID.
+    // VTK's legacy format, versions 2 to 5.1, data set UNSTRUCTURED_GRID. Of
+    // these GridIn reads version 3.0 alone, without fields, cells before faces.
     class VtkReader
     {
     public:
@@ -25,31 +26,10 @@ namespace stiction
           if (!line.empty())
             read_section(line);
         make_elements();
-        return std::move(mesh_);
+        return mesh_.read(text_);
       }
 
     private:
-      static std::string
-      upper(std::string text)
-      {
-        std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-          return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        });
-        return text;
-      }
-
-      static std::vector<std::string>
-      words(const std::string &line)
-      {
-        std::vector<std::string> result(1);
-        for (const char c : line)
-          if (c != ' ' && c != '\t')
-            result.back() += c;
-          else if (!result.back().empty())
-            result.emplace_back();
-        return result;
-      }
-
       void
       read_header()
       {
@@ -70,34 +50,36 @@ namespace stiction
       void
       read_section(const std::string &line)
       {
-        std::vector<std::string> header = words(line);
-        const std::string name          = upper(header[0]);
-        header.resize(5);
+        std::istringstream words(line);
+        std::array<std::string, 4> header;
+        for (std::string &word : header)
+          words >> word;
+        const std::string name = upper(header[0]);
         if (name == "POINTS")
-          read_points(length(header[1]));
+          read_points(text_.to_count(header[1]));
         else if (name == "CELLS")
-          read_cells(length(header[1]), length(header[2]));
+          read_cells(text_.to_count(header[1]), text_.to_count(header[2]));
         else if (name == "CELL_TYPES")
           {
-            for (std::uint64_t n = length(header[1]); n > 0; --n)
+            for (std::uint64_t n = text_.to_count(header[1]); n > 0; --n)
               types_.push_back(text_.integer());
           }
         else if (name == "CELL_DATA" || name == "POINT_DATA")
           {
-            n_data_       = length(header[1]);
+            n_data_       = text_.to_count(header[1]);
             is_cell_data_ = name == "CELL_DATA";
           }
         else if (name == "SCALARS")
           {
             const std::uint64_t n_components =
-              header[3].empty() ? 1 : length(header[3]);
+              header[3].empty() ? 1 : text_.to_count(header[3]);
             if (upper(text_.word()) != "LOOKUP_TABLE")
               text_.refuse("'LOOKUP_TABLE' should stand here");
             text_.rest_of_line();
             read_array(header[1], n_components * n_data_);
           }
         else if (name == "FIELD")
-          for (std::uint64_t n = length(header[2]); n > 0; --n)
+          for (std::uint64_t n = text_.to_count(header[2]); n > 0; --n)
             {
               const std::string array          = text_.word();
               const std::uint64_t n_components = text_.count();
@@ -113,7 +95,7 @@ namespace stiction
         else if (name == "TENSORS")
           read_array("", 9 * n_data_);
         else if (name == "LOOKUP_TABLE") // colours
-          read_array("", 4 * length(header[2]));
+          read_array("", 4 * text_.to_count(header[2]));
         else if (name == "METADATA")
           {
             // ends with an empty line
@@ -128,25 +110,11 @@ namespace stiction
                        "'SCALARS', 'VECTORS' or 'FIELD'");
       }
 
-      std::uint64_t
-      length(const std::string &word) const
-      {
-        const std::int64_t value = text_.to_integer(word);
-        if (value < 0)
-          text_.refuse("'" + word + "' stands where a number >= 0 should");
-        return static_cast<std::uint64_t>(value);
-      }
-
       void
       read_points(const std::uint64_t n)
       {
         for (std::uint64_t i = 0; i < n; ++i)
-          {
-            std::array<double, 3> position;
-            for (double &x : position)
-              x = text_.real();
-            mesh_.vertices.push_back(position);
-          }
+          mesh_.add_node(static_cast<std::int64_t>(i), text_.words(3), text_);
       }
 
       // "CELLS n size" and rows "n_vertices v v ..."; from 5.1 on "CELLS n + 1
@@ -160,10 +128,8 @@ namespace stiction
             for (std::uint64_t i = 0; i < n; ++i)
               {
                 const std::uint64_t n_vertices =
-                  i == 0 ? length(first) : text_.count();
-                cells_.emplace_back();
-                for (std::uint64_t v = 0; v < n_vertices; ++v)
-                  cells_.back().push_back(vertex());
+                  i == 0 ? text_.to_count(first) : text_.count();
+                cells_.push_back(text_.words(n_vertices));
               }
             return;
           }
@@ -181,20 +147,7 @@ namespace stiction
                        "numbers as the offsets say");
         text_.word();
         for (std::uint64_t i = 0; i + 1 < n; ++i)
-          {
-            cells_.emplace_back();
-            for (std::uint64_t v = offsets[i]; v < offsets[i + 1]; ++v)
-              cells_.back().push_back(vertex());
-          }
-      }
-
-      unsigned int
-      vertex()
-      {
-        const std::uint64_t v = text_.count();
-        if (v >= mesh_.vertices.size())
-          text_.refuse("there is no point " + std::to_string(v));
-        return static_cast<unsigned int>(v);
+          cells_.push_back(text_.words(offsets[i + 1] - offsets[i]));
       }
 
       void
@@ -204,11 +157,11 @@ namespace stiction
           {
             ids_.clear();
             for (std::uint64_t i = 0; i < n; ++i)
-              ids_.push_back(static_cast<std::int64_t>(text_.real()));
+              ids_.push_back(
+                static_cast<std::int64_t>(text_.to_real(text_.word())));
           }
         else
-          for (std::uint64_t i = 0; i < n; ++i)
-            text_.word();
+          text_.words(n);
       }
 
       void
@@ -220,66 +173,29 @@ namespace stiction
                        std::to_string(types_.size()) + " cell types and " +
                        std::to_string(ids_.size()) +
                        " numbers 'MaterialID', must be as many of each");
+        // what Gmsh numbers them; the others are of no use
+        static const std::map<std::int64_t, std::int64_t> types = {
+          {5, 2}, {9, 3}, {10, 4}, {12, 5}, {13, 6}, {14, 7}};
         for (std::size_t i = 0; i < cells_.size(); ++i)
           {
-            const std::vector<unsigned int> &vertices = cells_[i];
             // deal.II writes -1 for what has no number
             const std::int64_t id = ids_.empty() ? 0 : ids_[i];
-            if (types_[i] == 12 && vertices.size() == 8)
-              {
-                MeshData::Cell cell;
-                std::copy(
-                  vertices.begin(), vertices.end(), cell.vertices.begin());
-                cell.material = to_id(id == -1 ? 0 : id, text_);
-                mesh_.cells.push_back(cell);
-              }
-            else if (types_[i] == 9 && vertices.size() == 4)
-              {
-                MeshData::Face face;
-                std::copy(
-                  vertices.begin(), vertices.end(), face.vertices.begin());
-                if (id == -1)
-                  continue;
-                face.boundary = to_id(id, text_);
-                mesh_.faces.push_back(face);
-              }
-            else
-              note_other(types_[i]);
-          }
-      }
-
-      void
-      note_other(const std::int64_t type)
-      {
-        switch (type)
-          {
-            case 1: // points and lines
-            case 2:
-            case 3:
-            case 4:
-              break;
-            case 5:
-              ++mesh_.other_elements["triangles"];
-              break;
-            case 10:
-              ++mesh_.other_elements["tetrahedra"];
-              break;
-            case 13:
-              ++mesh_.other_elements["wedges"];
-              break;
-            case 14:
-              ++mesh_.other_elements["pyramids"];
-              break;
-            default:
-              text_.refuse("has cells of VTK's type " + std::to_string(type) +
+            if (types.count(types_[i]) == 1 && !(types_[i] == 9 && id == -1))
+              mesh_.add_element(types.at(types_[i]),
+                                to_id(id == -1 ? 0 : id, text_),
+                                cells_[i],
+                                text_);
+            else if (types_[i] < 1 || (types_[i] > 4 && types_[i] != 9))
+              text_.refuse("has cells of VTK's type " +
+                           std::to_string(types_[i]) +
                            ", must be linear hexahedra, which have type 12 "
                            "and 8 points");
           }
       }
 
       MeshText &text_;
-      MeshData mesh_;
-      std::vector<std::vector<unsigned int>> cells_;
+      MeshForGridIn mesh_;
+      std::vector<std::string> cells_; // their nodes
       std::vector<std::int64_t> types_, ids_;
       std::uint64_t n_data_ = 0;
       bool is_cell_data_    = false;

@@ -10,7 +10,6 @@
 namespace stiction
 {
   struct GeometryParameters;
-  struct MeshData;
 
   /// The mesh of a body other than the brick before it is refined and
   /// distributed: hexahedra with boundary ids, material ids and manifolds.
@@ -53,9 +52,6 @@ namespace stiction
 
     void
     generate(const GeometryParameters &geometry);
-
-    void
-    take(const MeshData &mesh);
 
     void
     set_names(const std::map<std::string, MeshNames::Id> &boundaries,

@@ -1,7 +1,9 @@
 #ifndef stiction_elasticity_mesh_data_h
 #define stiction_elasticity_mesh_data_h
 
-#include <array>
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria_description.h>
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -9,27 +11,14 @@
 
 namespace stiction
 {
-  /// A mesh of hexahedra as a file has it.
+  /// A mesh of hexahedra as a file has it, in the terms of deal.II.
   struct MeshData
   {
-    /// Vertices go around the bottom, then around the top in the same sense,
-    /// as in Gmsh, Abaqus and VTK.
-    struct Cell
-    {
-      std::array<unsigned int, 8> vertices;
-      unsigned int material;
-    };
-
-    /// A face with a boundary id, vertices in turn.
-    struct Face
-    {
-      std::array<unsigned int, 4> vertices;
-      unsigned int boundary;
-    };
-
-    std::vector<std::array<double, 3>> vertices; ///< m
-    std::vector<Cell> cells;
-    std::vector<Face> faces; ///< those that have an id, inner ones too
+    std::vector<dealii::Point<3>> vertices; ///< m
+    /// In the order of the file.
+    std::vector<dealii::CellData<3>> cells;
+    /// Quadrilaterals with a boundary id, inner ones too.
+    dealii::SubCellData faces;
     std::map<std::string, unsigned int> boundary_names;
     std::map<std::string, unsigned int> material_names;
 

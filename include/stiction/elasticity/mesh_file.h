@@ -8,9 +8,10 @@ namespace stiction
   /// Reads a mesh of linear hexahedra; the extension says what the file is:
   /// .msh (Gmsh, 2.2 or 4.1), .inp (Abaqus), .vtk (legacy VTK), all as text.
   ///
-  /// deal.II's GridIn reads these too, but it drops the names, gives surfaces
-  /// of an .inp file the digits in their names as ids, and in a Release build
-  /// it does not survive files that are damaged.
+  /// deal.II's GridIn reads nodes and elements. It gets them as a file of
+  /// Gmsh's version 2.2, in which it finds most of what is wrong; in a Release
+  /// build it does not survive damaged files of the others. Names, which it
+  /// drops, are read here.
   ///
   /// Vertices that no cell has are left out.
   ///
