@@ -155,7 +155,7 @@ namespace stiction
                     }
                   boundary_area_ += share[area];
                   share[boundary] = static_cast<double>(
-                    &boundary(cell->face(f)->boundary_id()) -
+                    &this->boundary(cell->face(f)->boundary_id()) -
                     boundaries_.data());
                   if (!elasticity.is_hanging(dofs[i]))
                     add_with_prescribed(dofs[i], 1., share);
