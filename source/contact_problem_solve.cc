@@ -103,7 +103,7 @@ namespace stiction
     judge_ =
       std::make_unique<BodyJudge>(*elasticity_, *surface_, *stiffness_solver_);
     const double tolerance = parameters_.contact_solver.tolerance;
-    const auto solve       = [&](const double accuracy, Eigen::VectorXd start) {
+    const auto solve = [&](const double accuracy, const Eigen::VectorXd &from) {
       solution_ = std::make_unique<ContactSolution>(certified_solve(
         *method_,
         *schur_,
@@ -112,17 +112,18 @@ namespace stiction
         accuracy,
         parameters_.contact_solver.maximum_iterations,
         [&](const ContactStep &step) { history_->add(step); },
-        std::move(start)));
+        from));
     };
     if (!force_control_)
-      return solve(tolerance, {});
+      return solve(tolerance, Eigen::VectorXd());
 
+    Eigen::VectorXd start; // none on a new mesh
     const std::string reason = force_control_->press(
       [&](const double accuracy) {
         schur_->shift_right_hand_side(
           -surface_->move_obstacles(force_control_->distances()));
-        solve(accuracy,
-              solution_ ? std::move(solution_->lambda) : Eigen::VectorXd());
+        solve(accuracy, start);
+        start                          = solution_->lambda;
         const Certificate &certificate = judge_->certificate();
         auto outcome = outcome_of(surface_->motion().directions(),
                                   certificate.lambda(),

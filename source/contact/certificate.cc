@@ -137,9 +137,9 @@ namespace stiction
         (outcome_of(surface_.motion().directions(), lambda_, gradient_, S)
            .forces -
          surface_.pressing_forces())
+          .cwiseQuotient(surface_.pressing_forces())
           .cwiseAbs()
-          .maxCoeff() /
-        S;
+          .maxCoeff();
     force_scale_   = S;
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];

@@ -19,11 +19,19 @@ namespace stiction
     // they touch, force ~ (δ − δ_t)^exponent, until there is a secant.
     constexpr double exponent = 1.25;
 
+    // A force that goes with another power of the depth has a kink or a body
+    // that gave way in between.
+    constexpr double least_power = 0.3, largest_power = 5.;
+
     // An obstacle goes at most so many times as far beyond the place of first
     // contact as it has been.
     constexpr double largest_growth = 10.;
 
     constexpr unsigned int max_trials = 40;
+
+    // Forces tell how they change if they did by more than so many times their
+    // noise.
+    constexpr double telling_change = 10.;
 
     // To tell how the forces change, the contact problem need only be solved
     // this much better than the last error of the forces.
@@ -90,42 +98,50 @@ namespace stiction
   {
     begin_mesh();
     double accuracy = std::max(accuracy_of_error, finest_accuracy);
-    for (unsigned int trials = 1;; ++trials)
+    double share    = 1.; // of the smallest force in all
+    for (unsigned int trials = 1; trials <= max_trials; ++trials)
       {
-        const Outcome outcome = solve(accuracy);
+        const double used     = share;
+        const Outcome outcome = solve(used * accuracy);
         ++n_trials_;
         if (!outcome.reason.empty())
           return outcome.reason;
-        const double error =
-          (outcome.forces - prescribed_).cwiseAbs().maxCoeff() /
-          outcome.force_scale;
+        if (!outcome.forces.allFinite())
+          break;
+
+        // beside the others the forces may have been rounding
+        share = std::min(prescribed_.minCoeff() / outcome.force_scale, 1.);
+        if (used > 10. * share)
+          continue;
+        const double error = (outcome.forces - prescribed_)
+                               .cwiseQuotient(prescribed_)
+                               .cwiseAbs()
+                               .maxCoeff();
         if (error <= tolerance && accuracy <= finest_accuracy)
           return {};
-        if (!outcome.forces.allFinite() || trials == max_trials)
-          return "no place of the obstacle was found where it presses with its "
-                 "force, check 'Boundary conditions/Obstacle force'";
-
         if (error > tolerance)
           {
-            const std::string reason = advance(outcome, accuracy);
+            const std::string reason =
+              advance(outcome, used * accuracy * outcome.force_scale);
             if (!reason.empty())
               return reason;
           }
         accuracy = std::max(std::min(accuracy, accuracy_of_error * error),
                             finest_accuracy);
       }
+    return "no place of the obstacle was found where it presses with its "
+           "force, raise 'Contact solver/Tolerance' if the force is small "
+           "beside the others";
   }
 
 
 
   std::string
-  ForceControl::advance(const Outcome &outcome, const double accuracy)
+  ForceControl::advance(const Outcome &outcome, const double noise)
   {
-    Eigen::VectorXd next = distances_ + next_step(outcome);
+    Eigen::VectorXd next = distances_ + next_step(outcome, noise);
     if (next.size() == 1)
-      stay_within_interval(outcome.forces(0) - prescribed_(0),
-                           accuracy * outcome.force_scale,
-                           next(0));
+      stay_within_interval(outcome.forces(0) - prescribed_(0), noise, next(0));
     const Eigen::VectorXd reach = (next - range_.touch).cwiseAbs();
     if (reach.maxCoeff() > range_.largest_reach)
       return "an obstacle would have to move by more than the body is large to "
@@ -139,14 +155,18 @@ namespace stiction
 
 
   void
-  ForceControl::learn(const Eigen::VectorXd &forces)
+  ForceControl::learn(const Eigen::VectorXd &forces, const double noise)
   {
     if (last_)
       {
         const Eigen::VectorXd step   = distances_ - last_->distances;
         const Eigen::VectorXd change = forces - last_->forces;
-        *slope_ +=
-          (change - *slope_ * step) * step.transpose() / step.squaredNorm();
+        if (change.cwiseAbs().maxCoeff() > telling_change * noise)
+          {
+            *slope_ +=
+              (change - *slope_ * step) * step.transpose() / step.squaredNorm();
+            before_last_ = last_;
+          }
       }
     else if (!slope_)
       {
@@ -164,14 +184,13 @@ namespace stiction
           }
         slope_ = Eigen::MatrixXd(slope.asDiagonal());
       }
-    before_last_ = last_;
-    last_        = {distances_, forces};
+    last_ = {distances_, forces};
   }
 
 
 
   Eigen::VectorXd
-  ForceControl::next_step(const Outcome &outcome)
+  ForceControl::next_step(const Outcome &outcome, const double noise)
   {
     const Eigen::ArrayXd no_contact =
       (outcome.forces.array() <= no_force * prescribed_.array()).cast<double>();
@@ -185,7 +204,7 @@ namespace stiction
               first_reach_.cwiseMax((distances_ - range_.touch).cwiseAbs()))
                .array();
 
-    learn(outcome.forces);
+    learn(outcome.forces, noise);
     const Eigen::VectorXd missing = prescribed_ - outcome.forces;
     Eigen::VectorXd step =
       before_last_ && missing.size() == 1
@@ -212,12 +231,12 @@ namespace stiction
     const double f1 = before_last_->forces(0), f2 = last_->forces(0);
     const double depth1 = x1 - range_.touch(0), depth2 = x2 - range_.touch(0);
     const double slope = (f2 - f1) / (x2 - x1);
-    if (depth1 > 0. && depth2 > 0. && slope > 0.)
+    if (depth1 > 0. && depth2 > 0.)
       {
-        const double power =
-          std::clamp(std::log(f2 / f1) / std::log(depth2 / depth1), 0.3, 5.);
-        return range_.touch(0) +
-               depth2 * std::pow(prescribed_(0) / f2, 1. / power);
+        const double power = std::log(f2 / f1) / std::log(depth2 / depth1);
+        if (power > least_power && power < largest_power)
+          return range_.touch(0) +
+                 depth2 * std::pow(prescribed_(0) / f2, 1. / power);
       }
     return x2 + (prescribed_(0) - f2) / slope;
   }
@@ -233,12 +252,18 @@ namespace stiction
       too_far_ = std::max(too_far_, distances_(0));
     if (error > noise)
       too_near_ = std::min(too_near_, distances_(0));
-    const bool is_slow = std::abs(error) > 0.5 * error_before_;
-    error_before_      = last_error_;
-    last_error_        = std::abs(error);
-    if (std::isfinite(too_far_) && std::isfinite(too_near_) &&
-        (is_slow || !(next > too_far_ && next < too_near_)))
-      next = 0.5 * (too_far_ + too_near_);
+    const bool is_slow = std::abs(error) > 0.5 * error_before_ &&
+                         std::abs(error) > telling_change * noise;
+    error_before_ = last_error_;
+    last_error_   = std::abs(error);
+    if (std::isfinite(too_far_) && std::isfinite(too_near_))
+      {
+        if (is_slow || !(next > too_far_ && next < too_near_))
+          next = 0.5 * (too_far_ + too_near_);
+      }
+    else if (is_slow)
+      next = distances_(0) +
+             (error < 0. ? 1. : -1.) * largest_growth * range_.reach(0);
   }
 
 

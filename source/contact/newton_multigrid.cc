@@ -123,12 +123,17 @@ namespace stiction
           newton.solve(*state_, start, accuracy, max_steps, observer);
         statistics_[level] = newton.statistics();
         start              = state_->lambda;
-        auto outcome       = outcome_of(
+        const bool is_solved =
+          reason.empty() ||
+          ContactResidual(problem, *state_, problem.slip_bound()).value() <=
+            std::max(accuracy, tolerance);
+        auto outcome = outcome_of(
           problem.motion().directions(),
           state_->lambda,
           -state_->w,
           problem.scales(state_->u, state_->R, state_->lambda).force);
-        outcome.reason = reason;
+        if (!is_solved)
+          outcome.reason = reason;
         return outcome;
       },
       force_accuracy * tolerance,

@@ -64,6 +64,7 @@ namespace
       {},
       {"Geometry/Element degree=2"},
       {"Geometry/Contact refinement=1"},
+      {"Refinement/Adaptive steps=1"},
       {"Boundary conditions/Obstacle=plane : 0; 0; 0; 0; 0; 1"}};
     bool are_certified = true;
     double error       = 0.;

@@ -45,8 +45,8 @@ namespace stiction
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
       double moment_balance = 0.;
-      /// max_j |force of obstacle j − prescribed one|/S; negative: no force is
-      /// prescribed.
+      /// max_j |force of obstacle j − P_j|/P_j, P_j being the prescribed one;
+      /// negative: there is none.
       double obstacle_force = -1.;
       /// Bound on the relative energy error ‖û − u*‖_K/‖û‖_K of the problem
       /// with the slip bound frozen at its last value; negative: not computed.

@@ -70,7 +70,7 @@ namespace stiction
 
 
 
-        /// That of the body, m: no obstacle may be deeper in it.
+    /// That of the body, m: no obstacle may be deeper in it.
     double
     body_size() const
     {

@@ -57,10 +57,10 @@ namespace stiction
     /// accuracy, in the figures of the certificate.
     using Solve = std::function<Outcome(double accuracy)>;
 
-    /// Moves the obstacles until the error of every force is below
-    /// @p tolerance S, and the contact problem is solved to
-    /// @p finest_accuracy. On another mesh of the body it goes on from the
-    /// distances found before.
+    /// Moves the obstacles until the relative error of every force is below the
+    /// tolerance, and the contact problem is solved to @p finest_accuracy, or
+    /// to as much less as the forces are smaller than the others. On another
+    /// mesh of the body it goes on from the distances found before.
     ///
     /// @return why that was not reached, and what to change; empty: it was.
     std::string
@@ -77,16 +77,17 @@ namespace stiction
     void
     begin_mesh();
 
+    /// @param noise of the forces, N.
     /// @return why there is no use in going on; empty: the obstacles moved.
     std::string
-    advance(const Outcome &outcome, double accuracy);
+    advance(const Outcome &outcome, double noise);
 
 
     void
-    learn(const Eigen::VectorXd &forces);
+    learn(const Eigen::VectorXd &forces, double noise);
 
     Eigen::VectorXd
-    next_step(const Outcome &outcome);
+    next_step(const Outcome &outcome, double noise);
 
     double
     interpolate() const;
