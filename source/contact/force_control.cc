@@ -113,6 +113,17 @@ namespace stiction
         share = std::min(prescribed_.minCoeff() / outcome.force_scale, 1.);
         if (used > 10. * share)
           continue;
+        // and where there is no other force, a little contact may have been
+        // taken for none
+        const bool is_blurred =
+          (outcome.forces.array() <= 0. && outcome.clearance.array() <= 0.)
+            .any();
+        if (is_blurred && accuracy > finest_accuracy)
+          {
+            accuracy = std::max(accuracy_of_error * accuracy, finest_accuracy);
+            continue;
+          }
+
         const double error = (outcome.forces - prescribed_)
                                .cwiseQuotient(prescribed_)
                                .cwiseAbs()
