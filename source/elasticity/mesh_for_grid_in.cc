@@ -94,7 +94,9 @@ namespace stiction
   {
     const std::vector<std::string> words = split(nodes);
     for (const std::string &node : words)
-      if (numbers_.count(node) == 0)
+      // '007' is node 7
+      if (numbers_.count(node) == 0 &&
+          numbers_.count(std::to_string(text.to_integer(node))) == 0)
         text.refuse("there is no node " + node.substr(0, 40));
     const auto &kind = element_kind(type, text);
     if (words.size() != kind.first)

@@ -159,7 +159,9 @@ namespace stiction
   {
     char *end          = nullptr;
     const double value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !(std::abs(value) <= 1e30))
+    // streams, which read it again, do not take hexadecimal digits
+    if (word.empty() || *end != '\0' || !(std::abs(value) <= 1e30) ||
+        word.find_first_of("xX") != std::string::npos)
       refuse("'" + word.substr(0, 40) + "' stands where a number should");
     return value;
   }
