@@ -131,6 +131,12 @@ namespace stiction
                                   certificate.force_scale());
         if (!certificate.is_solved(std::max(accuracy, tolerance)))
           outcome.reason = solution_->reason;
+        if (parameters_.output.print_progress)
+          for (Eigen::Index j = 0; j < outcome.forces.size(); ++j)
+            log_->line(format("  obstacle moved by %.6g m presses with %.6g N",
+                              force_control_->distances()(j),
+                              outcome.forces(j)));
+
         return outcome;
       },
       tolerance,

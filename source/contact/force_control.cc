@@ -27,11 +27,14 @@ namespace stiction
     // contact as it has been.
     constexpr double largest_growth = 10.;
 
-    constexpr unsigned int max_trials = 40;
+    constexpr unsigned int max_trials = 40; // for each obstacle
 
     // Forces tell how they change if they did by more than so many times their
     // noise.
     constexpr double telling_change = 10.;
+
+    // Of several obstacles: what is left of the slope where a line ends.
+    constexpr double required_fall = 0.7;
 
     // To tell how the forces change, the contact problem need only be solved
     // this much better than the last error of the forces.
@@ -99,7 +102,8 @@ namespace stiction
     begin_mesh();
     double accuracy = std::max(accuracy_of_error, finest_accuracy);
     double share    = 1.; // of the smallest force in all
-    for (unsigned int trials = 1; trials <= max_trials; ++trials)
+    for (unsigned int trials = 1; trials <= max_trials * prescribed_.size();
+         ++trials)
       {
         const double used     = share;
         const Outcome outcome = solve(used * accuracy);
@@ -150,87 +154,157 @@ namespace stiction
   std::string
   ForceControl::advance(const Outcome &outcome, const double noise)
   {
-    Eigen::VectorXd next = distances_ + next_step(outcome, noise);
-    if (next.size() == 1)
-      stay_within_interval(outcome.forces(0) - prescribed_(0), noise, next(0));
-    const Eigen::VectorXd reach = (next - range_.touch).cwiseAbs();
-    if (reach.maxCoeff() > range_.largest_reach)
+    const Eigen::VectorXd next      = place_after(outcome, noise);
+    const Eigen::VectorXd new_reach = (next - range_.touch).cwiseAbs();
+    if (new_reach.maxCoeff() > range_.largest_reach)
       return "an obstacle would have to move by more than the body is large to "
              "press with its force, lower 'Boundary conditions/Obstacle force' "
              "or hold the body better";
-    range_.reach = range_.reach.cwiseMax(reach);
+    range_.reach = range_.reach.cwiseMax(new_reach);
     distances_   = next;
     return {};
   }
 
 
 
-  void
-  ForceControl::learn(const Eigen::VectorXd &forces, const double noise)
+  Eigen::VectorXd
+  ForceControl::place_after(const Outcome &outcome, const double noise)
   {
-    if (last_)
+    const Eigen::VectorXd &forces = outcome.forces;
+    const bool is_one             = forces.size() == 1;
+    const auto no_contact = forces.array() <= no_force * prescribed_.array();
+    if (no_contact.any() && (is_one || !last_))
       {
-        const Eigen::VectorXd step   = distances_ - last_->distances;
-        const Eigen::VectorXd change = forces - last_->forces;
-        if (change.cwiseAbs().maxCoeff() > telling_change * noise)
-          {
-            *slope_ +=
-              (change - *slope_ * step) * step.transpose() / step.squaredNorm();
-            before_last_ = last_;
-          }
+        // as far again beyond the place of contact
+        const Eigen::VectorXd onwards =
+          outcome.clearance +
+          first_reach_.cwiseMax((distances_ - range_.touch).cwiseAbs());
+        Eigen::VectorXd next =
+          distances_ +
+          Eigen::VectorXd(no_contact.cast<double>() * onwards.array());
+        if (is_one)
+          stay_within_interval(forces(0) - prescribed_(0), noise, next(0));
+        return next;
       }
-    else if (!slope_)
+    if (!compliance_)
+      compliance_ = first_compliance(forces);
+    return is_one ? Eigen::VectorXd::Constant(1, place_of_one(forces(0), noise))
+                  : places_of_several(forces, noise);
+  }
+
+
+
+  Eigen::MatrixXd
+  ForceControl::first_compliance(const Eigen::VectorXd &forces) const
+  {
+    // the power law through the place of first contact and here
+    Eigen::VectorXd compliance(forces.size());
+    for (Eigen::Index j = 0; j < forces.size(); ++j)
       {
-        // the power law through the place of first contact and here
-        Eigen::VectorXd slope(forces.size());
-        for (Eigen::Index j = 0; j < forces.size(); ++j)
-          {
-            const double depth =
-              std::max(distances_(j) - range_.touch(j), 1e-3 * range_.reach(j));
-            const double ratio = prescribed_(j) / forces(j);
-            const double way   = depth * (std::pow(ratio, 1. / exponent) - 1.);
-            slope(j)           = std::abs(ratio - 1.) > 1e-6
-                                   ? (prescribed_(j) - forces(j)) / way
-                                   : exponent * forces(j) / depth;
-          }
-        slope_ = Eigen::MatrixXd(slope.asDiagonal());
+        const double depth =
+          std::max(distances_(j) - range_.touch(j), 1e-3 * range_.reach(j));
+        const double ratio = prescribed_(j) / forces(j);
+        const double way   = depth * (std::pow(ratio, 1. / exponent) - 1.);
+        compliance(j)      = std::abs(ratio - 1.) > 1e-6
+                               ? way / (prescribed_(j) - forces(j))
+                               : depth / (exponent * forces(j));
       }
-    last_ = {distances_, forces};
+    return compliance.asDiagonal();
+  }
+
+
+
+  double
+  ForceControl::place_of_one(const double force, const double noise)
+  {
+    const double missing = prescribed_(0) - force;
+    if (last_ && std::abs(force - last_->forces(0)) > telling_change * noise)
+      {
+        (*compliance_)(0, 0) =
+          (distances_(0) - last_->distances(0)) / (force - last_->forces(0));
+        before_last_ = last_;
+      }
+    last_ = {distances_, Eigen::VectorXd::Constant(1, force)};
+
+    double step = before_last_ ? interpolate() - distances_(0)
+                               : (*compliance_)(0, 0) * missing;
+    // a force that no longer grows leaves the size of the step open
+    const double limit = largest_growth * range_.reach(0);
+    if (!std::isfinite(step) || step * missing <= 0.)
+      step = missing > 0. ? limit : -limit;
+    double next = distances_(0) + std::clamp(step, -limit, limit);
+    stay_within_interval(-missing, noise, next);
+    return next;
   }
 
 
 
   Eigen::VectorXd
-  ForceControl::next_step(const Outcome &outcome, const double noise)
+  ForceControl::places_of_several(const Eigen::VectorXd &forces,
+                                  const double noise)
   {
-    const Eigen::ArrayXd no_contact =
-      (outcome.forces.array() <= no_force * prescribed_.array()).cast<double>();
-    // One obstacle is led by its interval. Of several, one has lost contact
-    // because the step was too large.
-    if (no_contact.any() && last_ && no_contact.size() > 1)
-      return 0.5 * (last_->distances - distances_);
-    if (no_contact.any())
-      return no_contact *
-             (outcome.clearance +
-              first_reach_.cwiseMax((distances_ - range_.touch).cwiseAbs()))
-               .array();
-
-    learn(outcome.forces, noise);
-    const Eigen::VectorXd missing = prescribed_ - outcome.forces;
-    Eigen::VectorXd step =
-      before_last_ && missing.size() == 1
-        ? Eigen::VectorXd::Constant(1, interpolate() - distances_(0))
-        : Eigen::VectorXd(slope_->partialPivLu().solve(missing));
-    for (Eigen::Index j = 0; j < step.size(); ++j)
+    const Eigen::VectorXd error = forces - prescribed_;
+    if (last_)
       {
-        // a force that no longer grows leaves the size of the step open
-        const double limit = largest_growth * range_.reach(j);
-        if (!std::isfinite(step(j)) ||
-            (step.size() == 1 && step(j) * missing(j) <= 0.))
-          step(j) = missing(j) > 0. ? limit : -limit;
-        step(j) = std::clamp(step(j), -limit, limit);
+        const double slope = error.dot(line_.direction);
+        if (std::abs(slope) > -required_fall * line_.slope_at_start &&
+            std::abs(slope) >
+              telling_change * noise * line_.direction.cwiseAbs().sum())
+          return last_->distances + line_.next(slope) * line_.direction;
+
+        const Eigen::VectorXd step   = distances_ - last_->distances;
+        const Eigen::VectorXd change = forces - last_->forces;
+        const double curvature       = step.dot(change);
+        if (curvature > 1e-12 * step.norm() * change.norm())
+          {
+            const auto n = step.size();
+            const Eigen::MatrixXd projection =
+              Eigen::MatrixXd::Identity(n, n) -
+              step * change.transpose() / curvature;
+            *compliance_ = projection * *compliance_ * projection.transpose() +
+                           step * step.transpose() / curvature;
+          }
       }
-    return step;
+    last_                     = {distances_, forces};
+    Eigen::VectorXd direction = -*compliance_ * error;
+    const double length = direction.cwiseQuotient(largest_growth * range_.reach)
+                            .cwiseAbs()
+                            .maxCoeff();
+    line_ = Line(direction / std::max(length, 1.), error);
+    return distances_ + line_.direction;
+  }
+
+
+
+  ForceControl::Line::Line(Eigen::VectorXd along, const Eigen::VectorXd &error)
+    : direction(std::move(along))
+    , slope_at_start(error.dot(direction))
+    , slope_below(slope_at_start)
+  {
+  }
+
+
+
+  double
+  ForceControl::Line::next(const double slope)
+  {
+    if (slope < 0.)
+      {
+        below       = at;
+        slope_below = slope;
+      }
+    else
+      {
+        above       = at;
+        slope_above = slope;
+      }
+    if (!std::isfinite(above))
+      at *= 2.;
+    else
+      at = below +
+           (above - below) *
+             std::clamp(slope_below / (slope_below - slope_above), 0.1, 0.9);
+    return at;
   }
 
 

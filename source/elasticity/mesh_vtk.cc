@@ -1,5 +1,6 @@
 #include "mesh_for_grid_in.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -157,8 +158,12 @@ namespace stiction
           {
             ids_.clear();
             for (std::uint64_t i = 0; i < n; ++i)
-              ids_.push_back(
-                static_cast<std::int64_t>(text_.to_real(text_.word())));
+              {
+                const double id = text_.to_real(text_.word());
+                // no integer has more digits; to_id() refuses what is left
+                ids_.push_back(
+                  static_cast<std::int64_t>(std::clamp(id, -1e15, 1e15)));
+              }
           }
         else
           text_.words(n);

@@ -114,8 +114,11 @@ namespace stiction
           vector_line("force on the body [N]", contact["force_on_body"]));
         for (const json &boundary : contact["boundaries"])
           if (boundary["obstacle_displacement"] != json({0., 0., 0.}))
-            log.line(vector_line("obstacle moved by [m]",
-                                 boundary["obstacle_displacement"]));
+            log.line(vector_line(
+              contact["boundaries"].size() == 1
+                ? "obstacle moved by [m]"
+                : ("moved [m], " + boundary["name"].get<std::string>()).c_str(),
+              boundary["obstacle_displacement"]));
         log.line(format("  %-24s %.6g",
                         "largest pressure [Pa]",
                         contact["max_pressure"].get<double>()));

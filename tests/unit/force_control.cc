@@ -20,7 +20,8 @@ namespace
 {
   using Forces = std::function<VectorXd(const VectorXd &)>;
 
-  // Trials until every force is 2, -1 if the search gave up. Without forces
+  // Trials until every force is the prescribed one, 2, -1 if the search gave
+  // up. Without forces
   // there is contact where the distance is touch + contact.
   int
   trials(const Forces &forces,
@@ -28,10 +29,13 @@ namespace
          const double reach,
          const double tolerance,
          const double contact = 0.,
-         const double scale   = 2.)
+         const double scale   = 2.,
+         VectorXd prescribed  = VectorXd())
   {
     const Eigen::Index n = touch.size();
-    ForceControl control(VectorXd::Constant(n, 2.),
+    if (prescribed.size() == 0)
+      prescribed = VectorXd::Constant(n, 2.);
+    ForceControl control(prescribed,
                          {touch, VectorXd::Constant(n, reach), 1e3});
     ForceControl::Outcome outcome;
     // a solve that is as wrong as it may be
@@ -50,7 +54,8 @@ namespace
       tolerance,
       0.1 * tolerance);
     const bool is_met =
-      ((forces(control.distances()).array() / 2. - 1.).abs() <= 1.1 * tolerance)
+      ((forces(control.distances()).array() / prescribed.array() - 1.).abs() <=
+       1.1 * tolerance)
         .all();
     if (is_met != reason.empty())
       return -2;
@@ -136,6 +141,15 @@ main(int argc, char *argv[])
   const int n = trials(coupled, VectorXd::Zero(3), 0.1, 1e-9);
   out() << "three that act on each other: within 40 trials "
         << yes(n > 0 && n <= 40) << '\n';
+
+  const int m = trials(coupled,
+                       VectorXd::Zero(3),
+                       0.1,
+                       1e-9,
+                       0.,
+                       2.,
+                       Eigen::Vector3d(200., 0.5, 2.));
+  out() << "unlike forces: within 60 trials " << yes(m > 0 && m <= 60) << '\n';
 
   out() << "a force that stays below: given up "
         << yes(trials(

@@ -18,10 +18,12 @@ namespace stiction
   ///
   /// The force on an obstacle at rest is a function of its distance alone, the
   /// contact problem being solved for every distance that is tried: none as
-  /// long as it is away, then growing. Its root is found by the secant method:
-  /// for one obstacle in logarithms, where punch, sphere and cone are straight
-  /// lines, and safeguarded by an interval around the root; for several in
-  /// Broyden's form.
+  /// long as it is away, then growing. The distance of one obstacle is found by
+  /// the secant method in logarithms, where punch, sphere and cone are straight
+  /// lines, safeguarded by an interval around it. The forces of several are,
+  /// without friction, the gradient of a convex function, the least energy for
+  /// given distances, minus forces times distances, which is minimised by the
+  /// BFGS method with a search along lines.
   class ForceControl
   {
   public:
@@ -74,6 +76,8 @@ namespace stiction
     }
 
   private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     void
     begin_mesh();
 
@@ -83,11 +87,17 @@ namespace stiction
     advance(const Outcome &outcome, double noise);
 
 
-    void
-    learn(const Eigen::VectorXd &forces, double noise);
+    Eigen::VectorXd
+    place_after(const Outcome &outcome, double noise);
+
+    Eigen::MatrixXd
+    first_compliance(const Eigen::VectorXd &forces) const;
+
+    double
+    place_of_one(double force, double noise);
 
     Eigen::VectorXd
-    next_step(const Outcome &outcome, double noise);
+    places_of_several(const Eigen::VectorXd &forces, double noise);
 
     double
     interpolate() const;
@@ -109,13 +119,28 @@ namespace stiction
     {
       Eigen::VectorXd distances, forces;
     };
-    /// The last ones on this mesh, with every obstacle in contact.
+    /// The last places on this mesh that were worth going on from.
     std::optional<Trial> last_, before_last_;
+    std::optional<Eigen::MatrixXd> compliance_; ///< d distances/d forces, m/N
 
-    std::optional<Eigen::MatrixXd> slope_; ///< d forces/d distances, N/m
+    // of several obstacles: a line from last_
+    struct Line
+    {
+      Line() = default;
+      Line(Eigen::VectorXd along, const Eigen::VectorXd &error);
+
+      // The next place on it, from the slope at the present one.
+      double
+      next(double slope);
+
+      Eigen::VectorXd direction;
+      double slope_at_start = 0.; // error · direction, < 0
+      double at = 1., below = 0., above = infinity;
+      double slope_below = 0., slope_above = 0.;
+    };
+    Line line_;
 
     // of one obstacle alone
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
     double too_near_ = infinity, too_far_ = -infinity;
     double last_error_ = infinity, error_before_ = infinity; ///< N
 
