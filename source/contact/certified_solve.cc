@@ -21,6 +21,9 @@ namespace stiction
     // Where a method stops at a residual below this one, it is rounding.
     constexpr double rounding_residual = 1e-6;
 
+    // The relative overlap up to which no contact forces at all are the answer.
+    constexpr double rest_tolerance = 1e-9;
+
     // Judgements without a new smallest residual before giving up.
     constexpr unsigned int max_idle_judgements = 3;
 
@@ -93,15 +96,20 @@ namespace stiction
     unsigned int iterations = 0, idle = 0;
     qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
 
-    // in both scales: no contact forces at all must be right in those of the
-    // problem, too
+    // No contact forces at all leave nothing to measure an overlap by: they are
+    // the answer if there is none, whatever the tolerance.
+    const auto accuracy = [&]() {
+      return solution.lambda.isZero(0.) ? std::min(tolerance, rest_tolerance)
+                                        : tolerance;
+    };
+    // in both scales: they must be right in those of the problem, too
     const auto is_content = [&]() {
       return conditions->is_solved(tolerance) &&
              ContactConditions(solution.lambda,
                                conditions->gradient(),
                                slip_bound.at(solution.lambda),
                                scaling)
-               .converged(tolerance);
+               .converged(accuracy());
     };
     while (!is_content())
       {
@@ -136,7 +144,7 @@ namespace stiction
         const double residual = conditions->contact_figures().kkt_residual;
         idle                  = residual < 0.9 * smallest ? 0 : idle + 1;
         smallest              = std::min(smallest, residual);
-        const double goal     = safety * tolerance * share_of_kkt(*conditions);
+        const double goal     = safety * accuracy() * share_of_kkt(*conditions);
         if (result.converged && target <= goal && !method.limitation().empty())
           solution.reason = method.limitation();
         else if (!result.reason.empty())

@@ -262,6 +262,32 @@ namespace
           << yes(std::abs(ratio(far) - 1.) < 1e-3) << std::endl;
   }
 
+  // Where there is no load, a little overlap is all there is: no tolerance is
+  // too loose to see it.
+  void
+  overlap_a_little()
+  {
+    const auto force = [](const std::string &method,
+                          const std::string &tolerance) {
+      const Run run(shipped("hertz.prm"),
+                    {"Boundary conditions/Obstacle force=0; 0; 0",
+                     "Boundary conditions/Obstacle displacement=0; 0; -1e-4",
+                     "Geometry/Global refinement=1",
+                     "Contact solver/Method=" + method,
+                     "Contact solver/Tolerance=" + tolerance});
+      return run.converged
+               ? run.summary()["contact"]["normal_force"].get<double>()
+               : -1.;
+    };
+    const double exact = force("newton", "1e-10");
+    bool is_seen       = exact > 0.;
+    for (const std::string method :
+         {"newton", "gauss seidel", "mpgp", "newton multigrid"})
+      is_seen = is_seen && std::abs(force(method, "1e-2") / exact - 1.) < 1e-2;
+    out() << "a little overlap and no load: seen at a tolerance of 1e-2 "
+          << yes(is_seen) << std::endl;
+  }
+
   // A force that the body cannot take within its size.
   void
   press_too_hard()
@@ -289,5 +315,7 @@ main(int argc, char *argv[])
   press_obliquely();
   press_from_two_sides();
   slide();
+  overlap_a_little();
+
   press_too_hard();
 }

@@ -361,7 +361,7 @@ main()
   print_errors<double>("double");
   print_errors<float>("float");
 
-  Mesh mesh = make_mesh("", {1, 1, 1}, Order::lexicographic, identity, 0, 0);
+  Mesh mesh = make_mesh("", {{1, 1, 1}}, Order::lexicographic, identity, 0, 0);
   place_vertices(mesh);
   print("No cells, no force", [] {
     const CellStiffness<double> K(std::vector<HexahedralCell>{});
