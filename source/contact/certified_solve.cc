@@ -160,7 +160,8 @@ namespace stiction
               ? "rounding or the accuracy of the linear solver prevents a "
                 "smaller one, raise 'Contact solver/Tolerance'"
               : "the method makes no further progress, choose another 'Contact "
-                "solver/Method' (newton stands still most rarely)";
+                "solver/Method' (newton and newton multigrid stand still most "
+                "rarely)";
         if (!solution.reason.empty())
           return solution;
 

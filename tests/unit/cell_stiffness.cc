@@ -39,36 +39,36 @@ namespace
   Point
   stretched(const Point &x)
   {
-    return {.5 * x[0], .7 * x[1] - 3., 1.25 * x[2] + 2.};
+    return {{.5 * x[0], .7 * x[1] - 3., 1.25 * x[2] + 2.}};
   }
 
   Point
   sheared(const Point &x)
   {
-    return {x[0] + .3 * x[1] - .2 * x[2],
-            .1 * x[0] + .8 * x[1] + .25 * x[2],
-            -.15 * x[0] + .4 * x[1] + 1.1 * x[2]};
+    return {{x[0] + .3 * x[1] - .2 * x[2],
+             .1 * x[0] + .8 * x[1] + .25 * x[2],
+             -.15 * x[0] + .4 * x[1] + 1.1 * x[2]}};
   }
 
   Point
   far_away(const Point &x)
   {
-    return {1e3 + 1e-2 * x[0], 1e-2 * x[1] - 1e3, 1e-2 * x[2]};
+    return {{1e3 + 1e-2 * x[0], 1e-2 * x[1] - 1e3, 1e-2 * x[2]}};
   }
 
   Point
   curved(const Point &x)
   {
-    return {x[0] + .06 * std::sin(2. * x[1] + x[2]),
-            x[1] + .05 * std::cos(3. * x[0]) * x[2],
-            x[2] - .07 * std::sin(x[0] * x[1] + .3)};
+    return {{x[0] + .06 * std::sin(2. * x[1] + x[2]),
+             x[1] + .05 * std::cos(3. * x[0]) * x[2],
+             x[2] - .07 * std::sin(x[0] * x[1] + .3)}};
   }
 
   // Cells of different length, so that each layer is a class.
   Point
   graded(const Point &x)
   {
-    return {x[0] + .002 * x[0] * x[0], x[1], x[2]};
+    return {{x[0] + .002 * x[0] * x[0], x[1], x[2]}};
   }
 
   enum class Order
@@ -91,7 +91,7 @@ namespace
     for (unsigned int k = 0; k <= n[2]; ++k)
       for (unsigned int j = 0; j <= n[1]; ++j)
         for (unsigned int i = 0; i <= n[0]; ++i)
-          mesh.nodes.push_back(map({1. * i, 1. * j, 1. * k}));
+          mesh.nodes.push_back(map({{1. * i, 1. * j, 1. * k}}));
 
     const auto add_cell = [&](unsigned int i, unsigned int j, unsigned int k) {
       HexahedralCell cell;
@@ -140,23 +140,32 @@ namespace
       meshes.push_back(make_mesh(name, n, order, map, n_general, n_patched));
     };
     using O = Order;
-    add("one cube", {1, 1, 1}, O::lexicographic, identity, 0, 0);
-    add("a patch of boxes", {2, 2, 2}, O::lexicographic, stretched, 0, 8);
-    add("a row of boxes", {19, 1, 1}, O::lexicographic, stretched, 0, 0);
-    add("boxes", {5, 7, 3}, O::lexicographic, stretched, 0, 48);
-    add("families of boxes", {6, 4, 6}, O::families, stretched, 0, 144);
-    add("a row of parallelepipeds", {1, 1, 21}, O::random, sheared, 0, 0);
-    add("parallelepipeds", {3, 6, 7}, O::lexicographic, sheared, 0, 72);
-    add("families of parallelepipeds", {4, 2, 6}, O::families, sheared, 0, 48);
-    add("small boxes far away", {4, 4, 4}, O::families, far_away, 0, 64);
-    add("one hexahedron", {1, 1, 1}, O::lexicographic, curved, 1, 0);
-    add("hexahedra", {3, 5, 3}, O::random, curved, 45, 0);
+    add("one cube", {{1, 1, 1}}, O::lexicographic, identity, 0, 0);
+    add("a patch of boxes", {{2, 2, 2}}, O::lexicographic, stretched, 0, 8);
+    add("a row of boxes", {{19, 1, 1}}, O::lexicographic, stretched, 0, 0);
+    add("boxes", {{5, 7, 3}}, O::lexicographic, stretched, 0, 48);
+    add("families of boxes", {{6, 4, 6}}, O::families, stretched, 0, 144);
+    add("a row of parallelepipeds", {{1, 1, 21}}, O::random, sheared, 0, 0);
+    add("parallelepipeds", {{3, 6, 7}}, O::lexicographic, sheared, 0, 72);
     add(
-      "more shapes than classes", {70, 2, 1}, O::lexicographic, graded, 12, 0);
+      "families of parallelepipeds", {{4, 2, 6}}, O::families, sheared, 0, 48);
+    add("small boxes far away", {{4, 4, 4}}, O::families, far_away, 0, 64);
+    add("one hexahedron", {{1, 1, 1}}, O::lexicographic, curved, 1, 0);
+    add("hexahedra", {{3, 5, 3}}, O::random, curved, 45, 0);
+    add("more shapes than classes",
+        {{70, 2, 1}},
+        O::lexicographic,
+        graded,
+        12,
+        0);
 
     // moves one node, makes two materials
-    add(
-      "two materials, eight hexahedra", {6, 4, 4}, O::families, sheared, 8, 80);
+    add("two materials, eight hexahedra",
+        {{6, 4, 4}},
+        O::families,
+        sheared,
+        8,
+        80);
     Mesh &mixed = meshes.back();
     mixed.nodes[2 + 7 * (3 + 5 * 3)][1] += .2;
     for (std::size_t i = 48; i < mixed.cells.size(); ++i)
