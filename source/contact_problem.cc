@@ -1,9 +1,9 @@
 #include <stiction/adaptive_refinement.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/certificate.h>
-#include <stiction/contact/force_control.h>
 #include <stiction/contact/judge.h>
 #include <stiction/contact/newton_multigrid.h>
+#include <stiction/contact/pressed_obstacles.h>
 #include <stiction/contact/schur_complement.h>
 #include <stiction/contact_problem.h>
 #include <stiction/elasticity/body.h>

@@ -133,13 +133,9 @@ namespace stiction
     body_figures_.moment_balance =
       std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) / (S * size);
     if (surface_.pressing_forces().size() > 0)
-      body_figures_.obstacle_force =
-        (outcome_of(surface_.motion().directions(), lambda_, gradient_, S)
-           .forces -
-         surface_.pressing_forces())
-          .cwiseQuotient(surface_.pressing_forces())
-          .cwiseAbs()
-          .maxCoeff();
+      body_figures_.obstacle_force = largest_relative_error(
+        -surface_.motion().directions().transpose() * lambda_,
+        surface_.pressing_forces());
     force_scale_   = S;
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];

@@ -3,6 +3,7 @@
 #include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/nodal_blocks.h>
+#include <stiction/contact/pressed_obstacles.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/errors.h>
@@ -24,10 +25,6 @@ namespace stiction
 
   namespace
   {
-    // A force presses on a boundary if the cosine of its direction with the
-    // normal of some node is beyond this one.
-    constexpr double pressing_cosine = 0.1;
-
     // Whether the bit of a component is set.
     bool
     has_component(const double bits, const unsigned int c)
@@ -377,7 +374,7 @@ namespace stiction
           std::max(largest_approach[node.boundary], -direction(0));
       }
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (column[b] >= 0 && largest_approach[b] < pressing_cosine)
+      if (column[b] >= 0 && largest_approach[b] < least_approach)
         throw InputError(
           parameters.source.describe("Boundary conditions/Obstacle force") +
           ", does not press the obstacle of boundary '" +

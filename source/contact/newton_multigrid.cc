@@ -1,6 +1,6 @@
 #include <stiction/contact/contact_surface.h>
-#include <stiction/contact/force_control.h>
 #include <stiction/contact/newton_multigrid.h>
+#include <stiction/contact/pressed_obstacles.h>
 #include <stiction/elasticity/linear_elasticity.h>
 
 #include <algorithm>

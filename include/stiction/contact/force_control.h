@@ -10,9 +10,6 @@
 
 namespace stiction
 {
-  class ObstacleMotion;
-
-
   /// Finds how far obstacles have to move until they press on the body with
   /// the forces that are prescribed.
   ///
@@ -37,7 +34,6 @@ namespace stiction
 
     /// @param prescribed forces, N, > 0.
     ForceControl(Eigen::VectorXd prescribed, Range range);
-
 
     /// Where the obstacles are to be.
     const Eigen::VectorXd &
@@ -86,7 +82,6 @@ namespace stiction
     std::string
     advance(const Outcome &outcome, double noise);
 
-
     Eigen::VectorXd
     place_after(const Outcome &outcome, double noise);
 
@@ -107,13 +102,10 @@ namespace stiction
     void
     stay_within_interval(double error, double noise, double &next);
 
-
     const Eigen::VectorXd prescribed_;
     Range range_; ///< its reach: as far as the search has come
     const Eigen::VectorXd first_reach_;
     Eigen::VectorXd distances_;
-
-
 
     struct Trial
     {
@@ -144,39 +136,15 @@ namespace stiction
     double too_near_ = infinity, too_far_ = -infinity;
     double last_error_ = infinity, error_before_ = infinity; ///< N
 
-
     unsigned int n_trials_ = 0;
   };
 
 
 
-  /// Where to search for the places of the pressed obstacles. They begin where
-  /// E √(A/2π) δ is the force, A being the area that would be cut off by an
-  /// obstacle δ beyond the place of first contact: half of it would be in
-  /// contact (Hertz), and a flat punch has that stiffness.
-  ///
-  /// @param areas of the contact nodes, m².
-  /// @param forces prescribed, N.
-  /// @param youngs_modulus, body_size Pa, m.
-  ForceControl::Range
-  range_of_search(const ObstacleMotion &motion,
-                  const Eigen::VectorXd &areas,
-                  const Eigen::VectorXd &forces,
-                  double youngs_modulus,
-                  double body_size);
-
-
-
-  /// What pressed obstacles do in a solution of the contact problem.
-  ///
-  /// @param directions C of ObstacleMotion, 3m × n.
-  /// @param lambda, gradient contact forces and r = (remaining gap; −slip).
-  /// @param force_scale S.
-  ForceControl::Outcome
-  outcome_of(const Eigen::MatrixXd &directions,
-             const Eigen::VectorXd &lambda,
-             const Eigen::VectorXd &gradient,
-             double force_scale);
+  /// max_j |F_j − P_j|/P_j of forces F and prescribed ones P.
+  double
+  largest_relative_error(const Eigen::VectorXd &forces,
+                         const Eigen::VectorXd &prescribed);
 } // namespace stiction
 
 #endif
