@@ -16,26 +16,21 @@ namespace stiction
   namespace
   {
     using dealii::ParameterHandler;
-    using json = nlohmann::ordered_json; // keeps the order of declaration
-
-    std::string
-    trim(const std::string &text)
-    {
-      return dealii::Utilities::trim(text);
-    }
+    using Declarations = nlohmann::ordered_json; // keeps their order
+    using dealii::Utilities::trim;
 
     // The declared sections and entries, with patterns and current values.
-    json
+    Declarations
     declared(const ParameterHandler &prm)
     {
       std::ostringstream out;
       prm.print_parameters(
         out, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
-      return json::parse(out.str());
+      return Declarations::parse(out.str());
     }
 
     std::string
-    names_of(const json &node)
+    names_of(const Declarations &node)
     {
       std::string names;
       for (const auto &item : node.items())
@@ -102,7 +97,7 @@ namespace stiction
                         const std::string &value,
                         ParameterHandler &prm)
   {
-    const json all = declared(prm);
+    const Declarations all = declared(prm);
     if (section.empty() || !all.contains(section))
       throw InputError(where + ": unknown section '" + section +
                        "', allowed are " + names_of(all) + ".");
@@ -143,7 +138,7 @@ namespace stiction
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
 
-    const json defaults = declared(prm);
+    const Declarations defaults = declared(prm);
     for (const auto &group : defaults.items())
       for (const auto &entry : group.value().items())
         places_[group.key() + "/" + entry.key()] = {
@@ -184,7 +179,7 @@ namespace stiction
               throw InputError(where + ": section '" + rest +
                                "' begins inside '" + section +
                                "', an 'end' is missing before it.");
-            const json all = declared(prm);
+            const Declarations all = declared(prm);
             if (!all.contains(rest))
               throw InputError(where + ": unknown section '" + rest +
                                "', allowed are " + names_of(all) + ".");

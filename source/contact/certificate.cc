@@ -24,13 +24,6 @@ namespace stiction
     // neighbours as fixed. On the reference brick the bound is 3.3 times the
     // error with 0.1, 3.1 with 0.03, 7 with 0.3 and with 0.01.
     constexpr double prox_stiffness = 0.1;
-
-    double
-    nonzero(const double scale)
-    {
-      return scale == 0. ? 1. : scale;
-    }
-
   } // namespace
 
 

@@ -1,3 +1,4 @@
+#include <stiction/contact/contact_conditions.h>
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/contact_state.h>
 #include <stiction/contact/contact_surface.h>
@@ -25,12 +26,6 @@ namespace stiction
 
   namespace
   {
-    double
-    nonzero(const double scale)
-    {
-      return scale == 0. ? 1. : scale;
-    }
-
     // Unknown by unknown, like all vectors over the contact nodes.
     Trace
     trace_of(const std::vector<types::global_dof_index> &first_dofs)

@@ -18,7 +18,7 @@ namespace stiction
 
     // What muParser itself says, in deal.II's message of many lines.
     std::string
-    reason(const dealii::ExceptionBase &exception)
+    complaint_of_parser(const dealii::ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
@@ -146,7 +146,7 @@ namespace stiction
       {
         throw InputError(
           location_ + " = " + expression_ +
-          ", is not a formula in x, y, z, t: " + reason(exception) + ".");
+          ", is not a formula in x, y, z, t: " + complaint_of_parser(exception) + ".");
       }
   }
 

@@ -54,7 +54,7 @@ namespace stiction
 
     // What an exception of many lines has to say, in one.
     std::string
-    reason(const ExceptionBase &exception)
+    in_one_line(const ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
@@ -103,7 +103,7 @@ namespace stiction
     catch (const ExceptionBase &exception)
       {
         throw InputError(geometry.location +
-                         ", makes no mesh: " + reason(exception) + ".");
+                         ", makes no mesh: " + in_one_line(exception) + ".");
       }
     require_valid_cells(triangulation_, geometry.location);
     set_names(boundaries, materials);

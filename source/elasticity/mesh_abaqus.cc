@@ -21,7 +21,7 @@ namespace stiction
     }
 
     std::vector<std::string>
-    split(const std::string &line)
+    split_at_commas(const std::string &line)
     {
       std::vector<std::string> items;
       std::istringstream in(line);
@@ -79,7 +79,7 @@ namespace stiction
         end_of_data();
         keyword_ = "";
         options_.clear();
-        for (const std::string &item : split(line))
+        for (const std::string &item : split_at_commas(line))
           if (keyword_.empty())
             keyword_ = upper(item);
           else
@@ -118,11 +118,11 @@ namespace stiction
             unfinished_ += line;
             if (line.back() == ',')
               return;
-            read_element(split(unfinished_));
+            read_element(split_at_commas(unfinished_));
             unfinished_.clear();
             return;
           }
-        const std::vector<std::string> items = split(line);
+        const std::vector<std::string> items = split_at_commas(line);
         if (keyword_ == "*NODE")
           read_node(items);
         else if (keyword_ == "*ELSET")

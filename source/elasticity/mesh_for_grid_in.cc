@@ -33,7 +33,7 @@ namespace stiction
     };
 
     std::vector<std::string>
-    split(const std::string &text)
+    split_at_spaces(const std::string &text)
     {
       std::istringstream in(text);
       return {std::istream_iterator<std::string>(in), {}};
@@ -72,7 +72,7 @@ namespace stiction
     if (std::abs(number) > std::numeric_limits<int>::max())
       text.refuse("node " + std::to_string(number) +
                   " has a number that is too large, must be below 2147483648");
-    const std::vector<std::string> words = split(coordinates);
+    const std::vector<std::string> words = split_at_spaces(coordinates);
     for (const std::string &word : words)
       text.to_real(word);
     if (words.size() != 3)
@@ -92,7 +92,7 @@ namespace stiction
                              const std::string &nodes,
                              const MeshText &text)
   {
-    const std::vector<std::string> words = split(nodes);
+    const std::vector<std::string> words = split_at_spaces(nodes);
     for (const std::string &node : words)
       // '007' is node 7
       if (numbers_.count(node) == 0 &&

@@ -19,17 +19,6 @@ namespace stiction
 
 
   std::string
-  trim(const std::string &text)
-  {
-    const std::size_t first = text.find_first_not_of(spaces);
-    return first == std::string::npos
-             ? ""
-             : text.substr(first, text.find_last_not_of(spaces) - first + 1);
-  }
-
-
-
-  std::string
   upper(std::string text)
   {
     for (char &c : text)

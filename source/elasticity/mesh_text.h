@@ -3,15 +3,15 @@
 
 #include <stiction/elasticity/mesh_data.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <cstdint>
 #include <fstream>
 #include <string>
 
 namespace stiction
 {
-  /// Without spaces at its ends.
-  std::string
-  trim(const std::string &text);
+  using dealii::Utilities::trim;
 
   /// In capital letters.
   std::string

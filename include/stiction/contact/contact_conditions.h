@@ -22,6 +22,15 @@ namespace stiction
 
 
 
+  /// A scale to divide by: 1 where there is nothing to measure.
+  inline double
+  nonzero(const double scale)
+  {
+    return scale == 0. ? 1. : scale;
+  }
+
+
+
   /// How far contact forces λ (N) and r = (remaining gap; −slip) (m) are from
   /// satisfying the contact and friction conditions.
   ///
