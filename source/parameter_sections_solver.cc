@@ -1,3 +1,4 @@
+#include <stiction/output/units.h>
 #include <stiction/parameters.h>
 
 namespace stiction
@@ -136,6 +137,14 @@ namespace stiction
                   "and its solution are written for other programs, as an "
                   "FCLIB file and as Matrix Market files; empty: not written. "
                   "--export on the command line overrides it.");
+    add_parameter("Units",
+                  units,
+                  "The units in which this file is written, of length, force "
+                  "and stress; with them labels of results are complete. "
+                  "Labels alone: nothing is converted, and any consistent "
+                  "system may be used.",
+                  prm,
+                  Patterns::Selection(Units::choices()));
     add_parameter("Write solution",
                   write_solution,
                   "Whether solution.pvtu, the displacement and the stress in "

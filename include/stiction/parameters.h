@@ -188,6 +188,7 @@ namespace stiction
 
     std::string directory        = "output/stiction";
     std::string export_directory = "";
+    std::string units            = "none";
     bool write_solution          = true;
     bool print_progress          = true;
   };
