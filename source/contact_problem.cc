@@ -11,6 +11,7 @@
 #include <stiction/elasticity/local_refinement.h>
 #include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/elasticity/support_reactions.h>
 #include <stiction/errors.h>
 #include <stiction/memory.h>
 #include <stiction/output/convergence_history.h>

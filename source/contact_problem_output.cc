@@ -13,6 +13,7 @@
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/elasticity/support_reactions.h>
 #include <stiction/errors.h>
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/files.h>
@@ -36,17 +37,24 @@ namespace stiction
   void
   ContactProblem::output_results()
   {
-    const auto phase             = phases_.scope("output");
-    const std::string &directory = parameters_.output.directory;
-    if (parameters_.output.write_solution)
-      write_solution(directory,
-                     *elasticity_,
-                     judge_->displacement(),
+    const auto phase               = phases_.scope("output");
+    const OutputParameters &output = parameters_.output;
+    const LA::Vector &u            = judge_->displacement();
+    const Certificate &certificate = judge_->certificate();
+    LA::Vector contact_force       = elasticity_->zero_vector();
+    surface_->add_transpose_B(-1., certificate.lambda(), contact_force);
+    reactions_ =
+      std::make_unique<SupportReactions>(*elasticity_, u, contact_force);
+    if (output.write_solution)
+      write_solution(*elasticity_,
+                     u,
+                     reactions_->nodal(),
                      refinement_ ? refinement_->indicators()
-                                 : dealii::Vector<double>());
+                                 : dealii::Vector<double>(),
+                     output);
     else
-      remove_solution(directory, communicator_);
-    write_contact(directory, *elasticity_, *surface_, judge_->certificate());
+      remove_solution(output.directory, communicator_);
+    write_contact(*elasticity_, u, *surface_, certificate, output);
     write_run_files(parameters_, *history_, communicator_);
   }
 

@@ -46,8 +46,9 @@ namespace stiction
                               : parameters.is_simple()    ? 6e3
                               : is_quadratic              ? 1.3e5
                                                           : 1e4;
+    const double fields = parameters.output.has_all_fields() ? 4.3e3 : 2.6e3;
     return n_cells * (matrices + (parameters.output.write_solution
-                                    ? (is_quadratic ? 8. : 1.) * 2.6e3
+                                    ? (is_quadratic ? 8. : 1.) * fields
                                     : 0.));
   }
 

@@ -148,10 +148,19 @@ namespace stiction
     add_parameter("Write solution",
                   write_solution,
                   "Whether solution.pvtu, the displacement and the stress in "
-                  "the whole body, is written: 0.7 kB an unknown on disk. "
-                  "contact.pvtu is always written.",
+                  "the whole body, is written. contact.pvtu is always "
+                  "written.",
                   prm,
                   Patterns::Bool());
+    add_parameter("Fields",
+                  fields,
+                  "What solution.pvtu has. basic: displacement, stress, von "
+                  "Mises stress, 0.1 kB an unknown on disk; all: strain, "
+                  "principal stresses, the stress averaged at nodes over the "
+                  "cells of the same material, reactions of the supports, "
+                  "material and body as well, for twice the size and time.",
+                  prm,
+                  Patterns::Selection("basic|all"));
     add_parameter("Print progress",
                   print_progress,
                   "Whether a line is printed for each step of the solver.");

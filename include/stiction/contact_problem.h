@@ -26,6 +26,7 @@ namespace stiction
   class NewtonMultigrid;
   class Parameters;
   class StiffnessSolver;
+  class SupportReactions;
   class ConvergenceHistory;
 
   /// An elastic body in contact with a rigid foundation, from the parameters
@@ -86,6 +87,13 @@ namespace stiction
     certificate() const
     {
       return judge_->certificate();
+    }
+
+    /// The reactions of the supports.
+    const SupportReactions &
+    reactions() const
+    {
+      return *reactions_;
     }
 
   private:
@@ -153,6 +161,7 @@ namespace stiction
     std::unique_ptr<BodyJudge> judge_;
     std::unique_ptr<ContactSolution> solution_;
 
+    std::unique_ptr<SupportReactions> reactions_;
     std::unique_ptr<nlohmann::json> summary_;
 
     Phases phases_;

@@ -186,10 +186,18 @@ namespace stiction
   {
     OutputParameters();
 
+    /// Whether solution.pvtu gets the fields that can be left out.
+    bool
+    has_all_fields() const
+    {
+      return fields == "all";
+    }
+
     std::string directory        = "output/stiction";
     std::string export_directory = "";
     std::string units            = "none";
     bool write_solution          = true;
+    std::string fields           = "all";
     bool print_progress          = true;
   };
 

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
@@ -182,47 +183,94 @@ namespace stiction
 
 
 
+  std::set<types::boundary_id>
+  PrescribedDisplacement::boundaries() const
+  {
+    std::set<types::boundary_id> ids;
+    for (const auto &condition : functions_)
+      ids.insert(condition.first);
+    return ids;
+  }
+
+
+
+  std::map<types::global_dof_index, types::boundary_id>
+  PrescribedDisplacement::supporting_boundaries() const
+  {
+    std::map<types::global_dof_index, types::boundary_id> boundary_of;
+    for (const auto &condition : functions_) // in the order of their ids
+      for (const auto dof :
+           DoFTools::extract_boundary_dofs(body_.dof_handler(),
+                                           condition.second.components,
+                                           {condition.first}))
+        boundary_of.emplace(dof, condition.first);
+    return boundary_of;
+  }
+
+
+
+  std::vector<PrescribedDisplacement::SupportedNode>
+  PrescribedDisplacement::supported_nodes() const
+  {
+    std::vector<SupportedNode> nodes;
+    for (const PrescribedPoint &point : points_)
+      nodes.push_back(node_of(point));
+    return nodes;
+  }
+
+
+
+  PrescribedDisplacement::SupportedNode
+  PrescribedDisplacement::node_of(const PrescribedPoint &point) const
+  {
+    const auto corners = body_.bounding_box().get_boundary_points();
+    const double near  = 1e-6 * corners.first.distance(corners.second);
+
+    SupportedNode nearest{0, Point<3>(), point.displacement.components};
+    double distance = std::numeric_limits<double>::max();
+    for (const Body::Node &node : body_.locally_owned_nodes())
+      if (node.position.distance(point.position) < distance)
+        {
+          distance          = node.position.distance(point.position);
+          nearest.first_dof = node.dofs[0];
+          nearest.position  = node.position;
+          for (unsigned int c = 0; c < 3; ++c)
+            if (std::abs(nearest.position[c]) < 1e-9 * near)
+              nearest.position[c] = 0.; // rounding
+        }
+    const double least = Utilities::MPI::min(distance, body_.communicator());
+    const bool is_here = distance == least;
+    together(body_.communicator(), [&]() {
+      if (!is_here || least <= near)
+        return;
+      std::ostringstream message;
+      message << points_location_ << ": there is no node at (" << point.position
+              << "), the nearest one is at (" << nearest.position
+              << "), which must be given.";
+      throw InputError(message.str());
+    });
+    // what is nearest is one node, known to its owner
+    nearest.first_dof = Utilities::MPI::max(is_here ? nearest.first_dof : 0,
+                                            body_.communicator());
+    for (unsigned int c = 0; c < 3; ++c)
+      nearest.position[c] = Utilities::MPI::sum(
+        is_here ? nearest.position[c] : 0., body_.communicator());
+    return nearest;
+  }
+
+
+
   void
   PrescribedDisplacement::add_points_to(
     AffineConstraints<double> &constraints) const
   {
-    const auto corners = body_.bounding_box().get_boundary_points();
-    const double near  = 1e-6 * corners.first.distance(corners.second);
     for (const PrescribedPoint &point : points_)
       {
-        double distance             = std::numeric_limits<double>::max();
-        types::global_dof_index dof = 0;
-        Point<3> nearest;
-        for (const Body::Node &node : body_.locally_owned_nodes())
-          if (node.position.distance(point.position) < distance)
-            {
-              distance = node.position.distance(point.position);
-              dof      = node.dofs[0];
-              nearest  = node.position;
-              for (unsigned int c = 0; c < 3; ++c)
-                if (std::abs(nearest[c]) < 1e-9 * near)
-                  nearest[c] = 0.; // rounding
-            }
-        const double least =
-          Utilities::MPI::min(distance, body_.communicator());
-        const bool is_here = distance == least;
+        const SupportedNode node = node_of(point);
         std::ostringstream message;
         message << points_location_ << ": ";
         together(body_.communicator(), [&]() {
-          if (!is_here || least <= near)
-            return;
-          message << "there is no node at (" << point.position
-                  << "), the nearest one is at (" << nearest
-                  << "), which must be given.";
-          throw InputError(message.str());
-        });
-        // what is nearest is one node, known to its owner
-        dof = Utilities::MPI::max(is_here ? dof : 0, body_.communicator());
-        for (unsigned int c = 0; c < 3; ++c)
-          nearest[c] = Utilities::MPI::sum(is_here ? nearest[c] : 0.,
-                                           body_.communicator());
-        together(body_.communicator(), [&]() {
-          if (body_.is_hanging(dof))
+          if (body_.is_hanging(node.first_dof))
             {
               message << "the node at (" << point.position
                       << ") hangs between others, must be one of a coarser "
@@ -231,24 +279,23 @@ namespace stiction
             }
           for (unsigned int c = 0; c < 3; ++c)
             {
-              if (!point.displacement.components[c] ||
-                  !constraints.can_store_line(dof + c))
+              const types::global_dof_index dof = node.first_dof + c;
+              if (!node.components[c] || !constraints.can_store_line(dof))
                 continue;
               // at the node, where those of the boundaries are taken
               const double value =
-                point.displacement.function->value(nearest, c);
-              if (!constraints.is_constrained(dof + c))
+                point.displacement.function->value(node.position, c);
+              if (!constraints.is_constrained(dof))
                 {
-                  constraints.add_line(dof + c);
-                  constraints.set_inhomogeneity(dof + c, value);
+                  constraints.add_line(dof);
+                  constraints.set_inhomogeneity(dof, value);
                 }
-              else if (std::abs(constraints.get_inhomogeneity(dof + c) -
-                                value) > 1e-10 * std::abs(value))
+              else if (std::abs(constraints.get_inhomogeneity(dof) - value) >
+                       1e-10 * std::abs(value))
                 {
                   message << "prescribes " << value << " along "
                           << "xyz"[c] << " at (" << point.position
-                          << "), where "
-                          << constraints.get_inhomogeneity(dof + c)
+                          << "), where " << constraints.get_inhomogeneity(dof)
                           << " is prescribed already, must be the same or "
                              "'free'.";
                   throw InputError(message.str());

@@ -6,6 +6,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,15 +47,40 @@ namespace stiction
     void
     require_support(const dealii::AffineConstraints<double> &constraints) const;
 
-  private:
-    void
-    add_points_to(dealii::AffineConstraints<double> &constraints) const;
+    /// The unknowns of own and neighbouring cells that boundaries prescribe,
+    /// with the lowest id among those that do. Hanging nodes may be among them.
+    std::map<dealii::types::global_dof_index, dealii::types::boundary_id>
+    supporting_boundaries() const;
 
+    /// All boundaries with prescribed components.
+    std::set<dealii::types::boundary_id>
+    boundaries() const;
+
+    /// The node of a prescribed point, whoever owns it.
+    struct SupportedNode
+    {
+      dealii::types::global_dof_index first_dof;
+      dealii::Point<3> position;
+      dealii::ComponentMask components; ///< those that are prescribed
+    };
+
+    /// Of all prescribed points, in the order of the parameter file.
+    /// Collective. Throws InputError if there is no node at one of them.
+    std::vector<SupportedNode>
+    supported_nodes() const;
+
+  private:
     struct PrescribedPoint
     {
       dealii::Point<3> position;
       BoundaryFunction displacement;
     };
+
+    void
+    add_points_to(dealii::AffineConstraints<double> &constraints) const;
+
+    SupportedNode
+    node_of(const PrescribedPoint &point) const;
 
     const Body &body_;
     const std::string location_;
