@@ -55,6 +55,7 @@ namespace stiction
     else
       remove_solution(output.directory, communicator_);
     write_contact(*elasticity_, u, *surface_, certificate, output);
+    write_obstacles(output.directory, *elasticity_, *surface_);
     write_run_files(parameters_, *history_, communicator_);
   }
 

@@ -174,6 +174,14 @@ namespace stiction
 
 
 
+  double
+  ContactBoundary::initial_gap(const Point<3> &p) const
+  {
+    return gap_->value(p);
+  }
+
+
+
   FrictionLaw
   ContactBoundary::law() const
   {

@@ -137,6 +137,14 @@ namespace stiction
 
 
 
+  const TriangulatedSurface *
+  ObstacleSurface::triangles() const
+  {
+    return &data_->surface;
+  }
+
+
+
   Obstacle::Value
   ObstacleSurface::at(const Point<3> &p) const
   {

@@ -68,7 +68,18 @@ namespace stiction
       return force_;
     }
 
+    /// What it may touch, where the parameter file puts it; nullptr: the
+    /// foundation.
+    const Obstacle *
+    obstacle() const
+    {
+      return obstacle_.get();
+    }
 
+    /// The value of 'Initial gap' at a place, by which the obstacle is farther
+    /// away than its own surface. Throws InputError if it has none.
+    double
+    initial_gap(const dealii::Point<3> &p) const;
 
     /// That of the body, m: no obstacle may be deeper in it.
     double

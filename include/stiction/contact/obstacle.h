@@ -11,6 +11,8 @@
 
 namespace stiction
 {
+  struct TriangulatedSurface;
+
   /// A rigid obstacle, as a function ψ that is positive outside of it: its
   /// signed distance, or anything else with the same zero set and sign. Near
   /// the obstacle ψ/‖∇ψ‖ is the distance to first order.
@@ -30,6 +32,13 @@ namespace stiction
     /// centre of a sphere.
     virtual Value
     at(const dealii::Point<3> &p) const = 0;
+
+    /// Its surface, if it is given as triangles; nullptr otherwise.
+    virtual const TriangulatedSurface *
+    triangles() const
+    {
+      return nullptr;
+    }
 
     /// Reads what a user says of an obstacle, 'plane : 0; 0; -1; 0; 0; 1' and
     /// the like; see the help of 'Boundary conditions/Obstacle'. Collective.

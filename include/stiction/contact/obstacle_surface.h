@@ -9,8 +9,6 @@
 
 namespace stiction
 {
-  struct TriangulatedSurface;
-
   /// The signed distance from a surface of triangles, open or closed.
   ///
   /// The sign follows from the angle-weighted normals at vertices and edges
@@ -28,6 +26,9 @@ namespace stiction
 
     Value
     at(const dealii::Point<3> &p) const override;
+
+    const TriangulatedSurface *
+    triangles() const override;
 
   private:
     struct Data;

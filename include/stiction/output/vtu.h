@@ -55,6 +55,17 @@ namespace stiction
                 const ContactSurface &surface,
                 const Certificate &certificate,
                 const OutputParameters &parameters);
+
+  /// Writes obstacle.vtu, one file from rank 0: the surfaces of the obstacles
+  /// near the contact boundaries where they are now, with the id of the contact
+  /// boundary as cell data 'boundary'. The foundation is the contact boundary
+  /// moved by its initial gap; of other obstacles it is the zero set of their
+  /// distance in a box around the contact boundary, or their own triangles.
+  /// Vertices lie on the surface, faces between them are plane. Collective.
+  void
+  write_obstacles(const std::string &directory,
+                  const LinearElasticity &elasticity,
+                  const ContactSurface &surface);
 } // namespace stiction
 
 #endif
