@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -26,12 +27,13 @@ namespace stiction
         Triangulation<3>::limit_level_difference_at_vertices,
         parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
     , fe_(FE_Q<3>(geometry.element_degree), 3)
+    , mapping_(geometry.element_degree)
     , dof_handler_(triangulation_)
   {
     make_grid(geometry, check_size);
-    find_bounding_box();
     distribute_dofs();
     collect_nodes();
+    find_bounding_box();
   }
 
 
@@ -74,9 +76,17 @@ namespace stiction
   Body::find_bounding_box()
   {
     // of the coarse cells, which every rank knows, and of those at hand: a
-    // curved body grows when it is refined
+    // curved body grows when it is refined; nodes may lie outside of the
+    // corners of curved cells
     auto corners =
       GridTools::compute_bounding_box(triangulation_).get_boundary_points();
+    if (fe_.degree > 1)
+      for (const Node &node : nodes_)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            corners.first[d]  = std::min(corners.first[d], node.position[d]);
+            corners.second[d] = std::max(corners.second[d], node.position[d]);
+          }
     for (unsigned int d = 0; d < 3; ++d)
       {
         corners.first[d] =
@@ -142,10 +152,16 @@ namespace stiction
     const IndexSet &owned = locally_owned_dofs();
     nodes_.resize(owned.n_elements() / 3);
     std::vector<types::global_dof_index> dofs(fe_.n_dofs_per_cell());
+    FEValues<3> values(mapping_,
+                       fe_.base_element(0),
+                       fe_.base_element(0).get_unit_support_points(),
+                       update_quadrature_points);
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
+          if (fe_.degree > 1)
+            values.reinit(cell);
           for (unsigned int i = 0; i < dofs.size(); i += 3)
             {
               if (!owned.is_element(dofs[i]))
@@ -154,8 +170,7 @@ namespace stiction
               std::copy_n(&dofs[i], 3, node.dofs.begin());
               node.position = i / 3 < cell->n_vertices() // which come first
                                 ? cell->vertex(i / 3)
-                                : mapping_.transform_unit_to_real_cell(
-                                    cell, fe_.unit_support_point(i));
+                                : values.quadrature_point(i / 3);
             }
         }
     types::global_dof_index n_hanging = 0;

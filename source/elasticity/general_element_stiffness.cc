@@ -38,6 +38,11 @@ namespace stiction
                                       fe,
                                       QGauss<3>(fe.degree + 1),
                                       update_gradients | update_JxW_values))
+    , at_nodes_(std::make_unique<FEValues<3>>(
+        mapping,
+        fe.base_element(0),
+        fe.base_element(0).get_unit_support_points(),
+        update_quadrature_points))
     , strains_(n_strains * values_->n_quadrature_points, fe.n_dofs_per_cell())
     , stresses_(strains_.rows(), strains_.cols())
     , matrix_(fe.n_dofs_per_cell(), fe.n_dofs_per_cell())
@@ -55,36 +60,51 @@ namespace stiction
     const DoFHandler<3>::active_cell_iterator &cell,
     const CellMaterial &material)
   {
-    Vertices vertices;
-    for (const unsigned int v : cell->vertex_indices())
-      vertices[v] = cell->vertex(v);
-    if (!is_translation(vertices, material))
+    const std::vector<Point<3>> nodes = places_of_nodes(cell);
+    if (!is_translation(nodes, material))
       {
         values_->reinit(cell);
         integrate(material);
       }
     has_last_      = true;
-    last_vertices_ = vertices;
+    last_nodes_    = nodes;
     last_material_ = material;
     return matrix_;
   }
 
 
 
+  std::vector<Point<3>>
+  GeneralElementStiffness::places_of_nodes(
+    const DoFHandler<3>::active_cell_iterator &cell)
+  {
+    if (values_->get_fe().degree > 1)
+      {
+        at_nodes_->reinit(cell);
+        return at_nodes_->get_quadrature_points();
+      }
+    std::vector<Point<3>> vertices;
+    for (const unsigned int v : cell->vertex_indices())
+      vertices.push_back(cell->vertex(v));
+    return vertices;
+  }
+
+
+
   bool
-  GeneralElementStiffness::is_translation(const Vertices &vertices,
+  GeneralElementStiffness::is_translation(const std::vector<Point<3>> &nodes,
                                           const CellMaterial &material) const
   {
     if (!has_last_ || material.stiffness != last_material_.stiffness ||
         material.mean_dilatation != last_material_.mean_dilatation)
       return false;
     double size = 0., change = 0.;
-    for (unsigned int v = 1; v < vertices.size(); ++v)
+    for (unsigned int v = 1; v < nodes.size(); ++v)
       {
-        const Tensor<1, 3> edge = vertices[v] - vertices[0];
+        const Tensor<1, 3> edge = nodes[v] - nodes[0];
         size                    = std::max(size, edge.norm());
-        change                  = std::max(
-          change, (edge - (last_vertices_[v] - last_vertices_[0])).norm());
+        change =
+          std::max(change, (edge - (last_nodes_[v] - last_nodes_[0])).norm());
       }
     return change <= 1e-12 * size;
   }

@@ -205,6 +205,11 @@ namespace stiction
         , elasticity_(elasticity)
         , body_(elasticity.body())
         , first_dof_(make_first_dofs())
+        , at_nodes_(
+            body_.mapping(),
+            body_.dof_handler().get_fe(),
+            QIterated<3>(QTrapezoid<1>(), body_.dof_handler().get_fe().degree),
+            update_quadrature_points)
       {
       }
 
@@ -306,6 +311,7 @@ namespace stiction
       const LinearElasticity &elasticity_;
       const Body &body_;
       const std::vector<unsigned int> first_dof_;
+      FEValues<3> at_nodes_; // in the order of a table
       std::vector<types::global_dof_index> of_cell_, of_nodes_;
       std::vector<Point<3>> places_;
       std::vector<Tensor<1, 3>> displacements_;
@@ -347,15 +353,15 @@ namespace stiction
       for (const unsigned int v : cell->vertex_indices())
         patch.vertices[v] = cell->vertex(v);
 
+      if (has_places)
+        at_nodes_.reinit(cell);
       get_first_dofs(cell, of_cell_, of_nodes_);
       places_.resize(n_points);
       displacements_.resize(n_points);
       for (unsigned int p = 0; p < n_points; ++p)
         {
-          places_[p] = has_places
-                         ? body_.mapping().transform_unit_to_real_cell(
-                             cell, fe.unit_support_point(first_dof_[p]))
-                         : cell->vertex(p);
+          places_[p] =
+            has_places ? at_nodes_.quadrature_point(p) : cell->vertex(p);
           for (unsigned int c = 0; c < 3; ++c)
             {
               displacements_[p][c] = u(of_nodes_[p] + c);

@@ -11,7 +11,9 @@
 #include <stiction/output/vtu.h>
 #include <stiction/parameters.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
@@ -78,18 +80,25 @@ namespace stiction
         const auto order =
           FETools::lexicographic_to_hierarchic_numbering<2>(fe.degree);
         std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
+        FEFaceValues<3> places(body_.mapping(),
+                               fe,
+                               QIterated<2>(QTrapezoid<1>(), fe.degree),
+                               update_quadrature_points);
         for (const auto &cell : body_.dof_handler().active_cell_iterators())
           if (cell->is_locally_owned())
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary() &&
+            for (const unsigned int f : cell->face_indices())
+              if (const auto face = cell->face(f);
+                  face->at_boundary() &&
                   surface.is_contact_boundary(face->boundary_id()))
                 {
                   face->get_dof_indices(dofs);
                   Patch patch;
-                  patch.n_subdivisions = fe.degree;
-                  patch.reference_cell = ReferenceCells::Quadrilateral;
-                  patch.patch_index    = patches_.size();
-                  patch.data.reinit(n_contact_rows, order.size());
+                  patch.n_subdivisions       = fe.degree;
+                  patch.reference_cell       = ReferenceCells::Quadrilateral;
+                  patch.patch_index          = patches_.size();
+                  patch.points_are_available = true; // it may be curved
+                  patch.data.reinit(n_contact_rows + 3, order.size());
+                  places.reinit(cell, f);
                   for (const unsigned int v : face->vertex_indices())
                     patch.vertices[v] = face->vertex(v);
                   for (unsigned int p = 0; p < order.size(); ++p)
@@ -101,6 +110,9 @@ namespace stiction
                         values[moved_row + c] = u(dof + c);
                       for (unsigned int k = 0; k < n_contact_rows; ++k)
                         patch.data(k, p) = static_cast<float>(values[k]);
+                      for (unsigned int c = 0; c < 3; ++c)
+                        patch.data(n_contact_rows + c, p) =
+                          static_cast<float>(places.quadrature_point(p)[c]);
                     }
                   patches_.push_back(patch);
                 }

@@ -189,6 +189,15 @@ main(int argc, char *argv[])
          "bottom",
          "top",
          0.);
+  column("cylinder of curved cells",
+         {"Geometry/Type=cylinder",
+          "Geometry/Radius=0.5",
+          "Geometry/Length=1.5",
+          "Geometry/Element degree=2",
+          "Geometry/Global refinement=1"},
+         "bottom",
+         "top",
+         0.);
   column("half ball on its flat face, refined once",
          {"Geometry/Type=half ball",
           "Geometry/Radius=0.5",

@@ -7,7 +7,7 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
@@ -75,6 +75,8 @@ namespace stiction
       return dof_handler_;
     }
 
+    /// The shape of the cells: of the degree of the elements, so that the
+    /// nodes inside of edges and faces lie on curved boundaries, too.
     const dealii::Mapping<3> &
     mapping() const
     {
@@ -181,7 +183,7 @@ namespace stiction
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;
-    dealii::MappingQ1<3> mapping_;
+    dealii::MappingQ<3> mapping_;
     dealii::DoFHandler<3> dof_handler_;
     dealii::IndexSet locally_relevant_dofs_;
     bool is_uniform_ = true;

@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <memory>
+#include <vector>
 
 namespace dealii
 {
@@ -27,8 +27,8 @@ namespace stiction
   class GeneralElementStiffness
   {
   public:
-    /// @param mapping of hexahedra with straight edges. Both arguments must
-    ///   outlive the object.
+    /// @param mapping of hexahedra, of at most the degree of the element. Both
+    ///   arguments must outlive the object.
     GeneralElementStiffness(const dealii::Mapping<3, 3> &mapping,
                             const dealii::FiniteElement<3> &fe);
     ~GeneralElementStiffness();
@@ -40,10 +40,12 @@ namespace stiction
                const CellMaterial &material);
 
   private:
-    using Vertices = std::array<dealii::Point<3>, 8>;
+    std::vector<dealii::Point<3>>
+    places_of_nodes(const dealii::DoFHandler<3>::active_cell_iterator &cell);
 
+    /// Whether it is the last cell shifted, by its nodes.
     bool
-    is_translation(const Vertices &vertices,
+    is_translation(const std::vector<dealii::Point<3>> &nodes,
                    const CellMaterial &material) const;
 
     void
@@ -55,8 +57,9 @@ namespace stiction
     fill_strains(unsigned int q);
 
     std::unique_ptr<dealii::FEValues<3, 3>> values_;
+    std::unique_ptr<dealii::FEValues<3, 3>> at_nodes_;
     bool has_last_ = false;
-    Vertices last_vertices_;
+    std::vector<dealii::Point<3>> last_nodes_;
     CellMaterial last_material_;
     Eigen::MatrixXd strains_, stresses_; ///< six rows a quadrature point
     dealii::FullMatrix<double> matrix_;
