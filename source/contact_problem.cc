@@ -14,6 +14,7 @@
 #include <stiction/elasticity/support_reactions.h>
 #include <stiction/errors.h>
 #include <stiction/memory.h>
+#include <stiction/missing_entries.h>
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
@@ -63,6 +64,7 @@ namespace stiction
       make_grid();
       assemble_system();
       make_contact_surface();
+      print_applied(*log_, *elasticity_, *surface_);
       open_output();
       solve_and_certify();
       while (refine_mesh())
@@ -152,6 +154,7 @@ namespace stiction
         require_writable(parameters_.output.directory,
                          parameters_.source.describe("Output/Directory"));
     });
+    print_applied(*log_, *elasticity_, *surface_);
     print_overview(*log_, *elasticity_, *surface_, parameters_);
     log_->line("The input is valid; nothing was solved.");
   }
@@ -177,6 +180,7 @@ namespace stiction
     check_size(parameters_.geometry.n_cells());
     body_ =
       std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
+    require_complete(parameters_, body_->boundary_names());
     assign_material_ids(*body_, parameters_);
     refine_contact_boundary(*body_, parameters_);
     describe_body();
@@ -216,6 +220,7 @@ namespace stiction
     const auto phase = phases_.scope("mesh");
     surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
     elasticity_->require_support();
+    require_load(parameters_, body_->boundary_names(), *surface_);
     control_forces();
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(parameters_,

@@ -1,3 +1,4 @@
+#include <stiction/did_you_mean.h>
 #include <stiction/errors.h>
 #include <stiction/parameter_file.h>
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -29,12 +31,56 @@ namespace stiction
       return Declarations::parse(out.str());
     }
 
-    std::string
-    names_of(const Declarations &node)
+    std::vector<std::string>
+    keys_of(const Declarations &node)
     {
-      std::string names;
+      std::vector<std::string> keys;
       for (const auto &item : node.items())
-        names += (names.empty() ? "'" : ", '") + item.key() + "'";
+        keys.push_back(item.key());
+      return keys;
+    }
+
+    std::string
+    in_quotes(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const std::string &name : names)
+        text += (text.empty() ? "'" : ", '") + name + "'";
+      return text;
+    }
+
+    std::string
+    unknown_section(const Declarations &all, const std::string &section)
+    {
+      return ": unknown section '" + section + "'" +
+             did_you_mean(section, keys_of(all)) + ", allowed are " +
+             in_quotes(keys_of(all)) + ".";
+    }
+
+    std::string
+    unknown_entry(const Declarations &all,
+                  const std::string &section,
+                  const std::string &name)
+    {
+      std::string hint = did_you_mean(name, keys_of(all[section]));
+      for (const auto &other : all.items())
+        if (other.value().contains(name))
+          hint = " (it stands in the section '" + other.key() + "')";
+      return ": unknown entry '" + name + "' in section '" + section + "'" +
+             hint + ", allowed are " + in_quotes(keys_of(all[section])) + ".";
+    }
+
+    // The choices of deal.II's "[Selection a|b|c ]"; none of other patterns.
+    std::vector<std::string>
+    choices(const std::string &pattern)
+    {
+      const std::string begin = "[Selection";
+      if (pattern.rfind(begin, 0) != 0)
+        return {};
+      std::vector<std::string> names = dealii::Utilities::split_string_list(
+        trim(pattern.substr(begin.size(), pattern.rfind(']') - begin.size())),
+        '|');
+      names.erase(std::remove(names.begin(), names.end(), ""), names.end());
       return names;
     }
 
@@ -59,14 +105,8 @@ namespace stiction
         return " from " + low + " to " + high;
       };
 
-      if (pattern.rfind("[Selection", 0) == 0)
-        {
-          std::string names;
-          for (const std::string &name :
-               dealii::Utilities::split_string_list(inside("[Selection"), '|'))
-            names += (names.empty() ? "'" : ", '") + name + "'";
-          return "one of " + names;
-        }
+      if (!choices(pattern).empty())
+        return "one of " + in_quotes(choices(pattern));
       if (pattern.rfind("[Bool", 0) == 0)
         return "true or false";
       if (pattern.rfind("[Double", 0) == 0)
@@ -79,13 +119,19 @@ namespace stiction
         {
           const std::size_t of = pattern.find('<') + 1;
           const std::size_t to = pattern.rfind('>');
-          const std::size_t n  = pattern.find("length ") + 7;
-          return pattern.substr(n, pattern.find("...", n) - n) +
-                 " entries separated by ',', each " +
+          const std::size_t n  = pattern.find("...", to) + 3;
+          const std::string at_most =
+            pattern.substr(n, pattern.find(' ', n) - n);
+          return (at_most == "1"
+                    ? ""
+                    : at_most + " entries separated by ',', each ") +
                  allowed(pattern.substr(of, to - of));
         }
       return pattern;
     }
+
+    // Where a default value stands.
+    const std::string not_set = "default value";
   } // namespace
 
 
@@ -99,12 +145,9 @@ namespace stiction
   {
     const Declarations all = declared(prm);
     if (section.empty() || !all.contains(section))
-      throw InputError(where + ": unknown section '" + section +
-                       "', allowed are " + names_of(all) + ".");
+      throw InputError(where + unknown_section(all, section));
     if (!all[section].contains(name))
-      throw InputError(where + ": unknown entry '" + name + "' in section '" +
-                       section + "', allowed are " + names_of(all[section]) +
-                       ".");
+      throw InputError(where + unknown_entry(all, section, name));
 
     prm.enter_subsection(section);
     try
@@ -113,9 +156,10 @@ namespace stiction
       }
     catch (const dealii::ExceptionBase &)
       {
-        throw InputError(
-          where + ": " + section + "/" + name + " = " + value + ", must be " +
-          allowed(all[section][name]["pattern_description"]) + ".");
+        const std::string pattern = all[section][name]["pattern_description"];
+        throw InputError(where + ": " + section + "/" + name + " = " + value +
+                         ", must be " + allowed(pattern) +
+                         did_you_mean(value, choices(pattern)) + ".");
       }
     prm.leave_subsection();
     if (value.find_first_of("#\n\r") != std::string::npos)
@@ -138,11 +182,12 @@ namespace stiction
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
 
+    file_                       = file;
     const Declarations defaults = declared(prm);
     for (const auto &group : defaults.items())
       for (const auto &entry : group.value().items())
         places_[group.key() + "/" + entry.key()] = {
-          "default value", entry.value()["value"].get<std::string>()};
+          not_set, entry.value()["value"].get<std::string>()};
 
     std::map<std::string, unsigned int> first_line;
     std::string section;
@@ -181,8 +226,7 @@ namespace stiction
                                "', an 'end' is missing before it.");
             const Declarations all = declared(prm);
             if (!all.contains(rest))
-              throw InputError(where + ": unknown section '" + rest +
-                               "', allowed are " + names_of(all) + ".");
+              throw InputError(where + unknown_section(all, rest));
             section = rest;
           }
         else if (keyword == "end" && rest.empty())
@@ -246,5 +290,37 @@ namespace stiction
   ParameterFile::describe(const std::string &entry) const
   {
     return locate(entry) + " = " + places_.at(entry).value;
+  }
+
+
+
+  std::string
+  ParameterFile::describe_missing(const std::string &entry) const
+  {
+    return places_.at(entry).where == not_set
+             ? file_ + ": " + entry + " is not set"
+             : locate(entry) + " is empty";
+  }
+
+
+
+  std::string
+  ParameterFile::find_file(const std::string &entry,
+                           const std::string &name) const
+  {
+    namespace fs          = std::filesystem;
+    const fs::path beside = fs::path(file_).parent_path() / name;
+    for (const fs::path &path : {fs::path(name), beside})
+      {
+        std::error_code none;
+        if (fs::exists(path, none))
+          return path;
+      }
+    throw InputError(describe(entry) + ", cannot be read, there is " +
+                     (beside == name
+                        ? "no such file"
+                        : "neither '" + name + "' nor '" + beside.string() +
+                            "', beside the parameter file") +
+                     ".");
   }
 } // namespace stiction

@@ -1,12 +1,65 @@
 #include <stiction/elasticity/boundary_functions.h>
 #include <stiction/parameters.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace stiction
 {
   namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    // Declares an entry that is a number or empty: not said.
+    void
+    add_number(dealii::ParameterAcceptor &section,
+               const std::string &name,
+               std::optional<double> &number,
+               const std::string &documentation)
+    {
+      dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
+      section.enter_my_subsection(prm);
+      prm.declare_entry(
+        name, "", Patterns::List(Patterns::Double(), 0, 1), documentation);
+      prm.add_action(name, [&number](const std::string &text) {
+        if (text.empty())
+          number.reset();
+        else
+          number = dealii::Utilities::string_to_double(text);
+      });
+      section.leave_my_subsection(prm);
+    }
+
+    // Whether these are formulas of which none is 0 or free: 'ux; uy; uz'.
+    bool
+    are_zero(const std::string &formulas)
+    {
+      for (const std::string &text :
+           dealii::Utilities::split_string_list(formulas, ';'))
+        {
+          char *end          = nullptr;
+          const double value = std::strtod(text.c_str(), &end);
+          if (text != "free" && (*end != '\0' || value != 0.))
+            return false;
+        }
+      return true;
+    }
+
+    // The same of what stands after the colons in 'place : ux; uy; uz | ...'.
+    bool
+    are_zero_at_places(const std::string &text)
+    {
+      for (const std::string &part : split_at_bars(text))
+        if (!are_zero(part.substr(part.find(':') + 1)))
+          return false;
+      return true;
+    }
+  } // namespace
+
+
 
   GeometryParameters::GeometryParameters()
     : ParameterAcceptor("Geometry")
@@ -23,32 +76,30 @@ namespace stiction
       "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
       "have the numbers it gives them. file: a mesh of hexahedra from 'Mesh "
       "file'. Refined curved boundaries follow the shape, those of a file "
-      "stay as the file has them.",
+      "stay as the file has them. Must be said.",
       prm,
-      Patterns::Selection("brick|cylinder|half ball|generator|file"));
+      Patterns::Selection("brick|cylinder|half ball|generator|file|"));
     add_parameter("Lengths",
                   lengths,
                   "Edge lengths of the brick in x, y, z; other types ignore "
-                  "it. Unit: m. The default is the reference brick.",
+                  "it. Unit: m. The reference brick has '4, 3, 1'.",
                   prm,
-                  Patterns::List(Patterns::Double(), 3, 3));
+                  Patterns::List(Patterns::Double(), 0, 3));
     add_parameter("Subdivisions",
                   subdivisions,
                   "Number of coarse cells of the brick along x, y, z; other "
                   "types ignore it.",
                   prm,
-                  Patterns::List(Patterns::Integer(1, 100000), 3, 3));
-    add_parameter("Radius",
-                  radius,
-                  "Radius of the cylinder or the half ball. Unit: m.",
-                  prm,
-                  Patterns::Double());
-    add_parameter("Length",
-                  length,
-                  "Length of the cylinder, from z = 0; it gets coarse cells "
-                  "about as long as its radius. Unit: m.",
-                  prm,
-                  Patterns::Double());
+                  Patterns::List(Patterns::Integer(1, 100000), 0, 3));
+    add_number(*this,
+               "Radius",
+               radius,
+               "Radius of the cylinder or the half ball. Unit: m.");
+    add_number(*this,
+               "Length",
+               length,
+               "Length of the cylinder, from z = 0; it gets coarse cells "
+               "about as long as its radius. Unit: m.");
     add_parameter("Generator",
                   generator,
                   "Name of a function of deal.II's GridGenerator: one of those "
@@ -59,7 +110,7 @@ namespace stiction
                     "hyper_cube|hyper_rectangle|hyper_L|hyper_ball|"
                     "hyper_ball_balanced|half_hyper_ball|quarter_hyper_ball|"
                     "hyper_shell|half_hyper_shell|quarter_hyper_shell|"
-                    "cylinder|truncated_cone"));
+                    "cylinder|truncated_cone|"));
     add_parameter("Generator arguments",
                   generator_arguments,
                   "Arguments of the generator after the mesh, separated by "
@@ -70,7 +121,9 @@ namespace stiction
                   Patterns::Anything());
     add_parameter("Mesh file",
                   mesh_file,
-                  "The file of the mesh, relative to the working directory: "
+                  "The file of the mesh, looked for from the working "
+                  "directory and, if it is not there, from the directory of "
+                  "the parameter file: "
                   "Gmsh (.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy "
                   "VTK (.vtk), as text. Cells must be linear hexahedra. "
                   "Boundaries and materials have the numbers and names of "
@@ -154,9 +207,11 @@ namespace stiction
   {
     // each local refinement makes seven more of every cell of a layer, the
     // largest there is
+    const double thinnest =
+      is_brick() ? *std::min_element(subdivisions.begin(), subdivisions.end())
+                 : 1.;
     const double layer =
-      n_uniform_cells() / std::pow(2., global_refinement) /
-      *std::min_element(subdivisions.begin(), subdivisions.end());
+      n_uniform_cells() / std::pow(2., global_refinement) / thinnest;
     return n_uniform_cells() +
            7. / 3. * layer * (std::pow(4., contact_refinement) - 1.);
   }
@@ -192,24 +247,23 @@ namespace stiction
   MaterialParameters::MaterialParameters()
     : ParameterAcceptor("Material")
   {
-    add_parameter("Young's modulus",
-                  youngs_modulus,
-                  "E of the isotropic linear elastic body, > 0. Unit: Pa. The "
-                  "default is the steel of the reference brick.",
-                  prm,
-                  Patterns::Double());
-    add_parameter("Poisson ratio",
-                  poisson_ratio,
-                  "nu, above -1 and below 0.5. Trilinear elements lock as it "
-                  "approaches 0.5.",
-                  prm,
-                  Patterns::Double());
-    add_parameter("Density",
-                  density,
-                  "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
-                  "makes weight. Unit: kg/m^3.",
-                  prm,
-                  Patterns::Double());
+    add_number(*this,
+               "Young's modulus",
+               youngs_modulus,
+               "E of the isotropic linear elastic body, > 0; must be said "
+               "unless 'Materials' says what all cells are made of. Unit: Pa. "
+               "The steel of the reference brick has 2.119e11.");
+    add_number(*this,
+               "Poisson ratio",
+               poisson_ratio,
+               "nu, above -1 and below 0.5; must be said with Young's modulus. "
+               "Trilinear elements lock as it approaches 0.5.");
+    add_number(*this,
+               "Density",
+               density,
+               "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
+               "makes weight; must be said with it, here or in 'Densities'. "
+               "Unit: kg/m^3.");
     add_parameter(
       "Materials",
       materials,
@@ -218,8 +272,7 @@ namespace stiction
       ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
       "with the axes x, y, z, nu12 being the contraction along y "
       "under a pull along x, several separated by '|'. Cells of any "
-      "other material have the numbers above. Empty: so have all "
-      "cells.",
+      "other material have the numbers above.",
       prm,
       Patterns::Anything());
     add_parameter(
@@ -303,7 +356,7 @@ namespace stiction
                   "separated by '|'. A boundary is given by its number or its "
                   "name. Each component is a formula in x, y, z, t, or 'free': "
                   "'left : 0; free; free' is a roller or a plane of symmetry. "
-                  "Unit: m. Zeros clamp the face.",
+                  "Unit: m. Zeros clamp the face. Empty: none.",
                   prm,
                   Patterns::Anything());
     add_parameter("Prescribed points",
@@ -313,14 +366,14 @@ namespace stiction
                   "body at single nodes, to take away what rigid-body motions "
                   "are left. A node of the mesh must be there. A single node "
                   "that carries a force moves the more the finer the mesh is. "
-                  "Unit: m.",
+                  "Empty: none. Unit: m.",
                   prm,
                   Patterns::Anything());
     add_parameter("Traction",
                   traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
-                  "y, z, t. Unit: Pa.",
+                  "y, z, t. Empty: none. Unit: Pa.",
                   prm,
                   Patterns::Anything());
     add_parameter("Pressure",
@@ -328,7 +381,7 @@ namespace stiction
                   "Boundary and pressure, 'boundary : p', several separated by "
                   "'|': acts against the outward normal of the undeformed "
                   "face, in addition to a traction. A formula in x, y, z, t. "
-                  "Unit: Pa.",
+                  "Empty: none. Unit: Pa.",
                   prm,
                   Patterns::Anything());
     add_parameter("Body force",
@@ -355,7 +408,8 @@ namespace stiction
       "Contact boundary",
       contact_boundary,
       "Name or number of the boundary that may touch an obstacle, several "
-      "separated by '|'. A node that belongs to several of them is taken as "
+      "separated by '|'; must be said. A node that belongs to several of them "
+      "is taken as "
       "one of the first of them alone. The entries Obstacle and Initial gap "
       "here and all those of the section Friction have one value for all "
       "contact boundaries, or one for each, separated by '|' in the same "
@@ -365,7 +419,8 @@ namespace stiction
     add_parameter(
       "Obstacle",
       obstacle,
-      "What the contact boundary may touch, rigid. foundation: it lies "
+      "What the contact boundary may touch, rigid; must be said. foundation: "
+      "it lies "
       "opposite to the boundary along its outward normal, at the distance "
       "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
       "its normal towards the body. sphere : cx; cy; cz; R, centre and "
@@ -377,8 +432,9 @@ namespace stiction
       "axis; R is the radius at the apex, R < 0 a cup. formula : psi, a "
       "function of x, y, z, t that is positive outside the obstacle. file : "
       "NAME.stl, a surface of triangles, open or closed, whose vertices go "
-      "round counterclockwise as seen from outside (the path as the shell "
-      "sees it). Unit: m; numbers may be formulas in t. With psi the distance "
+      "round counterclockwise as seen from outside (looked for as "
+      "'Geometry/Mesh file'). Unit: m; numbers may be formulas in t. With psi "
+      "the distance "
       "from the obstacle (or the formula), a node has the normal -grad "
       "psi/|grad psi| and the gap psi/|grad psi| where it is before "
       "deformation, which are kept: contact is linearised. Nodes whose "
@@ -423,6 +479,22 @@ namespace stiction
 
 
 
+  bool
+  BoundaryParameters::has_load() const
+  {
+    const auto is_zero_for_each = [](const std::string &text) {
+      const auto parts = split_at_bars(text);
+      return std::all_of(parts.begin(), parts.end(), are_zero);
+    };
+    return !traction.empty() || !pressure.empty() || !body_force.empty() ||
+           !gravity.empty() || !are_zero_at_places(prescribed_displacement) ||
+           !are_zero_at_places(prescribed_points) ||
+           !is_zero_for_each(obstacle_displacement) ||
+           !is_zero_for_each(obstacle_force);
+  }
+
+
+
   FrictionParameters::FrictionParameters()
     : ParameterAcceptor("Friction")
   {
@@ -433,13 +505,14 @@ namespace stiction
       "slip stress, at every node of the contact boundary (Tresca "
       "friction); coulomb: at most the coefficient times the "
       "contact pressure. One for all contact boundaries, or one for "
-      "each, separated by '|'.",
+      "each, separated by '|'. Must be said.",
       prm,
       Patterns::Anything());
     add_parameter(
       "Coefficient",
       coefficient,
-      "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t. "
+      "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t; "
+      "must be said with it. "
       "Two formulas, '0.3; 0.1': orthotropic friction, F1 along "
       "the first and F2 along the second principal direction; the "
       "tangential force lies in the ellipse with these semi-axes "
@@ -454,7 +527,8 @@ namespace stiction
     add_parameter(
       "Slip stress",
       slip_stress,
-      "Slip stress >= 0 of given friction, a formula in x, y, z, t, "
+      "Slip stress >= 0 of given friction, which must be said with it, a "
+      "formula in x, y, z, t, "
       "or two for an ellipse, as for the coefficient. Unit: Pa.",
       prm,
       Patterns::Anything());

@@ -1,3 +1,4 @@
+#include <stiction/did_you_mean.h>
 #include <stiction/elasticity/boundary_functions.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
@@ -45,6 +46,9 @@ namespace stiction
     geometry.location = source.describe(geometry.entry_of_shape());
     if (has_body)
       {
+        if (geometry.type == "file" && !geometry.mesh_file.empty())
+          geometry.mesh_file =
+            source.find_file("Geometry/Mesh file", geometry.mesh_file);
         apply_table_1_level();
         check_body();
       }
@@ -113,7 +117,7 @@ namespace stiction
   Parameters::apply_table_1_level()
   {
     const unsigned int k = geometry.table_1_level;
-    if (k == 0)
+    if (k == 0 || geometry.type.empty())
       return;
     require(geometry.is_brick(),
             "Geometry/Table 1 level",
@@ -148,14 +152,17 @@ namespace stiction
   void
   Parameters::check_body() const
   {
+    require_shape();
     check_geometry();
-    require(is_sane(material.youngs_modulus),
+    require(is_sane(material.youngs_modulus.value_or(1.)),
             "Material/Young's modulus",
             "must be a number > 0 Pa, from 1e-30 to 1e30");
-    require(material.poisson_ratio > -1. && material.poisson_ratio < 0.5,
+    const double nu = material.poisson_ratio.value_or(0.);
+    require(nu > -1. && nu < 0.5,
             "Material/Poisson ratio",
             "must be above -1 and below 0.5");
-    require(material.density == 0. || is_sane(material.density),
+    const double density = material.density.value_or(0.);
+    require(density == 0. || is_sane(density),
             "Material/Density",
             "must be 0 or a number > 0 kg/m^3, from 1e-30 to 1e30");
     require(std::abs(boundary.time) <= 1e30,
@@ -164,9 +171,11 @@ namespace stiction
 
     check_table_1();
     for (const std::string &law : split_at_bars(friction.law_name))
-      require(law == "frictionless" || law == "given" || law == "coulomb",
+      require(friction.law_name.empty() || law == "frictionless" ||
+                law == "given" || law == "coulomb",
               "Friction/Law",
-              "each law must be 'frictionless', 'given' or 'coulomb'");
+              "each law must be 'frictionless', 'given' or 'coulomb'" +
+                did_you_mean(law, {"frictionless", "given", "coulomb"}));
     check_method(friction.has_coulomb());
     check_solvers();
   }
@@ -174,28 +183,81 @@ namespace stiction
 
 
   void
+  Parameters::require_shape() const
+  {
+    const auto need = [&](const bool is_said,
+                          const std::string &name,
+                          const std::string &line) {
+      if (!is_said)
+        throw InputError(source.describe_missing("Geometry/" + name) +
+                         ", write into the section 'Geometry' " + line + ".");
+    };
+    const std::string &type = geometry.type;
+    need(!type.empty(),
+         "Type",
+         "what the body is, 'set Type = brick', 'cylinder', 'half ball', "
+         "'generator' or 'file'");
+    need(type != "brick" || !geometry.lengths.empty(),
+         "Lengths",
+         "the edges of the brick, such as 'set Lengths = 4, 3, 1'");
+    need(type != "brick" || !geometry.subdivisions.empty(),
+         "Subdivisions",
+         "how many cells there are along the edges, such as 'set Subdivisions "
+         "= 4, 3, 1'");
+    need((type != "cylinder" && type != "half ball") || geometry.radius,
+         "Radius",
+         "the radius of the " + type + ", such as 'set Radius = 1'");
+    need(type != "cylinder" || geometry.length,
+         "Length",
+         "the length of the cylinder, such as 'set Length = 2'");
+    need(type != "generator" || !geometry.generator.empty(),
+         "Generator",
+         "one of deal.II, such as 'set Generator = hyper_cube'");
+    need(type != "generator" || !geometry.generator_arguments.empty(),
+         "Generator arguments",
+         "what GridGenerator::" + geometry.generator +
+           "() has after the mesh, separated by ':', such as 'set Generator "
+           "arguments = 0 : 1 : true'");
+    need(type != "file" || !geometry.mesh_file.empty(),
+         "Mesh file",
+         "the file of the mesh, such as 'set Mesh file = part.msh'");
+  }
+
+
+
+  void
   Parameters::check_geometry() const
   {
-    const auto extremes =
-      std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
-    const double shortest = *extremes.first, longest = *extremes.second;
+    if (geometry.is_brick())
+      {
+        require(geometry.lengths.size() == 3,
+                "Geometry/Lengths",
+                "must be 3 entries separated by ','");
+        require(geometry.subdivisions.size() == 3,
+                "Geometry/Subdivisions",
+                "must be 3 entries separated by ','");
+        const auto extremes =
+          std::minmax_element(geometry.lengths.begin(), geometry.lengths.end());
+        const double shortest = *extremes.first, longest = *extremes.second;
+        require(is_sane(shortest) && is_sane(longest),
+                "Geometry/Lengths",
+                "each must be a number > 0 m, from 1e-30 to 1e30");
+        require(longest <= 1e4 * shortest,
+                "Geometry/Lengths",
+                "the longest may be at most 10000 times the shortest");
+      }
     const bool is_cylinder = geometry.type == "cylinder";
-    require(!geometry.is_brick() || (is_sane(shortest) && is_sane(longest)),
-            "Geometry/Lengths",
-            "each must be a number > 0 m, from 1e-30 to 1e30");
-    require(!geometry.is_brick() || longest <= 1e4 * shortest,
-            "Geometry/Lengths",
-            "the longest may be at most 10000 times the shortest");
-    require((!is_cylinder && geometry.type != "half ball") ||
-              is_sane(geometry.radius),
-            "Geometry/Radius",
-            "must be a number > 0 m, from 1e-30 to 1e30");
-    require(!is_cylinder || (is_sane(geometry.length) &&
-                             geometry.length <= 1e4 * geometry.radius &&
-                             geometry.radius <= 1e4 * geometry.length),
-            "Geometry/Length",
-            "must be a number > 0 m, at most 10000 times the radius and at "
-            "least a 10000th of it");
+    if (is_cylinder || geometry.type == "half ball")
+      require(is_sane(*geometry.radius),
+              "Geometry/Radius",
+              "must be a number > 0 m, from 1e-30 to 1e30");
+    if (is_cylinder)
+      require(is_sane(*geometry.length) &&
+                *geometry.length <= 1e4 * *geometry.radius &&
+                *geometry.radius <= 1e4 * *geometry.length,
+              "Geometry/Length",
+              "must be a number > 0 m, at most 10000 times the radius and at "
+              "least a 10000th of it");
 
     require(refinement.fraction > 0. && refinement.fraction <= 1.,
             "Refinement/Fraction",
@@ -221,6 +283,10 @@ namespace stiction
             "Geometry/Table 1 level",
             "counts the nodes of a uniform mesh of trilinear cells, so "
             "'Contact refinement' must be 0 and 'Element degree' 1, or this 0");
+
+    if (boundary.prescribed_displacement.empty() ||
+        boundary.contact_boundary.empty())
+      return; // which is missed later
 
     // n/m of the table come out only with the face clamped that goes with it
     const MeshNames names   = MeshNames::brick_boundaries();

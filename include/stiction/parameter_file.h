@@ -56,6 +56,26 @@ namespace stiction
     std::string
     locate(const std::string &entry) const;
 
+    /// "brick.prm: Material/Density is not set": the beginning of a sentence
+    /// about an entry that is empty.
+    std::string
+    describe_missing(const std::string &entry) const;
+
+    /// The path of a file that @p entry names: the name itself if it is there
+    /// (from the working directory) or absolute, otherwise that of the file
+    /// beside the parameter file.
+    ///
+    /// Throws InputError, naming both places, if there is none.
+    std::string
+    find_file(const std::string &entry, const std::string &name) const;
+
+    /// The name of the parameter file.
+    const std::string &
+    file() const
+    {
+      return file_;
+    }
+
   private:
     struct Place
     {
@@ -63,6 +83,7 @@ namespace stiction
       std::string value;
     };
 
+    std::string file_;
     std::map<std::string, Place> places_;
   };
 } // namespace stiction

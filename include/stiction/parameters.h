@@ -64,20 +64,19 @@ namespace stiction
     std::string
     entry_of_shape() const;
 
-    std::string type                       = "brick";
-    std::vector<double> lengths            = {4., 3., 1.};
-    std::vector<unsigned int> subdivisions = {4, 3, 1};
-    double radius                          = 1.;
-    double length                          = 2.;
-    std::string generator                  = "hyper_cube";
-    std::string generator_arguments        = "0 : 1 : true";
-    std::string mesh_file                  = "";
-    unsigned int global_refinement         = 1;
-    unsigned int contact_refinement        = 0;
-    std::string contact_refinement_where   = "1";
-    unsigned int element_degree            = 1;
-    unsigned int table_1_level             = 0;
-    std::string table_1_reading            = "nodes";
+    std::string type                       = "";
+    std::vector<double> lengths            = {};
+    std::vector<unsigned int> subdivisions = {};
+    std::optional<double> radius, length;
+    std::string generator                = "";
+    std::string generator_arguments      = "";
+    std::string mesh_file                = "";
+    unsigned int global_refinement       = 0;
+    unsigned int contact_refinement      = 0;
+    std::string contact_refinement_where = "1";
+    unsigned int element_degree          = 1;
+    unsigned int table_1_level           = 0;
+    std::string table_1_reading          = "nodes";
 
     /// The beginning of a sentence about entry_of_shape() and its value; read()
     /// of Parameters fills it.
@@ -93,9 +92,7 @@ namespace stiction
     bool
     is_simple() const;
 
-    double youngs_modulus     = 2.119e11;
-    double poisson_ratio      = 0.277;
-    double density            = 7850.;
+    std::optional<double> youngs_modulus, poisson_ratio, density;
     std::string materials     = "";
     std::string densities     = "";
     std::string material_ids  = "";
@@ -115,18 +112,25 @@ namespace stiction
   {
     BoundaryParameters();
 
-    std::string prescribed_displacement = "2 : 0; 0; 0";
+    /// Whether an entry moves or loads the body: a force (also one of zero, if
+    /// it is written), a displacement that is not zero, an obstacle that is
+    /// displaced or pressed on. Interference does so too, which only the gaps
+    /// show.
+    bool
+    has_load() const;
+
+    std::string prescribed_displacement = "";
     std::string prescribed_points       = "";
-    std::string traction = "5 : 0; 0; if(y > 1.5, -1e8, 0) | 3 : 1e7; 2e7; 2e7";
-    std::string pressure = "";
-    std::string body_force            = "";
-    std::string gravity               = "";
-    double time                       = 1.;
-    std::string contact_boundary      = "4";
-    std::string obstacle              = "foundation";
-    std::string initial_gap           = "0";
-    std::string obstacle_displacement = "0; 0; 0";
-    std::string obstacle_force        = "0; 0; 0";
+    std::string traction                = "";
+    std::string pressure                = "";
+    std::string body_force              = "";
+    std::string gravity                 = "";
+    double time                         = 1.;
+    std::string contact_boundary        = "";
+    std::string obstacle                = "";
+    std::string initial_gap             = "0";
+    std::string obstacle_displacement   = "0; 0; 0";
+    std::string obstacle_force          = "0; 0; 0";
   };
 
   struct FrictionParameters : dealii::ParameterAcceptor
@@ -145,9 +149,9 @@ namespace stiction
     std::string
     name() const;
 
-    std::string law_name        = "coulomb";
-    std::string coefficient     = "0.3";
-    std::string slip_stress     = "1.5e7";
+    std::string law_name        = "";
+    std::string coefficient     = "";
+    std::string slip_stress     = "";
     std::string first_direction = "";
   };
 
@@ -212,7 +216,10 @@ namespace stiction
 
 
 
-  /// All that a user can set. Filled once by read(), constant afterwards.
+  /// All that a user can set. Filled once by read(), constant afterwards. What
+  /// decides the problem (body, material, supports, loads, contact, friction)
+  /// has no default: it is empty until the user says it, and
+  /// require_complete() misses it.
   ///
   /// The sections declare their entries in deal.II's global ParameterHandler,
   /// which belongs to the Parameters object made last: read() an object before
@@ -304,6 +311,10 @@ namespace stiction
     /// The part of it about the shape and size of the body.
     void
     check_geometry() const;
+
+    /// The part of it about the shape that was not said.
+    void
+    require_shape() const;
 
     /// The part of it about a row of Table 1, which wants its own boundaries.
     void

@@ -7,6 +7,8 @@
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -48,6 +50,33 @@ namespace stiction
                                 : " for the one contact boundary") +
                          ".");
       return values;
+    }
+
+    // 'file : NAME' with the name of the file where it is.
+    std::string
+    with_path(const std::string &obstacle, const ParameterFile &source)
+    {
+      const std::size_t colon = obstacle.find(':');
+      if (colon == std::string::npos ||
+          Utilities::trim(obstacle.substr(0, colon)) != "file")
+        return obstacle;
+      return "file : " +
+             source.find_file(obstacle_entry,
+                              Utilities::trim(obstacle.substr(colon + 1)));
+    }
+
+    std::string
+    describe_friction(const FrictionLaw law,
+                      const std::string &coefficient,
+                      const std::string &slip_stress,
+                      const std::string &direction)
+    {
+      if (law == FrictionLaw::frictionless)
+        return ", no friction";
+      return (law == FrictionLaw::coulomb
+                ? ", Coulomb friction, F = " + coefficient
+                : ", given friction, slip stress " + slip_stress) +
+             (direction.empty() ? "" : ", first direction " + direction);
     }
 
     std::string
@@ -115,23 +144,32 @@ namespace stiction
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
 
-        boundary.obstacle_ = Obstacle::read(obstacles[b],
+        boundary.obstacle_ = Obstacle::read(with_path(obstacles[b], source),
                                             source.locate(obstacle_entry),
                                             size,
                                             parameters.boundary.time,
                                             body.communicator());
         boundary.gap_ = formula("Boundary conditions/Initial gap", gaps[b]);
-        boundary.friction_ = std::make_unique<FrictionData>(
-          laws.size() == 1 ? laws.front() : laws[b],
-          coefficients[b],
-          slip_stresses[b],
-          directions[b],
-          source,
-          parameters.boundary.time);
+        const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
+        boundary.friction_ =
+          std::make_unique<FrictionData>(law,
+                                         coefficients[b],
+                                         slip_stresses[b],
+                                         directions[b],
+                                         source,
+                                         parameters.boundary.time);
         boundary.displacement_ = vector(displacement_entry, displacements[b]);
         boundary.force_        = vector(force_entry, forces[b]);
-        boundary.size_         = size;
-        boundary.source_       = &source;
+        boundary.description_ =
+          obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
+          (boundary.displacement_.norm() > 0.
+             ? ", displaced " + displacements[b]
+             : "") +
+          (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
+          describe_friction(
+            law, coefficients[b], slip_stresses[b], directions[b]);
+        boundary.size_   = size;
+        boundary.source_ = &source;
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;

@@ -86,9 +86,13 @@ namespace stiction
                              const double time)
     : source_(source)
     , law_(law)
-    , coefficient_(source, "Friction/Coefficient", coefficient, time)
-    , slip_stress_(source, "Friction/Slip stress", slip_stress, time)
   {
+    if (law == FrictionLaw::coulomb)
+      bound_ = std::make_unique<Values>(
+        source, "Friction/Coefficient", coefficient, time);
+    if (law == FrictionLaw::given)
+      bound_ = std::make_unique<Values>(
+        source, "Friction/Slip stress", slip_stress, time);
     if (!Utilities::trim(first_direction).empty())
       first_direction_ = std::make_unique<ParsedFunction>(
         first_direction, 3, source.locate(direction_entry), time);
@@ -106,8 +110,7 @@ namespace stiction
     if (law_ == FrictionLaw::frictionless)
       return;
     const bool is_coulomb = law_ == FrictionLaw::coulomb;
-    const auto values =
-      (is_coulomb ? coefficient_ : slip_stress_).at(node.position);
+    const auto values     = bound_->at(node.position);
 
     std::optional<Tensor<1, 3>> direction;
     if (first_direction_)

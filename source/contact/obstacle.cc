@@ -2,6 +2,7 @@
 #include <stiction/contact/obstacle_shapes.h>
 #include <stiction/contact/obstacle_surface.h>
 #include <stiction/contact/stl_file.h>
+#include <stiction/did_you_mean.h>
 #include <stiction/elasticity/boundary_functions.h>
 #include <stiction/errors.h>
 
@@ -89,7 +90,16 @@ namespace stiction
       throw InputError(entry +
                        ", must be 'foundation' or begin with 'plane :', "
                        "'sphere :', 'cylinder :', 'paraboloid :', 'formula :' "
-                       "or 'file :'.");
+                       "or 'file :'" +
+                       did_you_mean(name,
+                                    {"foundation",
+                                     "plane",
+                                     "sphere",
+                                     "cylinder",
+                                     "paraboloid",
+                                     "formula",
+                                     "file"}) +
+                       ".");
     return shape;
   }
 } // namespace stiction

@@ -80,12 +80,12 @@ namespace stiction
       {
         if (geometry.type == "cylinder")
           {
-            make_cylinder(geometry.radius, geometry.length);
+            make_cylinder(*geometry.radius, *geometry.length);
             boundaries = {{"side", 0}, {"bottom", 1}, {"top", 2}};
           }
         else if (geometry.type == "half ball")
           {
-            make_half_ball(geometry.radius);
+            make_half_ball(*geometry.radius);
             boundaries = {{"curved", 0}, {"flat", 1}};
           }
         else if (geometry.type == "generator")

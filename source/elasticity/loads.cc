@@ -166,6 +166,37 @@ namespace stiction
 
 
 
+  std::string
+  Loads::description(const types::boundary_id boundary) const
+  {
+    std::string text;
+    const auto add = [&](const char *name, const BoundaryFunctions &functions) {
+      const auto function = functions.find(boundary);
+      if (function != functions.end())
+        text += (text.empty() ? "" : ", ") + std::string(name) +
+                function->second.function->expression();
+    };
+    add("traction ", traction_);
+    add("pressure ", pressure_);
+    return text;
+  }
+
+
+
+  std::string
+  Loads::description_inside() const
+  {
+    std::string text;
+    if (body_force_)
+      text = "body force " + body_force_->expression();
+    if (gravity_)
+      text +=
+        (text.empty() ? "" : ", ") + ("gravity " + gravity_->expression());
+    return text;
+  }
+
+
+
   Tensor<1, 3>
   Loads::inside(const double density, const Point<3> &x) const
   {

@@ -1,3 +1,4 @@
+#include <stiction/did_you_mean.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/boundary_functions.h>
 #include <stiction/elasticity/cell_stiffness.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -70,7 +72,7 @@ namespace stiction
             const std::string name  = trim(part.substr(0, colon));
             if (colon == std::string::npos || name.empty())
               refuse("must read " + form_ + ", several separated by '|'");
-            const material_id id = id_of(body, name);
+            const material_id id = body.material_names().id(name, location_);
             if (std::find(seen.begin(), seen.end(), id) != seen.end())
               refuse("material " + name + " stands twice, must stand once");
             seen.push_back(id);
@@ -79,23 +81,6 @@ namespace stiction
             for (std::string &word : words)
               word = trim(word);
             callback(id, name, words);
-          }
-      }
-
-      material_id
-      id_of(const Body &body, const std::string &name) const
-      {
-        const auto &names = body.material_names();
-        std::string known;
-        for (const material_id id : names.ids())
-          known += (known.empty() ? "" : ", ") + names.describe(id);
-        try
-          {
-            return names.id(name, location_);
-          }
-        catch (const InputError &)
-          {
-            refuse("the mesh has no material " + name + ", it has " + known);
           }
       }
 
@@ -180,7 +165,8 @@ namespace stiction
         return read_isotropic(list, name, words);
       if (words.size() == 10 && words[0] == "orthotropic")
         return read_orthotropic(list, name, words);
-      list.refuse("material " + name + " must read " + list.form());
+      list.refuse("material " + name + " must read " + list.form() +
+                  did_you_mean(words[0], {"isotropic", "orthotropic"}));
     }
   } // namespace
 
@@ -264,11 +250,17 @@ namespace stiction
   Materials::Materials(const Body &body, const Parameters &parameters)
     : have_mean_dilatation_(parameters.material.volume_strain == "cell mean")
   {
-    Material common = Material::isotropic(parameters.material.youngs_modulus,
-                                          parameters.material.poisson_ratio);
-    common.density  = parameters.material.density;
-    for (const material_id id : body.material_names().ids())
-      by_id_.emplace(id, common);
+    const MaterialParameters &common = parameters.material;
+    const std::set<material_id> ids(body.material_names().ids().begin(),
+                                    body.material_names().ids().end());
+    std::set<material_id> without_stiffness = ids, without_density = ids;
+    if (common.youngs_modulus && common.poisson_ratio)
+      {
+        for (const material_id id : ids)
+          by_id_[id] =
+            Material::isotropic(*common.youngs_modulus, *common.poisson_ratio);
+        without_stiffness.clear();
+      }
 
     const MaterialList materials(parameters,
                                  "Material/Materials",
@@ -279,10 +271,32 @@ namespace stiction
     materials.for_each(
       body,
       [&](const material_id id, const std::string &name, const auto &words) {
-        by_id_.at(id)         = read_material(materials, name, words);
-        by_id_.at(id).density = common.density;
+        by_id_[id] = read_material(materials, name, words);
+        without_stiffness.erase(id);
       });
-
+    const auto require_all = [&](const std::set<material_id> &without,
+                                 const std::string &entry,
+                                 const std::string &list,
+                                 const std::string &line) {
+      if (!without.empty())
+        throw InputError(parameters.source.describe_missing(entry) + ", and '" +
+                         list + "' says nothing of material " +
+                         body.material_names().describe(*without.begin()) +
+                         ", write into the section 'Material' " + line +
+                         ", or the material into '" + list + "'.");
+    };
+    require_all(without_stiffness,
+                common.youngs_modulus ? "Material/Poisson ratio"
+                                      : "Material/Young's modulus",
+                "Materials",
+                "such as 'set Young's modulus = 2.1e11' and 'set Poisson "
+                "ratio = 0.3'");
+    if (common.density)
+      {
+        for (auto &material : by_id_)
+          material.second.density = *common.density;
+        without_density.clear();
+      }
 
     const MaterialList densities(parameters,
                                  "Material/Densities",
@@ -301,7 +315,14 @@ namespace stiction
                            ", must be 0 or a number > 0 kg/m^3, from 1e-30 to "
                            "1e30");
         by_id_.at(id).density = density;
+        without_density.erase(id);
       });
+    if (!parameters.boundary.gravity.empty())
+      require_all(without_density,
+                  "Material/Density",
+                  "Densities",
+                  "such as 'set Density = 7850', of which 'Boundary "
+                  "conditions/Gravity' makes weight");
   }
 
 

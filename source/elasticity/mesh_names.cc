@@ -1,3 +1,4 @@
+#include <stiction/did_you_mean.h>
 #include <stiction/elasticity/mesh_names.h>
 #include <stiction/errors.h>
 
@@ -48,9 +49,12 @@ namespace stiction
     std::string known;
     for (const Id other : ids_)
       known += (known.empty() ? "" : ", ") + describe(other);
+    std::vector<std::string> names;
+    for (const auto &other : names_)
+      names.push_back(other.first);
     throw InputError(location + ": the mesh has no " + kind_ + " " +
-                     (is_number ? name : "'" + name + "'") + ", it has " +
-                     known + ".");
+                     (is_number ? name : "'" + name + "'") +
+                     did_you_mean(name, names) + ", it has " + known + ".");
   }
 
 
@@ -58,9 +62,18 @@ namespace stiction
   std::string
   MeshNames::describe(const Id id) const
   {
+    const std::string number = std::to_string(id);
+    return name(id) == number ? number : number + " (" + name(id) + ")";
+  }
+
+
+
+  std::string
+  MeshNames::name(const Id id) const
+  {
     for (const auto &name : names_)
       if (name.second == id)
-        return std::to_string(id) + " (" + name.first + ")";
+        return name.first;
     return std::to_string(id);
   }
 } // namespace stiction

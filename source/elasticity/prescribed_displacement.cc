@@ -98,6 +98,40 @@ namespace stiction
 
 
 
+  std::vector<std::pair<std::string, std::string>>
+  PrescribedDisplacement::description() const
+  {
+    const auto describe = [](const BoundaryFunction &displacement) {
+      const auto formulas =
+        Utilities::split_string_list(displacement.function->expression(), ';');
+      std::string held, moved;
+      bool is_held = true;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (displacement.components[c])
+          {
+            const std::string axis(1, "xyz"[c]);
+            is_held = is_held && formulas[c] == "0";
+            held += (held.empty() ? "" : " ") + axis;
+            moved += (moved.empty() ? "" : ", ") + axis + " = " + formulas[c];
+          }
+      return is_held ? held : moved;
+    };
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const auto &boundary : functions_)
+      all.emplace_back(body_.boundary_names().name(boundary.first),
+                       describe(boundary.second));
+    for (const PrescribedPoint &point : points_)
+      {
+        std::ostringstream place;
+        place << "node (" << point.position[0] << ", " << point.position[1]
+              << ", " << point.position[2] << ')';
+        all.emplace_back(place.str(), describe(point.displacement));
+      }
+    return all;
+  }
+
+
+
   std::string
   PrescribedDisplacement::components(const types::boundary_id boundary) const
   {

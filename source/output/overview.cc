@@ -42,14 +42,40 @@ namespace stiction
       return format("%.4g", value);
     }
 
-    // Components that are rounding are zero.
+    // Components that are rounding, also of vectors of this size from which it
+    // was computed, are zero.
     std::string
-    vector(const Tensor<1, 3> &v)
+    vector(const Tensor<1, 3> &v, const double size = 0.)
     {
       const auto component = [&](const unsigned int c) {
-        return number(std::abs(v[c]) > 1e-12 * v.norm() ? v[c] : 0.);
+        return number(std::abs(v[c]) > 1e-12 * std::max(size, v.norm()) ? v[c]
+                                                                        : 0.);
       };
       return component(0) + ", " + component(1) + ", " + component(2);
+    }
+
+    Tensor<1, 3>
+    sum_of_loads(const LinearElasticity &elasticity)
+    {
+      const Body &body = elasticity.body();
+      Tensor<1, 3> sum;
+      for (const Body::Node &node : body.locally_owned_nodes())
+        for (unsigned int c = 0; c < 3; ++c)
+          sum[c] += elasticity.load()(node.dofs[c]);
+      return Utilities::MPI::sum(sum, body.communicator());
+    }
+
+    std::string
+    describe(const Material &material)
+    {
+      const double lambda = material.lame_lambda, G = material.shear_modulus;
+      return (material.is_isotropic
+                ? "isotropic, E = " + number(material.youngs_modulus) +
+                    ", nu = " + number(lambda / (2. * (lambda + G)))
+                : "orthotropic, largest modulus " +
+                    number(material.youngs_modulus)) +
+             (material.density > 0. ? ", density " + number(material.density)
+                                    : std::string());
     }
 
     void
@@ -59,26 +85,6 @@ namespace stiction
       log.line("Body");
       log.line("  from [m]                 " + vector(corners.first));
       log.line("  to [m]                   " + vector(corners.second));
-    }
-
-    void
-    print_materials(Log &log, const LinearElasticity &elasticity)
-    {
-      TableHandler table;
-      for (const auto id : elasticity.body().material_names().ids())
-        {
-          const Material &material = elasticity.materials().of(id);
-          table.add_value("material",
-                          elasticity.body().material_names().describe(id));
-          table.add_value(
-            "kind",
-            std::string(material.is_isotropic ? "isotropic" : "orthotropic"));
-          table.add_value("largest modulus [Pa]",
-                          number(material.youngs_modulus));
-          table.add_value("density [kg/m^3]", number(material.density));
-        }
-      log.line("Materials");
-      print(log, table);
     }
 
     void
@@ -108,12 +114,8 @@ namespace stiction
       log.line("Boundaries");
       print(log, table);
 
-      Tensor<1, 3> sum;
-      for (const Body::Node &node : body.locally_owned_nodes())
-        for (unsigned int c = 0; c < 3; ++c)
-          sum[c] += elasticity.load()(node.dofs[c]);
       log.line("  all loads, those inside the body too [N]: " +
-               vector(Utilities::MPI::sum(sum, body.communicator())));
+               vector(sum_of_loads(elasticity)));
       log.line("  free rigid-body motions: none");
     }
 
@@ -158,6 +160,54 @@ namespace stiction
 
 
   void
+  print_applied(Log &log,
+                const LinearElasticity &elasticity,
+                const ContactSurface &surface)
+  {
+    const Body &body = elasticity.body();
+    const PrescribedDisplacement &support =
+      elasticity.prescribed_displacement();
+    const Loads &loads = elasticity.loads();
+    const auto line    = [&](const char *what, const std::string &text) {
+      log.line(format("  %-10s ", what) + text);
+    };
+
+    log.line("Applied");
+    for (const auto &place : support.description())
+      line(place.second.find('=') == std::string::npos ? "held" : "moved",
+           place.first + ": " + place.second);
+
+    // with its rounding, for what is left of it
+    Tensor<1, 3> inside = sum_of_loads(elasticity);
+    const double size   = inside.norm();
+    for (const auto &boundary : loads.on_boundaries())
+      {
+        inside -= boundary.second.force;
+        const std::string text = loads.description(boundary.first);
+        if (!text.empty())
+          line("load",
+               body.boundary_names().name(boundary.first) + ": " + text +
+                 "; resultant " + vector(boundary.second.force));
+      }
+    if (!loads.description_inside().empty())
+      line("load",
+           "inside: " + loads.description_inside() + "; resultant " +
+             vector(inside, size));
+
+    for (const ContactBoundary &boundary : surface.boundaries())
+      line("contact",
+           body.boundary_names().name(boundary.id()) + ": " +
+             boundary.description());
+
+    for (const auto id : body.material_names().ids())
+      line("material",
+           body.material_names().describe(id) + ": " +
+             describe(elasticity.materials().of(id)));
+  }
+
+
+
+  void
   print_overview(Log &log,
                  const LinearElasticity &elasticity,
                  const ContactSurface &surface,
@@ -165,7 +215,6 @@ namespace stiction
   {
     const Body &body = elasticity.body();
     print_size(log, body);
-    print_materials(log, elasticity);
     print_boundaries(log, elasticity, surface);
     print_contact(log, surface);
 

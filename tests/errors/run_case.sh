@@ -20,7 +20,9 @@
 #   before: COMMAND       shell command before, "$stiction" is the program
 #   after: COMMAND        shell command afterwards, which must succeed
 #   prm:                  all lines below this one are the file input.prm;
-#                         without it, input.prm is base.prm
+#                         without it, input.prm is base.prm; what they do not
+#                         set of the reference brick, brick.prm, is added below
+#   prm alone:            the same, and nothing is added
 #
 # The message is what the program writes to stderr for status 1, to stdout for
 # other statuses. For status 1 it must be one line in all, from all ranks
@@ -35,11 +37,21 @@ export stiction errors memory
 export OMPI_MCA_rmaps_base_oversubscribe=1 # more ranks than cores
 
 all() { # all values of a key
-  sed '/^prm:/,$d' "$case_file" | sed -n "s/^$1: *//p"
+  sed '/^prm\( alone\)\?:/,$d' "$case_file" | sed -n "s/^$1: *//p"
 }
 sum_of_everything() {
   find . -type f -exec cksum {} + | sort
   find . ! -type f | sort
+}
+
+what_is_not_set() { # what_is_not_set IN OF: the entries of a file
+  awk '{ sub(/[ \t]*#.*/, "") }
+       $1 == "subsection" { section = $0 }
+       $1 == "set" { entry = $0; sub(/[ \t]*=.*/, "", entry)
+                     sub(/^[ \t]*/, "", entry); entry = section entry }
+       NR == FNR { if ($1 == "set") is_set[entry] = 1; next }
+       $1 == "set" && !(entry in is_set) { print section; print; print "end" }' \
+    "$1" "$2"
 }
 
 failures=0
@@ -61,10 +73,16 @@ ranks=$(all ranks)
 ranks=${ranks:-1}
 rm -rf run stdout stderr statuses
 mkdir run && cd run || exit 1
-if grep -q '^prm:' "$case_file"; then
-  sed '1,/^prm:/d' "$case_file" >input.prm
+if grep -q '^prm alone:' "$case_file"; then
+  sed '1,/^prm alone:/d' "$case_file" >input.prm
 else
-  cp "$errors/base.prm" input.prm
+  if grep -q '^prm:' "$case_file"; then
+    sed '1,/^prm:/d' "$case_file" >input.prm
+  else
+    cp "$errors/base.prm" input.prm
+  fi
+  added=$(what_is_not_set input.prm "$errors/brick.prm")
+  echo "$added" >>input.prm
 fi
 writes=$(all writes)
 [ "$status" = 1 ] && writes=${writes:-nothing}

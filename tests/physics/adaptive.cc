@@ -25,6 +25,7 @@ namespace
   {
     settings.insert(settings.end(),
                     {"Geometry/Table 1 level=0",
+                     "Geometry/Lengths=4,3,1",
                      "Geometry/Subdivisions=4,3,1",
                      "Boundary conditions/Traction=top : 0; 0; if(abs(x - 2) < "
                      "0.25 && abs(y - 1.5) < 0.25, -1e9, 0)",

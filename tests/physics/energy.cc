@@ -20,6 +20,7 @@ main(int argc, char *argv[])
                       {"Geometry/Table 1 level=2",
                        "Friction/Law=" + law,
                        "Friction/Slip stress=1.5e7",
+                       "Friction/Slip stress=1.5e7",
                        "Boundary conditions/Initial gap=" + gap,
                        "Contact solver/Tolerance=1e-12"});
         const auto &energy  = run.summary()["energy"];

@@ -179,6 +179,7 @@ namespace
   force_on_brick(const std::vector<std::string> &mesh)
   {
     std::vector<std::string> settings = {"Geometry/Table 1 level=0",
+                                         "Geometry/Lengths=4,3,1",
                                          "Contact solver/Method=newton",
                                          "Contact solver/Tolerance=1e-7",
                                          "Output/Write solution=false"};

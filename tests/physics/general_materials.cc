@@ -74,6 +74,7 @@ namespace
   {
     const Run run(shipped("brick.prm"),
                   {"Geometry/Table 1 level=0",
+                   "Geometry/Lengths=4,3,1",
                    "Geometry/Subdivisions=4,3,1",
                    "Geometry/Global refinement=1",
                    "Geometry/Element degree=" + degree,

@@ -24,6 +24,7 @@ main(int argc, char *argv[])
                          "Boundary conditions/Prescribed displacement=5 : 0.1; "
                          "0; -1e-4",
                          "Friction/Law=" + law,
+                         "Friction/Coefficient=0.3",
                          "Contact solver/Method=" + method});
           const auto &solver = run.summary()["solver"];
           out() << cells << ", " << law << ", " << method << ": certified "

@@ -31,7 +31,9 @@ main(int argc, char *argv[])
     for (const std::string level : {"1", "2", "3"})
       {
         const std::vector<std::string> settings = {
-          "Geometry/Table 1 level=" + level, "Friction/Law=" + law};
+          "Geometry/Table 1 level=" + level,
+          "Friction/Law=" + law,
+          "Friction/Slip stress=1.5e7"};
         const Run dual = solve(settings, "newton");
         out() << law << ", k = " << level << ":";
         for (const std::string type : {"multigrid", "amg"})
@@ -56,6 +58,7 @@ main(int argc, char *argv[])
     for (const std::string refinement : {"2", "3"})
       {
         const Run run      = solve({"Geometry/Table 1 level=0",
+                                    "Geometry/Lengths=4,3,1",
                                     "Geometry/Subdivisions=4,3,1",
                                     "Geometry/Global refinement=" + refinement,
                                     "Friction/Coefficient=" + F},

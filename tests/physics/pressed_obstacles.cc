@@ -95,6 +95,7 @@ namespace
   }
 
   const Settings brick = {"Geometry/Table 1 level=0",
+                          "Geometry/Lengths=4,3,1",
                           "Geometry/Subdivisions=4,3,1",
                           "Geometry/Global refinement=1",
                           "Contact solver/Tolerance=1e-9"};
@@ -108,8 +109,9 @@ namespace
       for (const std::string method : {"gauss seidel", "newton multigrid"})
         {
           const Settings all =
-            brick +
-            Settings{"Friction/Law=" + law, "Contact solver/Method=" + method};
+            brick + Settings{"Friction/Law=" + law,
+                             "Friction/Slip stress=1.5e7",
+                             "Contact solver/Method=" + method};
           const Run foundation(shipped("brick.prm"),
                                all + Settings{"Boundary conditions/Obstacle "
                                               "displacement=" +

@@ -25,6 +25,7 @@ main(int argc, char *argv[])
       parameters.read(shipped("brick.prm"),
                       {"Geometry/Table 1 level=2",
                        "Friction/Law=" + law,
+                       "Friction/Slip stress=1.5e7",
                        "Contact solver/Method=newton multigrid"});
       const Body body(parameters.geometry, MPI_COMM_WORLD);
       const LinearElasticity elasticity(body, parameters);

@@ -71,6 +71,7 @@ main(int argc, char *argv[])
                 {"Geometry/Table 1 level=2",
                  "Friction/Law=given",
                  "Friction/Slip stress=1.5e7",
+                 "Friction/Slip stress=1.5e7",
                  "Contact solver/Tolerance=1e-10"});
 
   const auto &elasticity       = run.problem->elasticity();

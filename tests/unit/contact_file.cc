@@ -77,6 +77,7 @@ main(int argc, char *argv[])
       const Run run(shipped("brick.prm"),
                     {"Geometry/Table 1 level=2",
                      "Friction/Law=" + law,
+                     "Friction/Slip stress=1.5e7",
                      "Friction/Slip stress=1.5e7"});
       MPI_Barrier(MPI_COMM_WORLD); // the files of the others
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

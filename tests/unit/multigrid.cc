@@ -34,6 +34,7 @@ namespace
       parameters.read(
         shipped("brick.prm"),
         {"Geometry/Table 1 level=0",
+         "Geometry/Lengths=4,3,1",
          "Geometry/Subdivisions=3,2,1",
          "Geometry/Global refinement=" + std::to_string(refinement),
          "Stiffness solver/Type=" + solver});

@@ -66,6 +66,7 @@ main(int argc, char *argv[])
   Parameters parameters;
   parameters.read(shipped("brick.prm"),
                   {"Geometry/Table 1 level=0",
+                   "Geometry/Lengths=4,3,1",
                    "Geometry/Subdivisions=3,2,2",
                    "Geometry/Global refinement=0",
                    "Boundary conditions/Prescribed displacement=2 : 1e-4; "

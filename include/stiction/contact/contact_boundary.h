@@ -53,6 +53,14 @@ namespace stiction
     FrictionLaw
     law() const;
 
+    /// What the entries say of it, for people: "foundation, gap 1e-5, Coulomb
+    /// friction, F = 0.3".
+    const std::string &
+    description() const
+    {
+      return description_;
+    }
+
     /// How far the obstacle is moved from where it is said to be, m.
     const dealii::Tensor<1, 3> &
     displacement() const
@@ -113,7 +121,7 @@ namespace stiction
   private:
     ContactBoundary();
 
-    std::string name_;
+    std::string name_, description_;
     dealii::types::boundary_id id_;
 
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation

@@ -24,8 +24,8 @@ namespace stiction
   {
   public:
     /// @param coefficient, slip_stress, first_direction the texts of the
-    /// entries
-    ///   of those names, for this boundary.
+    ///   entries of those names, for this boundary; of the first two the one
+    ///   that the law has counts.
     /// @param source for messages, must outlive the object.
     /// @param time the value of t.
     ///
@@ -71,7 +71,7 @@ namespace stiction
 
     const ParameterFile &source_;
     const FrictionLaw law_;
-    const Values coefficient_, slip_stress_;
+    std::unique_ptr<Values> bound_; ///< coefficient or slip stress, or none
     std::unique_ptr<ParsedFunction> first_direction_; ///< or nullptr
   };
 } // namespace stiction

@@ -46,6 +46,13 @@ namespace stiction
     double
     value(const dealii::Point<3> &p, unsigned int component = 0) const override;
 
+    /// As the user wrote it.
+    const std::string &
+    expression() const
+    {
+      return expression_;
+    }
+
   private:
     std::string expression_;
     std::string location_;

@@ -44,6 +44,15 @@ namespace stiction
              const dealii::Point<3> &x,
              const dealii::Tensor<1, 3> &normal) const;
 
+    /// What is said to load a boundary, for people: "traction 0; 0; -1e8,
+    /// pressure 1e6"; "" if nothing is.
+    std::string
+    description(dealii::types::boundary_id boundary) const;
+
+    /// The same of the inside of the body: "gravity 0; 0; -9.81".
+    std::string
+    description_inside() const;
+
     /// The force b + ρ g at a place inside the body with this density ρ. Unit:
     /// N/m³.
     dealii::Tensor<1, 3>

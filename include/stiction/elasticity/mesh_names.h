@@ -44,6 +44,10 @@ namespace stiction
     std::string
     describe(Id id) const;
 
+    /// "bottom", or the number if it has no name: how an entry calls it.
+    std::string
+    name(Id id) const;
+
     const std::set<Id> &
     ids() const
     {

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -23,6 +24,12 @@ namespace stiction
   public:
     /// Throws InputError if the entries cannot be read.
     PrescribedDisplacement(const Body &body, const Parameters &parameters);
+
+    /// What is prescribed where, for people: "front", "x y z" for what is held
+    /// and "top", "x = 1e-3, y = 0" for what is moved, of boundaries by name
+    /// and then of points.
+    std::vector<std::pair<std::string, std::string>>
+    description() const;
 
     /// The components prescribed on a boundary: "xyz", "x", "".
     std::string

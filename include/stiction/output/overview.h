@@ -8,10 +8,18 @@ namespace stiction
   class Log;
   class Parameters;
 
-  /// Prints what a user wants to see before solving: the size of the body, its
-  /// materials, its boundaries with their names, areas, supports and load
-  /// resultants, the contact boundaries with their initial gaps, and the memory
-  /// that solving will take. Collective.
+  /// Prints what is applied where, as the entries say it and the program
+  /// understands it: what is held or moved, loads with their resultants,
+  /// contact boundaries, materials. Collective.
+  void
+  print_applied(Log &log,
+                const LinearElasticity &elasticity,
+                const ContactSurface &surface);
+
+  /// Prints what else a user wants to see before solving: the size of the body,
+  /// its boundaries with their names, areas, supports and load resultants, the
+  /// contact boundaries with their initial gaps, and the memory that solving
+  /// will take. Collective.
   void
   print_overview(Log &log,
                  const LinearElasticity &elasticity,

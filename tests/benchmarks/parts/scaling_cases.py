@@ -50,6 +50,7 @@ class Size:
         subdivisions = ",".join(str(n) for n in self.subdivisions)
         return (
             "Geometry/Table 1 level=0",
+            "Geometry/Lengths=4,3,1",
             f"Geometry/Subdivisions={subdivisions}",
             f"Geometry/Global refinement={self.refinement}",
         )
