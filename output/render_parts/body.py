@@ -1,0 +1,200 @@
+"""The deformed body, its outline before loading and the obstacle, with VTK."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from . import meshes
+
+OUTLINE, OBSTACLE, MESH = 0x555555, 0xA8A8A8, 0xFFFFFF
+
+
+def set_up(this, **settings):
+    """Call this.SetName(value) for every Name=value, return this."""
+    for name, value in settings.items():
+        getattr(this, "Set" + name)(value)
+    return this
+
+
+def rgb(color):
+    """Red, green and blue from 0 to 1."""
+    return [(color >> shift & 255) / 255 for shift in (16, 8, 0)]
+
+
+def rounded(number):
+    """A positive number rounded to its first digit."""
+    power = 10.0 ** math.floor(math.log10(number))
+    return power * round(number / power)
+
+
+def exaggeration(body):
+    """How many times larger than it is the displacement is drawn."""
+    largest = np.linalg.norm(body.displacement, axis=1).max()
+    size = np.ptp(body.points, axis=0).max()
+    return max(1, rounded(0.1 * size / largest)) if largest > 0 else 1
+
+
+def view_basis(points):
+    """To the right, upwards and towards who looks, at the larger sides."""
+    lengths = np.maximum(np.ptp(points, axis=0), 1e-12)
+    sides = lengths.prod() / lengths
+    towards = meshes.unit(np.array([1, -0.6, 0.55])
+                          * (sides / sides.max()) ** 0.35)
+    right = meshes.unit(np.cross([0, 0, 1], towards))
+    return np.array([right, np.cross(towards, right), towards])
+
+
+def cells_of(points, cells):
+    """VTK's points and cells, and which of the points they are."""
+    used, corners = np.unique(cells, return_inverse=True)
+    result = vtk.vtkCellArray()
+    result.SetData(cells.shape[1], numpy_to_vtk(
+        corners.astype(np.int64).reshape(-1), deep=True,
+        array_type=vtk.VTK_ID_TYPE))
+    return points_of(points[used]), result, used
+
+
+def points_of(points):
+    """VTK's points."""
+    return set_up(vtk.vtkPoints(), Data=numpy_to_vtk(
+        np.ascontiguousarray(points), deep=True))
+
+
+def surface_of(points, faces, scalars):
+    """VTK's surface of these faces, with a number at every point."""
+    places, polygons, used = cells_of(points, faces)
+    surface = set_up(vtk.vtkPolyData(), Points=places, Polys=polygons)
+    surface.GetPointData().SetScalars(numpy_to_vtk(scalars[used], deep=True))
+    return surface
+
+
+def lines_of(points, edges):
+    """VTK's lines between pairs of points."""
+    places, lines, _ = cells_of(points, edges)
+    return set_up(vtk.vtkPolyData(), Points=places, Lines=lines)
+
+
+def actor_of(data, color=OUTLINE, ambient=1.0, **settings):
+    """Data in one colour, lit unless ambient is 1; settings: its property."""
+    if isinstance(data, vtk.vtkAlgorithm):
+        data.Update()
+        data = data.GetOutput()
+    mapper = set_up(vtk.vtkPolyDataMapper(), InputData=data,
+                    ScalarVisibility=False)
+    actor = set_up(vtk.vtkActor(), Mapper=mapper)
+    set_up(actor.GetProperty(), Color=rgb(color), Lighting=ambient < 1,
+           Ambient=ambient, Diffuse=1 - ambient, **settings)
+    return actor
+
+
+def stress_actor(surface, highest, colors):
+    """The body coloured by its stress from 0 to the highest."""
+    table = set_up(vtk.vtkLookupTable(), NumberOfTableValues=len(colors),
+                   TableRange=(0, highest))
+    for i, color in enumerate(colors):
+        table.SetTableValue(i, *color[:3], 1)
+    actor = actor_of(surface, ambient=0.7)
+    set_up(actor.GetMapper(), ScalarVisibility=True, LookupTable=table,
+           UseLookupTableScalarRange=True, InterpolateScalarsBeforeMapping=True)
+    return actor
+
+
+def drawn_obstacle(run, factor):
+    """The obstacle with its gap as many times larger as the displacement.
+
+    So a point of the body that touches it does so in the picture. What is far
+    off then is left out.
+    """
+    points = vtk_to_numpy(run.obstacle.GetPoints().GetData()).astype(float)
+    areas = meshes.vector_areas(run.body.points[run.contact.faces])
+    normals = meshes.node_normals(run.contact.faces, areas,
+                                  len(run.body.points))
+    nodes = np.unique(run.contact.faces)
+    locator = set_up(vtk.vtkStaticPointLocator(), DataSet=set_up(
+        vtk.vtkPolyData(), Points=points_of(run.body.points[nodes])))
+    locator.BuildLocator()
+    nearest = nodes[[locator.FindClosestPoint(point) for point in points]]
+    gap = ((points - run.body.points[nearest]) * normals[nearest]).sum(axis=1)
+    points += (factor - 1) * gap[:, None] * normals[nearest]
+    surface = vtk.vtkPolyData()
+    surface.DeepCopy(run.obstacle)
+    surface.SetPoints(points_of(points))
+    surface.GetPointData().SetScalars(numpy_to_vtk(factor * np.abs(gap),
+                                                   deep=True))
+    clip = set_up(vtk.vtkClipPolyData(), InputData=surface, InsideOut=True,
+                  Value=0.3 * np.ptp(run.body.points, axis=0).max())
+    clip.Update()
+    return clip.GetOutput()
+
+
+def camera_of(basis, actors):
+    """A parallel view, without its size, and the extents of the actors in it."""
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    for actor in actors:
+        data = actor.GetMapper().GetInput()
+        if data.GetNumberOfPoints():
+            seen = vtk_to_numpy(data.GetPoints().GetData()) @ basis.T
+            low = np.minimum(low, seen.min(axis=0))
+            high = np.maximum(high, seen.max(axis=0))
+    middle, far = (low + high) / 2 @ basis, 2 * np.linalg.norm(high - low)
+    camera = set_up(vtk.vtkCamera(), ParallelProjection=True,
+                    FocalPoint=middle, Position=middle + far * basis[2],
+                    ViewUp=basis[1])
+    return camera, (high - low)[:2]
+
+
+def picture(run, colors, box):
+    """Draw the body so that it fills a box, width and height in pixels.
+
+    Returns the image, an array of rows from the top, and what was done: the
+    factor of exaggeration, the highest stress, the axes on the picture.
+    """
+    body = run.body
+    factor = exaggeration(body)
+    basis = view_basis(body.points)
+    highest = body.stress[np.unique(body.faces)].max()
+    deformed = surface_of(body.points + factor * body.displacement, body.faces,
+                          body.stress)
+    faint = min(0.3, 14 / math.sqrt(len(body.faces)))
+    edges = set_up(vtk.vtkExtractEdges(), InputData=deformed)
+    actors = [stress_actor(deformed, highest or 1, colors),
+              actor_of(edges, MESH, LineWidth=1, Opacity=faint),
+              actor_of(lines_of(body.points, meshes.outline(
+                  body.points, body.faces, basis[2])), LineWidth=2)]
+    if run.obstacle is not None:
+        actors.append(actor_of(drawn_obstacle(run, factor), OBSTACLE, 0.6,
+                               Opacity=0.5))
+    camera, extents = camera_of(basis, actors)
+    image = rendered(actors, camera, extents, box)
+    return SimpleNamespace(image=image, factor=factor, highest=highest,
+                           axes=basis[:2].T, obstacle=run.obstacle is not None)
+
+
+def rendered(actors, camera, extents, box):
+    """The image of the actors as large as it fits into the box."""
+    margin = 8  # for the width of lines
+    extents = np.maximum(extents, 1e-3 * extents.max())
+    per_unit = min(
+        (side - 2 * margin) / extent for side, extent in zip(box, extents))
+    size = [math.ceil(per_unit * extent) + 2 * margin for extent in extents]
+    camera.SetParallelScale(size[1] / per_unit / 2)
+    renderer = set_up(vtk.vtkRenderer(), Background=(1, 1, 1),
+                      ActiveCamera=camera)
+    for actor in actors:
+        renderer.AddActor(actor)
+    renderer.ResetCameraClippingRange()
+    # a line on a surface has gaps when it is not drawn in front of it
+    vtk.vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+    vtk.vtkMapper.SetResolveCoincidentTopologyLineOffsetParameters(0, -40)
+    window = set_up(vtk.vtkRenderWindow(), OffScreenRendering=True, Size=size,
+                    MultiSamples=0)
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = set_up(vtk.vtkWindowToImageFilter(), Input=window)
+    grab.Update()
+    image = grab.GetOutput()
+    values = vtk_to_numpy(image.GetPointData().GetScalars())
+    return values.reshape(size[1], size[0], -1)[::-1]

@@ -1,0 +1,366 @@
+"""The page: where everything stands on the picture, and what is written there.
+
+Lengths are inches from the lower left corner; every text has room of its own.
+"""
+
+import math
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, PathPatch, Rectangle
+from matplotlib.path import Path
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from . import panels as contact_panels
+from .panels import CLAMPED, OPEN, SLIP, STICK
+
+WIDTH, MARGIN, HEADER = 12.5, 0.3, 0.95
+BODY = (0.3, 5.3)  # from the left, width; the maps likewise
+MAPS = (6.15, 6.05)
+COLUMN, TICKS, BETWEEN = 2.55, 0.62, 0.28  # of maps side by side
+TITLE, LEGEND, AXIS, KEY, BAR, GAP = 0.38, 0.34, 0.52, 0.3, 0.62, 0.2
+THICK = 0.13  # a colour bar
+STRETCH = 10  # the largest ratio of the sides of a map
+
+SMALL, NORMAL, LARGE = 8.5, 10, 15
+TEXT, RED = "#212121", "#B00020"
+# colours differ in lightness as well as in hue: in grey 0.9, 0.75, 0.5
+STATUS = {OPEN: ("open", "#D3E9F7", None), SLIP: ("slip", "#F2B13C", None),
+          STICK: ("stick", "#3F8FC6", None),
+          CLAMPED: ("clamped or facing away", "#C4C4C4", "////")}
+STRESS, PRESSURE = colormaps["viridis"], colormaps["magma_r"]
+
+
+def exponent_of(largest):
+    """The power of ten in steps of three that numbers are written with."""
+    if not largest > 0 or 1e-2 <= largest < 1e4:
+        return 0
+    return 3 * math.floor(math.log10(largest) / 3)
+
+
+def label(words, unit, exponent=0):
+    """What an axis shows and in which unit, if that is known."""
+    factor = f"$10^{{{exponent}}}$" if exponent else ""
+    unit = " ".join(word for word in (factor, unit) if word)
+    return f"{words} [{unit}]" if unit else words
+
+
+def number(value):
+    """A number as it stands at an axis."""
+    return f"{value + 0.0:.4g}".replace("-", "\N{MINUS SIGN}")
+
+
+def quantity(unit, *values):
+    """Numbers, in brackets if there are several, with a unit if it is known."""
+    largest = max(abs(value) for value in values)
+    exponent = exponent_of(largest)
+    if largest > 0:  # what is rounding beside the largest is zero
+        digits = 3 - math.floor(math.log10(largest))
+        values = [round(value, digits) for value in values]
+    words = ", ".join(number(value / 10.0**exponent) for value in values)
+    words = f"({words})" if len(values) > 1 else words
+    words += f"$\\times10^{{{exponent}}}$" if exponent else ""
+    return f"{words} {unit}".strip()
+
+
+class Page:
+    """A page of a given height to put things on from the top downwards."""
+
+    def __init__(self, height):
+        self.figure = Figure(figsize=(WIDTH, height), facecolor="white")
+        FigureCanvasAgg(self.figure)
+        self.height = height
+
+    def axes(self, left, top, width, height, **options):
+        """Axes in a box of which the upper left corner is given."""
+        return self.figure.add_axes(
+            [left / WIDTH, 1 - (top + height) / self.height, width / WIDTH,
+             height / self.height], **options)
+
+    def text(self, left, top, words, size=NORMAL, **options):
+        """A line of text of which the upper left corner is given."""
+        self.figure.text(left / WIDTH, 1 - top / self.height, words,
+                         fontsize=size, va="top",
+                         **{"color": TEXT, **options})
+
+    def color_bar(self, left, top, width, colors, largest, words, unit):
+        """A scale from zero to the largest value, the words below."""
+        exponent = exponent_of(largest)
+        axes = self.axes(left, top, width, THICK)
+        bar = self.figure.colorbar(
+            ScalarMappable(Normalize(0, largest or 1), colors), cax=axes,
+            orientation="horizontal")
+        style(bar.ax.xaxis, exponent, width)
+        bar.set_label(label(words, unit, exponent), size=NORMAL, color=TEXT,
+                      labelpad=2)
+
+
+def style(axis, exponent, length):
+    """Ticks of an axis with numbers over a power of ten, as many as fit."""
+    axis.set_major_locator(MaxNLocator(max(1, min(6, int(length / 0.42))),
+                                       steps=[1, 2, 5, 10]))
+    axis.set_major_formatter(FuncFormatter(
+        lambda value, _: number(value / 10.0**exponent)))
+    axis.set_tick_params(labelsize=SMALL, labelcolor=TEXT, length=3, pad=2)
+
+
+class Slot:
+    """The room of one contact panel: two maps, side by side or stacked."""
+
+    def __init__(self, panel):
+        self.panel = panel
+        low, high = panel.window
+        ratio = (high[0] - low[0]) / (high[1] - low[1])
+        shown = min(max(ratio, 1 / STRETCH), STRETCH)
+        self.stretched = shown != ratio
+        beside = min(COLUMN, 4.2 * shown)
+        below = min(MAPS[1] - TICKS - 0.2, 2.4 * shown)
+        self.stacked = below > 1.35 * beside and ratio > 1
+        width = below if self.stacked else beside
+        self.size = np.array([width, width / shown])
+        self.choose_arrows()
+        self.size *= 1 - 2 * self.reach / width
+        self.map_height = self.size[1] + 2 * self.reach + AXIS
+        self.height = TITLE + LEGEND + self.map_height + BAR + GAP
+        if self.stacked:
+            self.height += self.map_height + KEY
+
+    def choose_arrows(self):
+        """Arrows, friction an inch, and how far they reach out of the map."""
+        low, high = self.panel.window
+        scale = self.size / (high - low)
+        self.places, self.friction, distance = contact_panels.some_arrows(
+            self.panel, scale, 0.16)
+        self.reach, sizes = 0, np.linalg.norm(self.friction, axis=1)
+        self.usual = np.percentile(sizes, 95) if len(sizes) else 0
+        if self.usual <= 1e-6 * self.panel.pressure.max():
+            self.usual = 0
+            return
+        self.per_inch = max(self.usual / min(1.2 * distance, 0.4),
+                            sizes.max() / 0.6)
+        tips = (self.places - low) * scale + self.friction / self.per_inch
+        reach = max(-tips.min(), (tips - self.size).max())
+        self.reach = reach if reach > 0.05 else 0
+
+    def title(self, name):
+        """What is seen."""
+        parts = [self.panel.seen]
+        if self.panel.enlarged:
+            parts.append("only the part that touches")
+        if self.stretched:
+            parts.append("sides not to scale")
+        return f"Contact boundary {name}", ", ".join(parts)
+
+
+def draw(run, panels, body_picture):
+    """The whole picture.
+
+    body_picture: function of a width and a height in inches that returns what
+    body.picture() does.
+    """
+    slots = [Slot(panel) for panel in panels]
+    rooms = sum(slot.height for slot in slots)
+    height = HEADER + max(5, rooms) + MARGIN
+    page = Page(height)
+    draw_header(page, run, panels)
+    draw_body(page, run, body_picture, min(height - HEADER - MARGIN, 6.5))
+    names = names_of(run)
+    largest = max(panel.pressure.max() for panel in panels)
+    top = HEADER
+    for slot in slots:
+        draw_slot(page, slot, top, names[slot.panel.boundary], run.units,
+                  largest)
+        top += slot.height
+    return page.figure
+
+
+def names_of(run):
+    """What the contact boundaries are called, by their ids."""
+    ids = sorted(set(run.contact.boundary.tolist()))
+    said = run.summary["contact"]["boundaries"]
+    if len(ids) == len(said) == 1:
+        return {ids[0]: said[0]["name"]}
+    named = {entry["id"]: entry["name"] for entry in said if "id" in entry}
+    return {i: named.get(i, str(i)) for i in ids}
+
+
+def draw_header(page, run, panels):
+    """Title and the numbers that matter."""
+    page.text(BODY[0], 0.16, run.name, LARGE, fontweight="bold")
+    if run.summary.get("interrupted") or not run.summary["converged"]:
+        page.text(MAPS[0], 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
+                  color=RED)
+    contact = run.summary["contact"]
+    total = {s: sum(contact_panels.counts(p)[s] for p in panels) for s in STATUS}
+    page.text(BODY[0], 0.53, "   ".join([
+        "largest pressure "
+        + quantity(run.units["stress"], contact["max_pressure"]),
+        "contact force on the body "
+        + quantity(run.units["force"], *contact["force_on_body"]),
+        "nodes: " + ", ".join(f"{STATUS[s][0]} {total[s]}"
+                              for s in (OPEN, SLIP, STICK))]))
+
+
+def draw_body(page, run, body_picture, height):
+    """The body in its column, with a colour bar and the directions below."""
+    left, width = BODY
+    room = height - TITLE - BAR - 0.3
+    body = body_picture(width, room)
+    words = (f"displacement {number(body.factor)} times as large"
+             if body.factor > 1 else "displacement true to scale")
+    words += ", lines: before loading"
+    words += ", grey: obstacle" * body.obstacle
+    page.text(left, HEADER, "Deformed body", fontweight="bold")
+    page.text(left, HEADER + 0.2, words, SMALL)
+    rows, columns = body.image.shape[:2]
+    scale = min(width / columns, room / rows)
+    axes = page.axes(left + (width - scale * columns) / 2,
+                     HEADER + TITLE + 0.1 + (room - scale * rows) / 2,
+                     scale * columns, scale * rows)
+    axes.imshow(body.image, aspect="auto", interpolation="antialiased")
+    axes.set_axis_off()
+    top = HEADER + TITLE + room + 0.25
+    draw_directions(page, body.axes, left, top - 0.1)
+    page.color_bar(left + 1.2, top, width - 1.4, STRESS, body.highest,
+                   "von Mises stress, averaged at nodes", run.units["stress"])
+
+
+def draw_directions(page, directions, left, top):
+    """Arrows along x, y and z as they are in the picture of the body."""
+    axes = page.axes(left, top, 0.8, 0.8)
+    axes.set(xlim=(-1.5, 1.5), ylim=(-1.5, 1.5))
+    axes.set_axis_off()
+    # two that come out over one another still have to be told apart
+    for name, (x, y) in zip("xyz", directions):
+        axes.annotate("", (x, y), (0, 0), annotation_clip=False,
+                      arrowprops={"arrowstyle": "-|>", "color": TEXT,
+                                  "shrinkA": 0, "shrinkB": 0})
+        axes.text(*(np.array([x, y]) * (1 + 0.35 / math.hypot(x, y))), name, size=NORMAL, color=TEXT,
+                  ha="center", va="center")
+
+
+def draw_slot(page, slot, top, name, units, largest):
+    """Title, legend and both maps of a contact panel."""
+    left, (width, height) = MAPS[0], slot.size
+    title, seen = slot.title(name)
+    page.text(left, top, title, fontweight="bold")
+    page.text(left, top + 0.2, seen, SMALL)
+    draw_legend(page, slot.panel, left, top + TITLE + 0.1)
+    top += TITLE + LEGEND
+    column = MAPS[1] - TICKS if slot.stacked else COLUMN
+    inset = TICKS + (column - width) / 2
+    status = page.axes(left + inset, top + slot.reach, width, height)
+    draw_status(status, slot.panel)
+    frame(status, slot, units["length"])
+    draw_arrows(page, status, slot, (left + TICKS, top + slot.map_height),
+                units["stress"])
+    if slot.stacked:
+        top += slot.map_height + KEY
+    else:
+        left += COLUMN + BETWEEN
+    pressure = page.axes(left + inset, top + slot.reach, width, height)
+    draw_pressure(pressure, slot.panel, largest)
+    frame(pressure, slot, units["length"], upwards=slot.stacked)
+    page.color_bar(left + TICKS, top + slot.map_height + 0.02, COLUMN, PRESSURE,
+                   largest, "pressure", units["stress"])
+
+
+def draw_legend(page, panel, left, top):
+    """The colours of the status with the numbers of nodes."""
+    count = contact_panels.counts(panel)
+    patches = [Patch(facecolor=color, hatch=hatch, edgecolor=TEXT, linewidth=0.4,
+                     label=f"{name} {count[s]}")
+               for s, (name, color, hatch) in STATUS.items()
+               if s != CLAMPED or count[s]]
+    page.figure.legend(handles=patches, loc="upper left", ncol=4, borderpad=0,
+                       bbox_to_anchor=(left / WIDTH, 1 - top / page.height),
+                       frameon=False, fontsize=SMALL, columnspacing=1.2,
+                       handlelength=1.4, handletextpad=0.5, borderaxespad=0,
+                       labelcolor=TEXT)
+
+
+def frame(axes, slot, unit, upwards=True):
+    """Limits, ticks and names of the axes of a map."""
+    low, high = slot.panel.window
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    for name, side in axes.spines.items():
+        side.set_visible(slot.reach > 0 and name in ("left", "bottom"))
+        side.set_position(("outward", 72 * slot.reach))
+    for c, axis in enumerate((axes.xaxis, axes.yaxis)):
+        exponent = exponent_of(max(abs(low[c]), abs(high[c])))
+        style(axis, exponent, slot.size[c])
+        axis.set_label_text(label(slot.panel.axes[c], unit, exponent),
+                            size=SMALL, color=TEXT)
+        axis.labelpad = 3
+    if not upwards:
+        axes.set_ylabel("")
+        axes.set_yticklabels([])
+    if slot.panel.enlarged:
+        axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes,
+                                 clip_on=False, fill=False, edgecolor=TEXT,
+                                 linewidth=0.8))
+
+
+def polygons(places):
+    """One path of many quadrilaterals, all the same way round."""
+    across, along = places[:, 2] - places[:, 0], places[:, 3] - places[:, 1]
+    turned = across[:, 0] * along[:, 1] < across[:, 1] * along[:, 0]
+    places = places.copy()
+    places[turned] = places[turned][:, ::-1]
+    vertices = np.concatenate([places, places[:, :1]], axis=1)
+    codes = [Path.MOVETO] + 3 * [Path.LINETO] + [Path.CLOSEPOLY]
+    return Path(vertices.reshape(-1, 2), np.tile(codes, len(places)))
+
+
+def draw_outline(axes, panel):
+    """A line around the boundary: what is drawn next covers its inner half."""
+    axes.add_patch(PathPatch(polygons(panel.places), facecolor=TEXT,
+                             edgecolor=TEXT, linewidth=1.6,
+                             clip_on=panel.enlarged))
+
+
+def draw_status(axes, panel):
+    """Every node colours the part of the faces that is nearest to it."""
+    draw_outline(axes, panel)
+    for status, (_, color, hatch) in STATUS.items():
+        parts = contact_panels.quarters(panel, status)
+        if len(parts):
+            axes.add_patch(PathPatch(polygons(parts), facecolor=color,
+                                     linewidth=0, hatch=hatch,
+                                     edgecolor="#707070" if hatch else None))
+
+
+def draw_pressure(axes, panel, largest):
+    """The pressure, bilinear on each face."""
+    draw_outline(axes, panel)
+    pieces = int(np.clip(math.sqrt(30000 / len(panel.faces)), 1, 8))
+    places, values = contact_panels.subdivided(panel, pieces)
+    ids = np.arange(values.size).reshape(values.shape)
+    quads = [ids[:, :-1, :-1], ids[:, 1:, :-1], ids[:, 1:, 1:], ids[:, :-1, 1:]]
+    triangles = [np.stack([quads[i] for i in corners], axis=-1).reshape(-1, 3)
+                 for corners in ((0, 1, 2), (0, 2, 3))]
+    axes.tripcolor(*places.reshape(-1, 2).T, values.reshape(-1),
+                   triangles=np.concatenate(triangles), shading="gouraud",
+                   cmap=PRESSURE, vmin=0, vmax=largest or 1)
+
+
+def draw_arrows(page, axes, slot, corner, unit):
+    """Arrows of friction, and what one of them is worth at a corner."""
+    left, top = corner
+    if slot.usual == 0:
+        page.text(left, top, "no friction", SMALL)
+        return
+    quiver = axes.quiver(*slot.places.T, *slot.friction.T, scale=slot.per_inch,
+                         scale_units="inches", units="inches", width=0.012,
+                         color=TEXT, headwidth=4.5, headlength=5,
+                         headaxislength=4.5, minlength=0.5, clip_on=False)
+    key = float(f"{slot.usual:.0e}")
+    axes.quiverkey(quiver, (left + key / slot.per_inch / 2) / WIDTH,
+                   1 - (top + 0.08) / page.height, key,
+                   quantity(unit, key) + " of friction on the body",
+                   coordinates="figure", labelpos="E", labelcolor=TEXT,
+                   labelsep=0.08, fontproperties={"size": SMALL})

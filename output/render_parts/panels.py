@@ -1,0 +1,239 @@
+"""Contact boundaries laid flat: each seen along its mean normal, or unrolled.
+
+A panel holds for each of its faces, corner by corner, the place in the plane
+and the fields. Numpy alone.
+"""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from . import meshes
+
+OPEN, SLIP, STICK, CLAMPED = 0, 1, 2, -1
+AXES = "xyz"
+
+
+def panels_of(contact, points):
+    """The panels of all contact boundaries.
+
+    contact: faces, seen from outside, and fields at their corners.
+    """
+    corners = points[contact.faces]
+    normals = meshes.vector_areas(corners)
+    result = []
+    for boundary in np.unique(contact.boundary):
+        for faces in visible_parts(normals, contact.boundary == boundary):
+            panel = SimpleNamespace(boundary=boundary, **{
+                name: values[faces] for name, values in vars(contact).items()
+                if name != "boundary"})
+            lay_flat(panel, corners[faces], normals[faces])
+            panel.window = window_of(panel)
+            result.append(panel)
+    return result
+
+
+def visible_parts(normals, chosen):
+    """Split a boundary into what can be seen from one side, or be unrolled."""
+    faces = np.flatnonzero(chosen)
+    if is_visible(normals[faces]) or cylinder_axis(normals[faces]) is not None:
+        return [faces]
+    across = np.argmax(np.abs(normals[faces]), axis=1)
+    side = 2 * across + (normals[faces, across] > 0)
+    return [faces[side == s] for s in np.unique(side)]
+
+
+def is_visible(normals):
+    """Whether hardly anything faces away from who looks along the mean."""
+    facing = normals @ normals.sum(axis=0)
+    areas = np.linalg.norm(normals, axis=1)
+    scale = np.linalg.norm(normals.sum(axis=0)) * areas.sum()
+    return scale > 0 and -facing[facing < 0].sum() <= 1e-3 * scale
+
+
+def cylinder_axis(normals):
+    """The direction of the axis if these are the normals of a cylinder.
+
+    They are if they are in one plane, and neighbours there have small angles;
+    one larger gap may be where the cylinder is not closed.
+    """
+    areas = np.linalg.norm(normals, axis=1)
+    spread = (normals.T / areas) @ normals / areas.sum()
+    values, vectors = np.linalg.eigh(spread)
+    angles = np.sort(np.arctan2(*(normals @ vectors[:, 1:]).T))
+    steps = np.sort(np.diff(angles, append=angles[0] + 2 * np.pi))
+    if values[0] > 1e-3 or len(steps) < 4 or steps[-2] > 1:
+        return None
+    return snapped(vectors[:, 0])
+
+
+def snapped(direction):
+    """A unit vector, an axis if it nearly is one, mostly upwards along it."""
+    direction = direction / np.linalg.norm(direction)
+    direction = np.where(np.abs(direction) < 1e-3, 0, direction)
+    direction *= np.sign(direction[np.argmax(np.abs(direction))])
+    return direction / np.linalg.norm(direction)
+
+
+def lay_flat(panel, corners, normals):
+    """Give the panel places in the plane, names of its axes, and friction."""
+    if is_visible(normals):
+        see_along(panel, corners, normals.sum(axis=0))
+    else:
+        unroll(panel, corners, normals)
+    panel.friction = np.stack([(panel.tangential_traction * basis).sum(axis=-1)
+                               for basis in panel.basis], axis=-1)
+
+
+def see_along(panel, corners, mean):
+    """Project on the plane across the mean normal."""
+    view = snapped(mean)
+    view *= -1 if np.argmax(np.abs(view)) == 1 else 1  # x to the right
+    up = np.array([0, 0, 1]) if abs(view[2]) < 0.9 else np.array([0, 1, 0])
+    up = meshes.unit(up - (up @ view) * view)
+    panel.basis = np.cross(up, view), up
+    panel.places = np.stack([corners @ basis for basis in panel.basis], axis=-1)
+    panel.axes = [name_of(basis) for basis in panel.basis]
+    panel.seen = "seen from " + name_of(view, signed=True)
+
+
+def unroll(panel, corners, normals):
+    """Cut a cylinder opposite to where it is pressed, and lay it flat."""
+    axis = cylinder_axis(normals)
+    units = meshes.unit(normals)
+    middles = corners.mean(axis=1)
+    center = axis_place(middles, units)
+    pressed = (panel.pressure.mean(axis=1)[:, None] * normals).sum(axis=0)
+    front = snapped_sign(pressed if np.linalg.norm(pressed) > 0
+                         else np.array([0, 0, -1.0]), axis)
+    side = np.cross(axis, front)
+    radius = np.linalg.norm(across(middles - center, axis), axis=1).mean()
+
+    def angle(points):
+        return np.arctan2((points - center) @ side, (points - center) @ front)
+
+    middle = angle(middles)[:, None]
+    turned = angle(corners) - middle
+    turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
+    panel.places = np.stack([radius * (middle + turned), corners @ axis],
+                            axis=-1)
+    panel.basis = np.cross(axis, units)[:, None, :], axis
+    panel.axes = ["arc from " + name_of(front, signed=True), name_of(axis)]
+    panel.seen = "unrolled, seen from outside"
+
+
+def axis_place(points, normals):
+    """The point that the lines through points along normals pass closest."""
+    matrices = np.eye(3) - normals[:, :, None] * normals[:, None, :]
+    right = np.einsum("nij,nj->i", matrices, points)
+    return np.linalg.lstsq(matrices.sum(axis=0), right, rcond=1e-6)[0]
+
+
+def across(vectors, axis):
+    """The parts of vectors across an axis."""
+    return vectors - (vectors @ axis)[..., None] * axis
+
+
+def snapped_sign(direction, axis):
+    """A unit vector across an axis, a coordinate axis if it nearly is one."""
+    direction = meshes.unit(across(direction, axis))
+    nearest = np.argmax(np.abs(direction))
+    if abs(direction[nearest]) > 0.97 and abs(axis[nearest]) < 1e-6:
+        direction = np.sign(direction[nearest]) * np.eye(3)[nearest]
+    return direction
+
+
+def name_of(direction, signed=False):
+    """How a direction is called: x, +x where signed, or its components."""
+    largest = np.argmax(np.abs(direction))
+    if abs(direction[largest]) > 1 - 1e-6:
+        sign = "-" if direction[largest] < 0 else "+" if signed else ""
+        return sign.replace("-", "\N{MINUS SIGN}") + AXES[largest]
+    return "(" + ", ".join(f"{c + 0:.2g}" for c in direction) + ")"
+
+
+def touching(panel):
+    """Which corners slip or stick."""
+    return (panel.status == SLIP) | (panel.status == STICK)
+
+
+def window_of(panel):
+    """What of the plane is shown: left, right, bottom, top, and how enlarged.
+
+    All of the boundary, or a small part that touches with some room around.
+    """
+    low, high = (f(panel.places.reshape(-1, 2), axis=0) for f in (np.min, np.max))
+    near = panel.places[touching(panel).any(axis=1)].reshape(-1, 2)
+    panel.enlarged = False
+    if len(near):
+        room = 0.15 * np.ptp(near, axis=0).max()
+        inner = np.maximum(low, near.min(axis=0) - room)
+        outer = np.minimum(high, near.max(axis=0) + room)
+        panel.enlarged = np.prod(outer - inner) < 0.3 * np.prod(high - low)
+        if panel.enlarged:
+            low, high = inner, outer
+    return low, high
+
+
+def counts(panel):
+    """How many nodes are open, slip, stick, or are clamped.
+
+    Hanging nodes, which have no area, are no contact nodes of their own.
+    """
+    own = (panel.area > 0) | (panel.status == CLAMPED)
+    nodes, first = np.unique(panel.faces[own], return_index=True)
+    status = panel.status[own][first]
+    return {s: int((status == s).sum()) for s in (OPEN, SLIP, STICK, CLAMPED)}
+
+
+def quarters(panel, status):
+    """The parts of faces nearest to corners of a status, (n, 4, 2)."""
+    places = panel.places
+    middle = places.mean(axis=1, keepdims=True)
+    after = (places + np.roll(places, -1, axis=1)) / 2
+    before = (places + np.roll(places, 1, axis=1)) / 2
+    parts = np.stack([places, after, np.broadcast_to(middle, places.shape),
+                      before], axis=2)
+    return parts[panel.status == status]
+
+
+def subdivided(panel, pieces):
+    """Places and pressures of faces cut into pieces x pieces, (n, k, k, ...)."""
+    s = np.linspace(0, 1, pieces + 1)
+    one, two = np.meshgrid(s, s, indexing="ij")
+    weights = np.stack([(1 - one) * (1 - two), one * (1 - two), one * two,
+                        (1 - one) * two])
+    return (np.einsum("kij,nkc->nijc", weights, panel.places),
+            np.einsum("kij,nk->nij", weights, panel.pressure))
+
+
+def some_arrows(panel, scale, apart):
+    """Places and friction of touching nodes, not too many, and their distance.
+
+    scale: inches a unit of length to the right and upwards; apart: the least
+    distance in inches.
+    """
+    low, high = panel.window
+    near = touching(panel) & ((panel.places >= low)
+                              & (panel.places <= high)).all(axis=-1)
+    _, first = np.unique(panel.faces[near], return_index=True)
+    places, friction, areas = (values[near][first] for values in
+                               (panel.places, panel.friction, panel.area))
+    chosen = spread_out(places * scale, apart)
+    area = areas.sum() * np.prod(scale)
+    return (places[chosen], friction[chosen],
+            max(apart, np.sqrt(area / max(len(chosen), 1))))
+
+
+def spread_out(places, apart):
+    """Choose places, row by row, that are not nearer to one another."""
+    chosen, squares = [], {}
+    for i in np.lexsort(np.round(places / apart, 3).T):
+        x, y = places[i]
+        column, row = int(x // apart), int(y // apart)
+        around = (place for dx in (-1, 0, 1) for dy in (-1, 0, 1)
+                  for place in squares.get((column + dx, row + dy), ()))
+        if all(np.hypot(x - a, y - b) > 0.999 * apart for a, b in around):
+            squares.setdefault((column, row), []).append((x, y))
+            chosen.append(i)
+    return np.array(chosen, dtype=int)

@@ -1,0 +1,129 @@
+"""What the files of a run hold, as numpy arrays."""
+
+import json
+import os
+from types import SimpleNamespace
+
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
+
+from . import Unusable, meshes
+
+HEXAHEDRON, QUADRILATERAL = 12, 9
+
+
+def read_grid(file, reader):
+    """The grid in a file."""
+    if not os.path.isfile(file):
+        raise Unusable(f"there is no file {file}, run stiction first (with "
+                       "'Output/Write solution = true').")
+    reader.SetFileName(file)
+    reader.Update()
+    grid = reader.GetOutput()
+    if reader.GetErrorCode() or grid.GetNumberOfCells() == 0:
+        raise Unusable(f"{file} or one of the files it names cannot be read.")
+    return grid
+
+
+def read_mesh(file, cell_type, corners, fields):
+    """Points, cells and point data of cells that are all of one type."""
+    grid = read_grid(file, vtk.vtkXMLPUnstructuredGridReader())
+    if (vtk_to_numpy(grid.GetCellTypesArray()) != cell_type).any():
+        raise Unusable(f"{file} has cells of another type than stiction's.")
+    mesh = SimpleNamespace(
+        points=vtk_to_numpy(grid.GetPoints().GetData()).astype(float),
+        cells=vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+        .reshape(-1, corners))
+    for field in fields:
+        array = grid.GetPointData().GetArray(field)
+        if array is None:
+            raise Unusable(f"{file} has no point data '{field}'.")
+        setattr(mesh, field, vtk_to_numpy(array).astype(float))
+    return mesh
+
+
+def read_summary(directory):
+    """summary.json."""
+    file = os.path.join(directory, "summary.json")
+    try:
+        with open(file, encoding="utf-8") as stream:
+            return json.load(stream)
+    except (OSError, ValueError) as error:
+        raise Unusable(f"{file} cannot be read: {error}.") from error
+
+
+def read(directory):
+    """Everything a picture shows of the run that wrote into a directory.
+
+    body: points, outer faces, and displacement and stress at the points;
+    contact: faces of the same points, and fields at their corners, (n, 4) or
+    (n, 4, 3); obstacle: VTK's surface, or None; summary, units and name.
+    """
+    if not os.path.isdir(directory):
+        raise Unusable(f"there is no directory {directory}, run stiction first.")
+    solution = read_mesh(os.path.join(directory, "solution.pvtu"), HEXAHEDRON,
+                         8, ["displacement", "von_Mises_stress"])
+    contact = read_mesh(os.path.join(directory, "contact.pvtu"), QUADRILATERAL,
+                        4, ["pressure", "tangential_traction", "status",
+                            "area", "boundary"])
+    summary = read_summary(directory)
+    units = summary.get("units", {})
+    n = len(solution.points)
+    first, number = meshes.merge(np.vstack([solution.points, contact.points]))
+    if (first >= n).any():
+        raise Unusable("solution.pvtu and contact.pvtu are not of the same run.")
+    faces = meshes.outer_faces(number[:n][solution.cells], len(first))
+    return SimpleNamespace(
+        name=os.path.basename(os.path.abspath(directory)), summary=summary,
+        units={name: units.get(name, "") for name in
+               ("length", "force", "stress")},
+        body=body_of(solution, faces, first, number[:n]),
+        contact=contact_of(contact, number[n:], faces, len(first)),
+        obstacle=read_obstacle(directory))
+
+
+def body_of(solution, faces, first, number):
+    """The body with points merged and the stress averaged at them."""
+    count = np.bincount(number)
+    return SimpleNamespace(
+        points=solution.points[first],
+        displacement=solution.displacement[first],
+        stress=np.bincount(number, solution.von_Mises_stress) / count,
+        faces=faces)
+
+
+def contact_of(contact, number, outer, n_points):
+    """The contact faces, turned so that they are seen from outside."""
+    faces = number[contact.cells]
+    keys = meshes.face_keys(outer, n_points)
+    order = np.argsort(keys)
+    wanted = meshes.face_keys(faces, n_points)
+    place = order[np.searchsorted(keys, wanted, sorter=order) % len(keys)]
+    if (keys[place] != wanted).any():
+        raise Unusable("the faces in contact.pvtu are not on the surface of "
+                       "the body in solution.pvtu.")
+    fields = {name: values[contact.cells]
+              for name, values in vars(contact).items()
+              if name not in ("points", "cells")}
+    fields["boundary"] = fields["boundary"][:, 0].astype(int)
+    # the corner after the first one tells which way round the other file goes
+    outside = outer[place]
+    start = np.argmax(outside == faces[:, :1], axis=1)
+    rows = np.arange(len(faces))
+    reverse = outside[rows, (start + 1) % 4] != faces[:, 1]
+    for values in (faces, *fields.values()):
+        if values.ndim > 1:
+            values[reverse] = values[reverse][:, [0, 3, 2, 1]]
+    return SimpleNamespace(faces=faces, **fields)
+
+
+def read_obstacle(directory):
+    """The surface of the obstacles, or None where there is no such file."""
+    file = os.path.join(directory, "obstacle.vtu")
+    if not os.path.isfile(file):
+        return None
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputData(read_grid(file, vtk.vtkXMLUnstructuredGridReader()))
+    surface.Update()
+    return surface.GetOutput()
