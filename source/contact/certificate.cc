@@ -133,8 +133,11 @@ namespace stiction
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];
 
-    scaling_.force        = surface_.areas() * (S / surface_.boundary_area());
-    scaling_.displacement = nonzero(std::max(sums[energy], 0.) / S);
+    scaling_ = contact_scaling(S,
+                               sums[energy],
+                               surface_.areas(),
+                               surface_.boundary_area(),
+                               surface_.stiffness());
   }
 
 

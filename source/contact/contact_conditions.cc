@@ -52,7 +52,7 @@ namespace stiction
       {
         const Eigen::Index k = node + c * slip_bound_.size();
         a(c)                 = lambda_(k) / scaling_.force(node) -
-               gradient_(k) / scaling_.displacement;
+               gradient_(k) / scaling_.displacement_at(node);
       }
     return a;
   }
@@ -74,7 +74,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const double force = scaling_.force(i);
-        const double u0    = scaling_.displacement;
+        const double u0    = scaling_.displacement_at(i);
         const double gap   = gradient_(i);
         const Eigen::Vector2d lambda_t(lambda_(i + m), lambda_(i + 2 * m));
         const Eigen::Vector2d slip(-gradient_(i + m), -gradient_(i + 2 * m));

@@ -5,7 +5,6 @@
 #include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/mesh_hierarchy.h>
 #include <stiction/elasticity/stiffness_operator.h>
 #include <stiction/elasticity/trace_hierarchy.h>
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace stiction
@@ -74,7 +72,7 @@ namespace stiction
     , trace_(surface.trace())
     , areas_(surface.areas())
     , motion_(surface.motion())
-    , youngs_modulus_(elasticity.materials().largest_youngs_modulus())
+    , stiffness_of_cells_(surface.stiffness())
     , boundary_area_(surface.boundary_area())
     , slip_bound_(surface.slip_bound())
   {
@@ -87,7 +85,6 @@ namespace stiction
     for (const ContactNode &node : surface.nodes())
       frames_.push_back(node);
     find_inner_nodes();
-    find_youngs_moduli(elasticity.materials());
     load_sum_ =
       sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
@@ -107,7 +104,6 @@ namespace stiction
         hierarchy.level(level).zero_vector<double>()))
     , load_(own_load_.get())
     , trace_(trace_of(trace_hierarchy.first_dofs(level)))
-    , youngs_modulus_(finer.youngs_modulus_)
     , boundary_area_(finer.boundary_area_)
   {
     const LevelTransfer &transfer = hierarchy.transfer(level + 1);
@@ -140,6 +136,8 @@ namespace stiction
     Eigen::VectorXd offset(3 * n_vertices);
     Eigen::MatrixXd directions(3 * n_vertices, finer_directions.cols());
     Eigen::VectorXd coefficient(n_vertices);
+    stiffness_of_cells_.softest = finer.stiffness_of_cells_.softest;
+    stiffness_of_cells_.youngs_moduli.resize(n_vertices);
     for (Eigen::Index j = 0; j < n_vertices; ++j)
       {
         for (Eigen::Index c = 0; c < 3; ++c)
@@ -150,6 +148,8 @@ namespace stiction
           }
 
         coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
+        stiffness_of_cells_.youngs_moduli(j) =
+          finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
         frames_.push_back(finer.frames_[on_finer[j]]);
       }
     motion_ = ObstacleMotion(std::move(offset), std::move(directions));
@@ -160,7 +160,6 @@ namespace stiction
                     ? qp::SlipBound::mixed(constant, coefficient)
                     : qp::SlipBound::given(constant);
     find_inner_nodes();
-    find_youngs_moduli(elasticity.materials());
     load_sum_ =
       sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
@@ -188,38 +187,6 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       if (load_->in_local_range(trace_.dofs()[i]))
         free_components_[mesh().local_node(trace_.dofs()[i])] = 0;
-  }
-
-
-
-  void
-  ContactLevel::find_youngs_moduli(const Materials &materials)
-  {
-    youngs_moduli_ = Eigen::VectorXd::Constant(n_nodes(), youngs_modulus_);
-    // where cells are not simple the largest one does
-    if (materials.are_one() || stiffness_->matrix() != nullptr)
-      return;
-    std::map<unsigned int, Eigen::Index> places; // of local nodes
-    const auto &partitioner = *mesh().partitioner();
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (partitioner.in_local_range(trace_.dofs()[i]) ||
-          partitioner.is_ghost_entry(trace_.dofs()[i]))
-        places[mesh().local_node(trace_.dofs()[i])] = i;
-    youngs_moduli_.setZero();
-    mesh().for_each_cell([&](const HexahedralCell &cell) {
-      for (const unsigned int node : cell.nodes)
-        {
-          const auto place = places.find(node);
-          if (place != places.end())
-            youngs_moduli_(place->second) =
-              std::max(youngs_moduli_(place->second),
-                       materials.of(cell.material_id).youngs_modulus);
-        }
-    });
-    const ArrayView<double> moduli(youngs_moduli_.data(),
-                                   youngs_moduli_.size());
-    Utilities::MPI::max(
-      ArrayView<const double>(moduli), mesh().communicator(), moduli);
   }
 
 
@@ -278,7 +245,8 @@ namespace stiction
   Eigen::VectorXd
   ContactLevel::nodal_stiffness() const
   {
-    Eigen::VectorXd stiffness = youngs_modulus_ * areas_.cwiseSqrt();
+    Eigen::VectorXd stiffness =
+      stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_.cwiseSqrt());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       stiffness(i) /= frames_[i].scales().cwiseAbs2().maxCoeff();
     return stiffness;
@@ -409,9 +377,9 @@ namespace stiction
         at_node(lambda, i).cwiseProduct(frames_[i].scales()).norm();
 
     Scales scales;
-    scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
-    scales.scaling.force        = areas_ * (scales.force / boundary_area_);
-    scales.scaling.displacement = nonzero(std::max(sums[1], 0.) / scales.force);
+    scales.force   = nonzero(std::max({load_sum_, sums[0], contact_forces}));
+    scales.scaling = contact_scaling(
+      scales.force, sums[1], areas_, boundary_area_, stiffness_of_cells_);
     return scales;
   }
 
@@ -422,8 +390,12 @@ namespace stiction
                                       const double force_scale) const
   {
     constexpr double rounding = 1e-10;
-    return force_scale < rounding * youngs_modulus_ *
-                           std::sqrt(boundary_area_) * state.u.linfty_norm();
+    const Eigen::VectorXd u   = trace_.restriction(state.u);
+    double largest            = 0.; // E_i‖u_i‖
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      largest = std::max(
+        largest, stiffness_of_cells_.youngs_moduli(i) * at_node(u, i).norm());
+    return force_scale < rounding * std::sqrt(boundary_area_) * largest;
   }
 
 

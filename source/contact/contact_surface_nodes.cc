@@ -6,6 +6,7 @@
 #include <stiction/contact/pressed_obstacles.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/materials.h>
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
@@ -49,6 +50,7 @@ namespace stiction
     : boundaries_(ContactBoundary::read(parameters, elasticity.body()))
   {
     collect_nodes(elasticity);
+    stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
     require_nodes(
       parameters,
       "Boundary conditions/Contact boundary",
@@ -81,6 +83,7 @@ namespace stiction
       first_dof,
       boundary,
       prescribed, // components, as bits
+      modulus,    // Young's, the largest
       area,
       normal,                // × area
       value    = normal + 3, // of prescribed components
@@ -101,6 +104,7 @@ namespace stiction
       const bool is_new = place.second || share[boundary] < sum[boundary];
       for (unsigned int k = area; k < value; ++k)
         sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
+      sum[modulus]    = std::max(share[modulus], is_new ? 0. : sum[modulus]);
       sum[first_dof]  = static_cast<double>(dof);
       sum[boundary]   = share[boundary];
       sum[prescribed] = share[prescribed];
@@ -143,6 +147,9 @@ namespace stiction
                   if (!fe.has_support_on_face(i, f))
                     continue;
                   Share share{};
+                  share[modulus] = elasticity.materials()
+                                     .of(cell->material_id())
+                                     .youngs_modulus;
                   for (const unsigned int q : values.quadrature_point_indices())
                     {
                       const double w = values.shape_value(i, q) * values.JxW(q);
@@ -220,8 +227,9 @@ namespace stiction
             node.prescribed_displacement[c] = share[value + c];
           }
         node.normal /= node.normal.norm();
-        node.area     = share[area];
-        node.boundary = static_cast<unsigned int>(share[boundary]);
+        node.area           = share[area];
+        node.youngs_modulus = share[modulus];
+        node.boundary       = static_cast<unsigned int>(share[boundary]);
         if (!set_tangents(node))
           continue;
         const auto dof = static_cast<types::global_dof_index>(share[first_dof]);
@@ -303,6 +311,7 @@ namespace stiction
   ContactSurface::evaluate_data()
   {
     areas_.resize(n_nodes());
+    stiffness_.youngs_moduli.resize(n_nodes());
     Eigen::VectorXd constant(n_nodes()), coefficient(n_nodes());
     bool is_coulomb = false;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
@@ -311,10 +320,11 @@ namespace stiction
         const ContactBoundary &boundary = boundaries_[node.boundary];
         boundary.set_friction(node);
 
-        areas_(i)      = node.area;
-        constant(i)    = node.area * node.slip_stress;
-        coefficient(i) = node.coefficient;
-        is_coulomb     = is_coulomb || boundary.law() == FrictionLaw::coulomb;
+        areas_(i)                   = node.area;
+        stiffness_.youngs_moduli(i) = node.youngs_modulus;
+        constant(i)                 = node.area * node.slip_stress;
+        coefficient(i)              = node.coefficient;
+        is_coulomb = is_coulomb || boundary.law() == FrictionLaw::coulomb;
       }
     slip_bound_ = is_coulomb ? qp::SlipBound::mixed(std::move(constant),
                                                     std::move(coefficient))

@@ -349,6 +349,20 @@ namespace stiction
 
 
   double
+  Materials::smallest_youngs_modulus() const
+  {
+    return std::min_element(by_id_.begin(),
+                            by_id_.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.second.youngs_modulus <
+                                     b.second.youngs_modulus;
+                            })
+      ->second.youngs_modulus;
+  }
+
+
+
+  double
   Materials::largest_youngs_modulus() const
   {
     return largest(by_id_, &Material::youngs_modulus);

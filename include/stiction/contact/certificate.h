@@ -2,6 +2,7 @@
 #define stiction_contact_certificate_h
 
 #include <stiction/contact/contact_conditions.h>
+#include <stiction/contact/contact_scales.h>
 #include <stiction/elasticity/linear_algebra.h>
 
 #include <deal.II/base/tensor.h>
@@ -26,8 +27,9 @@ namespace stiction
   /// are relative to scales taken from the solution, so that no unit matters:
   ///
   /// S = max(Σ‖f_j‖, Σ‖R_j‖, Σ‖λ_i‖) over nodes (loads, support reactions,
-  /// contact forces), p0 = S/|Γc|, u0 = uᵀKu/S. With π = λ_i/(A_i p0) and
-  /// w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
+  /// contact forces), p0 = S/|Γc|, u0 = uᵀKu/S, less of it where the contact
+  /// face is stiffer than other parts of the body (contact_scaling()). With
+  /// π = λ_i/(A_i p0) and w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
   ///
   /// With orthotropic friction λ and the slip are the contact variables of
   /// ContactFrame, in which the ellipse is a disc: the slip angle is 0 where

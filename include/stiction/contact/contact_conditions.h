@@ -22,21 +22,12 @@ namespace stiction
 
 
 
-  /// A scale to divide by: 1 where there is nothing to measure.
-  inline double
-  nonzero(const double scale)
-  {
-    return scale == 0. ? 1. : scale;
-  }
-
-
-
   /// How far contact forces λ (N) and r = (remaining gap; −slip) (m) are from
   /// satisfying the contact and friction conditions.
   ///
-  /// All figures are relative to scales that the caller provides, a force at
-  /// every node and one displacement, so that no unit matters: π = λ_i/force_i,
-  /// w = r_i/displacement, γ = g_i/force_i.
+  /// All figures are relative to scales that the caller provides, a force and a
+  /// displacement at every node, so that no unit matters: π = λ_i/force_i,
+  /// w = r_i/displacement_i, γ = g_i/force_i.
   class ContactConditions
   {
   public:

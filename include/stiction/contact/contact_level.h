@@ -2,6 +2,7 @@
 #define stiction_contact_contact_level_h
 
 #include <stiction/contact/contact_frame.h>
+#include <stiction/contact/contact_scales.h>
 #include <stiction/contact/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/nodal_support.h>
@@ -20,7 +21,6 @@ namespace stiction
   struct ContactState;
   class LinearElasticity;
   class MeshHierarchy;
-  class Materials;
   class MeshLevel;
   class TraceHierarchy;
   template<typename Number>
@@ -82,7 +82,7 @@ namespace stiction
       return areas_;
     }
 
-    /// E√A_i: about the mean diagonal entry of K at a contact node, N/m; less
+    /// E_i√A_i: about the mean diagonal entry of K at a contact node, N/m; less
     /// where a scale of the frame makes it seem more compliant.
     Eigen::VectorXd
     nodal_stiffness() const;
@@ -162,7 +162,8 @@ namespace stiction
            const Eigen::VectorXd &lambda) const;
 
     /// Whether forces of this size are rounding: far less than the displacement
-    /// would take if it strained the body. Collective.
+    /// of the contact nodes would take if it strained the cells behind them.
+    /// Collective.
     bool
     carries_rounding_only(const ContactState &state, double force_scale) const;
 
@@ -174,9 +175,6 @@ namespace stiction
   private:
     void
     find_inner_nodes();
-
-    void
-    find_youngs_moduli(const Materials &materials);
 
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
     const StiffnessOperator<double> *stiffness_;
@@ -194,8 +192,7 @@ namespace stiction
     std::vector<ContactFrame> frames_;
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
-    Eigen::VectorXd youngs_moduli_; ///< around the nodes
-    double youngs_modulus_;         ///< the largest in the body
+    ContactStiffness stiffness_of_cells_;
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
   };

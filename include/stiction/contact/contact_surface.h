@@ -2,6 +2,7 @@
 #define stiction_contact_contact_surface_h
 
 #include <stiction/contact/contact_frame.h>
+#include <stiction/contact/contact_scales.h>
 #include <stiction/contact/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/elasticity/trace.h>
@@ -39,6 +40,7 @@ namespace stiction
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
     double area           = 0.;
+    double youngs_modulus = 0.; ///< the largest of the cells behind it, Pa
     double coefficient    = 0.; ///< F of Coulomb's law
     double slip_stress    = 0.; ///< τ_c of given friction, Pa
     unsigned int boundary = 0;  ///< whose node it is, of boundaries()
@@ -141,6 +143,13 @@ namespace stiction
     boundary_area() const
     {
       return boundary_area_;
+    }
+
+    /// Of the cells behind the contact nodes, and of the softest ones.
+    const ContactStiffness &
+    stiffness() const
+    {
+      return stiffness_;
     }
 
     /// The contact boundary with this id; there must be one.
@@ -249,6 +258,7 @@ namespace stiction
     Eigen::VectorXd pressing_forces_;
     qp::SlipBound slip_bound_;
     double boundary_area_ = 0.;
+    ContactStiffness stiffness_;
 
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_;
   };

@@ -92,7 +92,9 @@ namespace stiction
       return by_id_.size() == 1;
     }
 
-    /// The largest ones of all materials in the body, Pa.
+    /// The extreme ones of all materials in the body, Pa.
+    double
+    smallest_youngs_modulus() const;
     double
     largest_youngs_modulus() const;
     double

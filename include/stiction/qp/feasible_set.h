@@ -8,14 +8,20 @@ namespace stiction::qp
   /// The units in which a residual is measured.
   ///
   /// At node i a multiplier is worth force(i) (N) and a gradient entry is
-  /// worth displacement (m), so that figures of different nodes, units and
-  /// materials can be compared. Where variables were scaled (NodalScaling) a
-  /// gradient entry is worth weight(i)·displacement.
+  /// worth weight(i)·displacement (m), so that figures of different nodes,
+  /// units and materials can be compared. Weights come from materials that
+  /// differ, or from scaled variables (NodalScaling).
   struct Scaling
   {
     Eigen::VectorXd force;       ///< length n_nodes, > 0
     double displacement    = 1.; ///< > 0
     Eigen::VectorXd weight = {}; ///< length n_nodes, > 0, or empty: all are 1
+
+    double
+    displacement_at(const Eigen::Index node) const
+    {
+      return weight.size() == 0 ? displacement : weight(node) * displacement;
+    }
   };
 
 
