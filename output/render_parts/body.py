@@ -10,6 +10,7 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from . import meshes
 
 OUTLINE, OBSTACLE, MESH = 0x555555, 0xA8A8A8, 0xFFFFFF
+CELLS = vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS
 
 
 def set_up(this, **settings):
@@ -102,32 +103,54 @@ def stress_actor(surface, highest, colors):
     return actor
 
 
-def drawn_obstacle(run, factor):
-    """The obstacle with its gap as many times larger as the displacement.
+def drawn_obstacles(run, factor):
+    """The obstacles, each with its gap as many times larger as the displacement.
 
-    So a point of the body that touches it does so in the picture. What is far
+    So a point of the body that touches one does so in the picture. What is far
     off then is left out.
     """
-    points = vtk_to_numpy(run.obstacle.GetPoints().GetData()).astype(float)
-    areas = meshes.vector_areas(run.body.points[run.contact.faces])
-    normals = meshes.node_normals(run.contact.faces, areas,
-                                  len(run.body.points))
-    nodes = np.unique(run.contact.faces)
-    locator = set_up(vtk.vtkStaticPointLocator(), DataSet=set_up(
-        vtk.vtkPolyData(), Points=points_of(run.body.points[nodes])))
-    locator.BuildLocator()
-    nearest = nodes[[locator.FindClosestPoint(point) for point in points]]
-    gap = ((points - run.body.points[nearest]) * normals[nearest]).sum(axis=1)
-    points += (factor - 1) * gap[:, None] * normals[nearest]
-    surface = vtk.vtkPolyData()
-    surface.DeepCopy(run.obstacle)
-    surface.SetPoints(points_of(points))
-    surface.GetPointData().SetScalars(numpy_to_vtk(factor * np.abs(gap),
-                                                   deep=True))
-    clip = set_up(vtk.vtkClipPolyData(), InputData=surface, InsideOut=True,
+    append = vtk.vtkAppendPolyData()
+    for boundary in np.unique(run.contact.boundary):
+        part = set_up(vtk.vtkThreshold(), InputData=run.obstacle,
+                      LowerThreshold=boundary, UpperThreshold=boundary)
+        part.SetInputArrayToProcess(0, 0, 0, CELLS, "boundary")
+        surface = vtk.vtkGeometryFilter()
+        surface.SetInputConnection(part.GetOutputPort())
+        surface.Update()
+        if surface.GetOutput().GetNumberOfPoints():
+            faces = run.contact.faces[run.contact.boundary == boundary]
+            append.AddInputData(moved_away(surface.GetOutput(), run.body.points,
+                                           faces, factor))
+    clip = set_up(vtk.vtkClipPolyData(), InsideOut=True,
                   Value=0.3 * np.ptp(run.body.points, axis=0).max())
+    clip.SetInputConnection(append.GetOutputPort())
     clip.Update()
     return clip.GetOutput()
+
+
+def moved_away(obstacle, points, faces, factor):
+    """An obstacle as many times as far from its contact boundary as it is.
+
+    A little further, so that it does not shine through where it is touched.
+    """
+    normals = meshes.node_normals(faces, meshes.vector_areas(points[faces]),
+                                  len(points))
+    nodes = np.unique(faces)
+    locator = set_up(vtk.vtkStaticPointLocator(), DataSet=set_up(
+        vtk.vtkPolyData(), Points=points_of(points[nodes])))
+    locator.BuildLocator()
+    places = vtk_to_numpy(obstacle.GetPoints().GetData()).astype(float)
+    nearest = nodes[[locator.FindClosestPoint(place) for place in places]]
+    normal = normals[nearest]
+    gap = ((places - points[nearest]) * normal).sum(axis=1)
+    little = 0.003 * np.ptp(points, axis=0).max()
+    moved = places + ((factor - 1) * gap + little)[:, None] * normal
+    result = vtk.vtkPolyData()
+    result.DeepCopy(obstacle)
+    result.SetPoints(points_of(moved))
+    result.GetPointData().SetScalars(numpy_to_vtk(factor * np.abs(gap),
+                                                  deep=True))
+    return result
 
 
 def camera_of(basis, actors):
@@ -165,8 +188,10 @@ def picture(run, colors, box):
               actor_of(lines_of(body.points, meshes.outline(
                   body.points, body.faces, basis[2])), LineWidth=2)]
     if run.obstacle is not None:
-        actors.append(actor_of(drawn_obstacle(run, factor), OBSTACLE, 0.6,
-                               Opacity=0.5))
+        obstacle = drawn_obstacles(run, factor)
+        rim = set_up(vtk.vtkFeatureEdges(), InputData=obstacle)
+        actors += [actor_of(obstacle, OBSTACLE, 0.6, Opacity=0.4),
+                   actor_of(rim, OBSTACLE, LineWidth=2)]
     camera, extents = camera_of(basis, actors)
     image = rendered(actors, camera, extents, box)
     return SimpleNamespace(image=image, factor=factor, highest=highest,

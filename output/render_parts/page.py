@@ -300,9 +300,9 @@ def frame(axes, slot, unit, upwards=True):
         axes.set_ylabel("")
         axes.set_yticklabels([])
     if slot.panel.enlarged:
-        axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes,
-                                 clip_on=False, fill=False, edgecolor=TEXT,
-                                 linewidth=0.8))
+        axes.add_artist(Rectangle((0, 0), 1, 1, transform=axes.transAxes,
+                                  clip_on=False, fill=False, edgecolor=TEXT,
+                                  linewidth=0.8))
 
 
 def polygons(places):
@@ -318,9 +318,9 @@ def polygons(places):
 
 def draw_outline(axes, panel):
     """A line around the boundary: what is drawn next covers its inner half."""
-    axes.add_patch(PathPatch(polygons(panel.places), facecolor=TEXT,
-                             edgecolor=TEXT, linewidth=1.6,
-                             clip_on=panel.enlarged))
+    axes.add_artist(PathPatch(polygons(panel.places[panel.shown]),
+                              facecolor=TEXT, edgecolor=TEXT, linewidth=1.6,
+                              clip_on=panel.enlarged))
 
 
 def draw_status(axes, panel):
@@ -329,15 +329,15 @@ def draw_status(axes, panel):
     for status, (_, color, hatch) in STATUS.items():
         parts = contact_panels.quarters(panel, status)
         if len(parts):
-            axes.add_patch(PathPatch(polygons(parts), facecolor=color,
-                                     linewidth=0, hatch=hatch,
-                                     edgecolor="#707070" if hatch else None))
+            axes.add_artist(PathPatch(polygons(parts), facecolor=color,
+                                      linewidth=0, hatch=hatch,
+                                      edgecolor="#707070" if hatch else None))
 
 
 def draw_pressure(axes, panel, largest):
     """The pressure, bilinear on each face."""
     draw_outline(axes, panel)
-    pieces = int(np.clip(math.sqrt(30000 / len(panel.faces)), 1, 8))
+    pieces = int(np.clip(math.sqrt(30000 / panel.shown.sum()), 1, 8))
     places, values = contact_panels.subdivided(panel, pieces)
     ids = np.arange(values.size).reshape(values.shape)
     quads = [ids[:, :-1, :-1], ids[:, 1:, :-1], ids[:, 1:, 1:], ids[:, :-1, 1:]]
@@ -352,7 +352,9 @@ def draw_arrows(page, axes, slot, corner, unit):
     """Arrows of friction, and what one of them is worth at a corner."""
     left, top = corner
     if slot.usual == 0:
-        page.text(left, top, "no friction", SMALL)
+        touches = contact_panels.touching(slot.panel).any()
+        page.text(left, top, "no friction" if touches else "nothing touches",
+                  SMALL)
         return
     quiver = axes.quiver(*slot.places.T, *slot.friction.T, scale=slot.per_inch,
                          scale_units="inches", units="inches", width=0.012,

@@ -158,9 +158,10 @@ def touching(panel):
 
 
 def window_of(panel):
-    """What of the plane is shown: left, right, bottom, top, and how enlarged.
+    """What of the plane is shown: its lower left and upper right corner.
 
     All of the boundary, or a small part that touches with some room around.
+    Marks the faces that are then seen.
     """
     low, high = (f(panel.places.reshape(-1, 2), axis=0) for f in (np.min, np.max))
     near = panel.places[touching(panel).any(axis=1)].reshape(-1, 2)
@@ -172,6 +173,8 @@ def window_of(panel):
         panel.enlarged = np.prod(outer - inner) < 0.3 * np.prod(high - low)
         if panel.enlarged:
             low, high = inner, outer
+    panel.shown = ((panel.places.max(axis=1) >= low)
+                   & (panel.places.min(axis=1) <= high)).all(axis=1)
     return low, high
 
 
@@ -188,13 +191,13 @@ def counts(panel):
 
 def quarters(panel, status):
     """The parts of faces nearest to corners of a status, (n, 4, 2)."""
-    places = panel.places
+    places = panel.places[panel.shown]
     middle = places.mean(axis=1, keepdims=True)
     after = (places + np.roll(places, -1, axis=1)) / 2
     before = (places + np.roll(places, 1, axis=1)) / 2
     parts = np.stack([places, after, np.broadcast_to(middle, places.shape),
                       before], axis=2)
-    return parts[panel.status == status]
+    return parts[panel.status[panel.shown] == status]
 
 
 def subdivided(panel, pieces):
@@ -203,8 +206,8 @@ def subdivided(panel, pieces):
     one, two = np.meshgrid(s, s, indexing="ij")
     weights = np.stack([(1 - one) * (1 - two), one * (1 - two), one * two,
                         (1 - one) * two])
-    return (np.einsum("kij,nkc->nijc", weights, panel.places),
-            np.einsum("kij,nk->nij", weights, panel.pressure))
+    return (np.einsum("kij,nkc->nijc", weights, panel.places[panel.shown]),
+            np.einsum("kij,nk->nij", weights, panel.pressure[panel.shown]))
 
 
 def some_arrows(panel, scale, apart):

@@ -13,12 +13,16 @@ from . import Unusable, meshes
 HEXAHEDRON, QUADRILATERAL = 12, 9
 
 
-def read_grid(file, reader):
-    """The grid in a file."""
+def read_grid(file, reader, fields):
+    """The grid in a file, with no more than these point data."""
     if not os.path.isfile(file):
         raise Unusable(f"there is no file {file}, run stiction first (with "
                        "'Output/Write solution = true').")
     reader.SetFileName(file)
+    reader.UpdateInformation()
+    reader.GetPointDataArraySelection().DisableAllArrays()
+    for field in fields:
+        reader.GetPointDataArraySelection().EnableArray(field)
     reader.Update()
     grid = reader.GetOutput()
     if reader.GetErrorCode() or grid.GetNumberOfCells() == 0:
@@ -28,7 +32,7 @@ def read_grid(file, reader):
 
 def read_mesh(file, cell_type, corners, fields):
     """Points, cells and point data of cells that are all of one type."""
-    grid = read_grid(file, vtk.vtkXMLPUnstructuredGridReader())
+    grid = read_grid(file, vtk.vtkXMLPUnstructuredGridReader(), fields)
     if (vtk_to_numpy(grid.GetCellTypesArray()) != cell_type).any():
         raise Unusable(f"{file} has cells of another type than stiction's.")
     mesh = SimpleNamespace(
@@ -58,7 +62,7 @@ def read(directory):
 
     body: points, outer faces, and displacement and stress at the points;
     contact: faces of the same points, and fields at their corners, (n, 4) or
-    (n, 4, 3); obstacle: VTK's surface, or None; summary, units and name.
+    (n, 4, 3); obstacle: VTK's grid, or None; summary, units and name.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -119,11 +123,8 @@ def contact_of(contact, number, outer, n_points):
 
 
 def read_obstacle(directory):
-    """The surface of the obstacles, or None where there is no such file."""
+    """The surfaces of the obstacles, or None where there is no such file."""
     file = os.path.join(directory, "obstacle.vtu")
     if not os.path.isfile(file):
         return None
-    surface = vtk.vtkGeometryFilter()
-    surface.SetInputData(read_grid(file, vtk.vtkXMLUnstructuredGridReader()))
-    surface.Update()
-    return surface.GetOutput()
+    return read_grid(file, vtk.vtkXMLUnstructuredGridReader(), [])

@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+"""Run the shipped parameter files and make the pictures of doc/gallery.md.
+
+Call:   ./run gallery [NAME ...]
+with names of pictures for those alone. Needs build/stiction and what
+output/render.py needs. Writes doc/gallery/NAME.png and doc/gallery.md.
+"""
+
+import glob
+import os
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(ROOT, "output"))
+import render  # pylint: disable=wrong-import-position
+
+SHARPNESS = 72  # dots an inch: 900 wide
+GALLERY = os.path.join(ROOT, "doc", "gallery")
+STICTION = os.path.join(ROOT, "build", "stiction")
+
+# what is to be seen, by file in parameters/
+PICTURES = {
+    "brick": "The reference brick with Coulomb friction: clamped at y = 0, "
+    "pressed down where y > 1.5 and pulled at its back, it slips at the back, "
+    "sticks in a band and is open near the clamped end.",
+    "brick_given_friction": "The same with given friction: the bound is the "
+    "same everywhere, so nodes with hardly any pressure stick as well.",
+    "brick_frictionless": "The same without friction: no arrows, no node "
+    "sticks.",
+    "sphere": "A rigid sphere in a block; its gap is exaggerated as much as "
+    "the displacement, so that it lies in the dent it makes.",
+    "stl": "A stamp given by triangles: the pressure is highest at its edges.",
+    "two_contact_boundaries": "A bar between a foundation and a tilted plane, "
+    "each with its own law of friction: each contact boundary has its own "
+    "maps, all with the same colours of pressure.",
+    "greco_plate": "The GRECO plate of Code_Aster: a strip of contact, open at "
+    "the left, then slipping, then sticking; the map stretches its thickness.",
+    "hertz": "Hertz' contact, a quarter by symmetry: the map shows the small "
+    "part that touches, in which the pressure is half an ellipsoid.",
+    "sliding_sphere": "A sphere pressed on and drawn sideways: a part sticks, "
+    "the rim slips; small cells with hanging nodes where it touches.",
+    "two_materials": "A soft layer under a stiff one: the stress is in the "
+    "stiff layer, averaging at nodes smears its jump.",
+    "gravity": "A dam under water and its own weight: the heel opens.",
+    "orthotropic": "Wood pressed and pulled along its grain.",
+    "orthotropic_friction": "An ellipse of friction: the arrows are longer "
+    "along x than along y where the block slips.",
+    "rubber": "A sphere pressed deep into nearly incompressible rubber: nearly "
+    "all of the contact sticks.",
+    "quadratic": "The brick with triquadratic elements, their corners and the "
+    "nodes between them.",
+    "contact_refinement": "The brick with smaller cells at a part of the "
+    "contact boundary, and hanging nodes.",
+    "adaptive": "The brick refined where the estimated error is large.",
+    "half_ball": "A half ball on a foundation, pressed and shifted: a curved "
+    "contact boundary seen along its mean normal.",
+    "cylinder": "A cylinder pressed down and twisted: friction turns around "
+    "the axis, the middle sticks.",
+    "mesh_file": "A distorted block from a Gmsh file.",
+    "methods/newton_multigrid": "The brick with 162,435 unknowns, solved in "
+    "displacements.",
+    "methods/qpq_as_printed": "The brick of the first row of Table 1.",
+    "methods/squares": "The brick with discs replaced by two squares: what "
+    "does not certify is titled so.",
+    "table_1/unknowns_coulomb": "The 3 x 1 x 1 brick of the other reading of "
+    "Table 1, first row.",
+}
+
+# these show the same as others
+ALIKE = {
+    "methods/admm": "brick", "methods/fixed_point": "brick",
+    "methods/newton": "brick", "methods/mpgp": "brick_given_friction",
+    "table_1/nodes_coulomb": "methods/qpq_as_printed",
+    "table_1/nodes_given_friction": "brick_given_friction, coarser",
+    "table_1/unknowns_given_friction": "table_1/unknowns_coulomb",
+}
+
+
+def fail(sentence):
+    """End with one sentence on stderr and exit status 1."""
+    sys.exit(f"gallery.py: {sentence}")
+
+
+def check_names(chosen):
+    """All shipped files have to be known here, and all chosen ones exist."""
+    shipped = {os.path.relpath(file, os.path.join(ROOT, "parameters"))[:-4]
+               for file in glob.glob(os.path.join(ROOT, "parameters", "**",
+                                                  "*.prm"), recursive=True)}
+    for name in shipped ^ (PICTURES.keys() | ALIKE.keys()):
+        fail(f"parameters/{name}.prm is shipped or named here, but not both.")
+    for name in chosen:
+        if name not in PICTURES:
+            fail(f"there is no picture '{name}', there are "
+                 f"{', '.join(PICTURES)}.")
+
+
+def picture_of(name):
+    """Where the picture of a parameter file is, from doc/."""
+    return "gallery/" + os.path.basename(name) + ".png"
+
+
+def make(name, directory):
+    """Run a parameter file and draw its picture."""
+    output = os.path.join(directory, os.path.basename(name))
+    done = subprocess.run([STICTION, f"parameters/{name}.prm", "--output",
+                           output], cwd=ROOT, stdout=subprocess.DEVNULL)
+    if done.returncode not in (0, 2):  # 2: not certified, and titled so
+        fail(f"parameters/{name}.prm ended with status {done.returncode}.")
+    render.render(output, os.path.join(ROOT, "doc", picture_of(name)),
+                  SHARPNESS)
+    print(f"Wrote doc/{picture_of(name)}", flush=True)
+
+
+def write_page():
+    """doc/gallery.md."""
+    lines = ["# What the shipped parameter files show", "",
+             "Made by `./run gallery`; `./run FILE.prm --picture` makes such a "
+             "picture of any", "run. Read it so: on the left the deformed body "
+             "with its von Mises stress, grey", "lines where it was before, and "
+             "the obstacle, all gaps exaggerated as much as the", "displacement. "
+             "On the right each contact boundary: the status of its nodes with",
+             "arrows of friction, and the pressure.", ""]
+    for name, sentence in PICTURES.items():
+        lines += [f"## {name}", "", sentence, "",
+                  f"![{name}]({picture_of(name)})", ""]
+    lines += ["## The others", ""]
+    lines += [f"- `parameters/{name}.prm`: as {other}" for name, other
+              in ALIKE.items()]
+    with open(os.path.join(ROOT, "doc", "gallery.md"), "w",
+              encoding="utf-8") as page:
+        page.write("\n".join(lines) + "\n")
+
+
+def main(chosen):
+    """Make the chosen pictures, or all."""
+    if chosen in (["-h"], ["--help"]):
+        print(__doc__.strip())
+        return
+    check_names(chosen)
+    if not os.path.exists(STICTION):
+        fail("there is no build/stiction, './run gallery' builds it.")
+    if not os.environ.get("DISPLAY"):
+        os.execvp("xvfb-run", ["xvfb-run", "-a", sys.executable, "-B", __file__,
+                               *chosen])
+    os.makedirs(GALLERY, exist_ok=True)
+    with tempfile.TemporaryDirectory() as directory:
+        for name in chosen or PICTURES:
+            make(name, directory)
+    write_page()
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except render.Unusable as unusable:
+        fail(unusable)
