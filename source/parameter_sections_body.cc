@@ -82,7 +82,7 @@ namespace stiction
     add_parameter("Lengths",
                   lengths,
                   "Edge lengths of the brick in x, y, z; other types ignore "
-                  "it. Unit: m. The reference brick has '4, 3, 1'.",
+                  "it. Unit: of length. The reference brick has '4, 3, 1'.",
                   prm,
                   Patterns::List(Patterns::Double(), 0, 3));
     add_parameter("Subdivisions",
@@ -94,12 +94,12 @@ namespace stiction
     add_number(*this,
                "Radius",
                radius,
-               "Radius of the cylinder or the half ball. Unit: m.");
+               "Radius of the cylinder or the half ball. Unit: of length.");
     add_number(*this,
                "Length",
                length,
                "Length of the cylinder, from z = 0; it gets coarse cells "
-               "about as long as its radius. Unit: m.");
+               "about as long as its radius. Unit: of length.");
     add_parameter("Generator",
                   generator,
                   "Name of a function of deal.II's GridGenerator: one of those "
@@ -131,7 +131,7 @@ namespace stiction
                   "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
                   "they come; in .vtk files the numbers of the cell data "
                   "'MaterialID', of quadrilaterals and of hexahedra. Faces "
-                  "and cells that have none get the number 0. Unit: m.",
+                  "and cells that have none get the number 0. Unit: of length.",
                   prm,
                   Patterns::Anything());
     add_parameter("Global refinement",
@@ -247,12 +247,13 @@ namespace stiction
   MaterialParameters::MaterialParameters()
     : ParameterAcceptor("Material")
   {
-    add_number(*this,
-               "Young's modulus",
-               youngs_modulus,
-               "E of the isotropic linear elastic body, > 0; must be said "
-               "unless 'Materials' says what all cells are made of. Unit: Pa. "
-               "The steel of the reference brick has 2.119e11.");
+    add_number(
+      *this,
+      "Young's modulus",
+      youngs_modulus,
+      "E of the isotropic linear elastic body, > 0; must be said "
+      "unless 'Materials' says what all cells are made of. Unit: of stress. "
+      "The steel of the reference brick has 2.119e11.");
     add_number(*this,
                "Poisson ratio",
                poisson_ratio,
@@ -263,7 +264,7 @@ namespace stiction
                density,
                "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
                "makes weight; must be said with it, here or in 'Densities'. "
-               "Unit: kg/m^3.");
+               "Unit: of mass per volume.");
     add_parameter(
       "Materials",
       materials,
@@ -285,12 +286,13 @@ namespace stiction
       "assembled stiffness matrix.",
       prm,
       Patterns::Selection("pointwise|cell mean"));
-    add_parameter("Densities",
-                  densities,
-                  "Mass densities other than the one above: 'material : "
-                  "density', several separated by '|'. Unit: kg/m^3.",
-                  prm,
-                  Patterns::Anything());
+    add_parameter(
+      "Densities",
+      densities,
+      "Mass densities other than the one above: 'material : "
+      "density', several separated by '|'. Unit: of mass per volume.",
+      prm,
+      Patterns::Anything());
     add_parameter("Material ids",
                   material_ids,
                   "Which material is where, as a formula in x, y, z, t: its "
@@ -356,7 +358,7 @@ namespace stiction
                   "separated by '|'. A boundary is given by its number or its "
                   "name. Each component is a formula in x, y, z, t, or 'free': "
                   "'left : 0; free; free' is a roller or a plane of symmetry. "
-                  "Unit: m. Zeros clamp the face. Empty: none.",
+                  "Unit: of length. Zeros clamp the face. Empty: none.",
                   prm,
                   Patterns::Anything());
     add_parameter("Prescribed points",
@@ -366,14 +368,14 @@ namespace stiction
                   "body at single nodes, to take away what rigid-body motions "
                   "are left. A node of the mesh must be there. A single node "
                   "that carries a force moves the more the finer the mesh is. "
-                  "Empty: none. Unit: m.",
+                  "Empty: none. Unit: of length.",
                   prm,
                   Patterns::Anything());
     add_parameter("Traction",
                   traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
-                  "y, z, t. Empty: none. Unit: Pa.",
+                  "y, z, t. Empty: none. Unit: of stress.",
                   prm,
                   Patterns::Anything());
     add_parameter("Pressure",
@@ -381,13 +383,13 @@ namespace stiction
                   "Boundary and pressure, 'boundary : p', several separated by "
                   "'|': acts against the outward normal of the undeformed "
                   "face, in addition to a traction. A formula in x, y, z, t. "
-                  "Empty: none. Unit: Pa.",
+                  "Empty: none. Unit: of stress.",
                   prm,
                   Patterns::Anything());
     add_parameter("Body force",
                   body_force,
                   "Force on the volume, 'fx; fy; fz', each a formula in x, y, "
-                  "z, t. Empty: none. Unit: N/m^3.",
+                  "z, t. Empty: none. Unit: of force per volume.",
                   prm,
                   Patterns::Anything());
     add_parameter("Gravity",
@@ -395,13 +397,13 @@ namespace stiction
                   "Acceleration 'gx; gy; gz', each a formula in x, y, z, t, "
                   "whose product with the density is a force on the volume, in "
                   "addition to 'Body force'. '0; 0; -9.81' is weight along -z. "
-                  "Empty: none. Unit: m/s^2.",
+                  "Empty: none. Unit: of length per time^2.",
                   prm,
                   Patterns::Anything());
     add_parameter("Time",
                   time,
                   "The value of t in all formulas: how far the loads have "
-                  "grown, or a time in s. The problem itself is static.",
+                  "grown, or a time. The problem itself is static.",
                   prm,
                   Patterns::Double());
     add_parameter(
@@ -433,7 +435,8 @@ namespace stiction
       "function of x, y, z, t that is positive outside the obstacle. file : "
       "NAME.stl, a surface of triangles, open or closed, whose vertices go "
       "round counterclockwise as seen from outside (looked for as "
-      "'Geometry/Mesh file'). Unit: m; numbers may be formulas in t. With psi "
+      "'Geometry/Mesh file'). Unit: of length; numbers may be formulas in t. "
+      "With psi "
       "the distance "
       "from the obstacle (or the formula), a node has the normal -grad "
       "psi/|grad psi| and the gap psi/|grad psi| where it is before "
@@ -450,7 +453,7 @@ namespace stiction
       "Distance from the undeformed contact boundary to the "
       "foundation along the outward normal, a formula in x, y, z, t; "
       "for other obstacles it is added to their distance. "
-      "Negative: initial interference. Unit: m.",
+      "Negative: initial interference. Unit: of length.",
       prm,
       Patterns::Anything());
     add_parameter(
@@ -460,7 +463,7 @@ namespace stiction
       "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U, and slip is "
       "that of the body relative to the moved surface, which drags the body "
       "along by friction. Small, like the displacements of the body: normals "
-      "stay. Unit: m.",
+      "stay. Unit: of length.",
       prm,
       Patterns::Anything());
     add_parameter(
@@ -472,7 +475,7 @@ namespace stiction
       "force along it; it does not turn, and is held in the directions "
       "across. Of a body cut by planes of symmetry it is the part of the "
       "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
-      "Unit: N.",
+      "Unit: of force.",
       prm,
       Patterns::Anything());
   }
@@ -529,7 +532,7 @@ namespace stiction
       slip_stress,
       "Slip stress >= 0 of given friction, which must be said with it, a "
       "formula in x, y, z, t, "
-      "or two for an ellipse, as for the coefficient. Unit: Pa.",
+      "or two for an ellipse, as for the coefficient. Unit: of stress.",
       prm,
       Patterns::Anything());
     add_parameter(
