@@ -87,13 +87,12 @@ namespace stiction
     const bool is_last = meshes_.size() > parameters_.refinement.adaptive_steps;
     const std::string why_not =
       objection(n_cut[0], n_cut[1], body.communicator());
-    remark_ = format("Estimated error: %.3g J^(1/2), %.3g of the energy norm",
-                     mesh.error,
-                     mesh.relative_error) +
-              (is_last           ? ""
-               : why_not.empty() ? format("; %.0f cells are cut", n_cut[0])
-                                 : "; " + why_not) +
-              ".";
+    remark_ =
+      format("Estimated error: %.3g of the energy norm", mesh.relative_error) +
+      (is_last           ? ""
+       : why_not.empty() ? format("; %.0f cells are cut", n_cut[0])
+                         : "; " + why_not) +
+      ".";
     is_finished_ = is_last || !why_not.empty();
     return is_cut;
   }

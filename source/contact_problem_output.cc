@@ -22,6 +22,7 @@
 #include <stiction/output/problem_files.h>
 #include <stiction/output/report.h>
 #include <stiction/output/summary.h>
+#include <stiction/output/units.h>
 #include <stiction/output/vtu.h>
 #include <stiction/parameters.h>
 
@@ -99,12 +100,15 @@ namespace stiction
     json &summary        = *summary_;
     summary["program"]   = program_to_json(communicator_);
     summary["converged"] = solution_->converged;
+    summary["units"]     = units_to_json(parameters_.output.units);
+    summary["input"]     = parameters_.source.given();
     summary["problem"]   = {
         {"cells", body_->triangulation().n_global_active_cells()},
         {"nodes", body_->n_nodes()},
         {"dofs", body_->dof_handler().n_dofs()},
         {"contact_nodes", surface_->n_nodes()},
-        {"dual_unknowns", 3 * surface_->n_nodes()}};
+        {"dual_unknowns", 3 * surface_->n_nodes()},
+        {"boundaries", boundaries_to_json(body_->boundary_names())}};
     summary["solver"] = newton_
                           ? solver_to_json(parameters_.contact_solver, *newton_)
                           : solver_to_json(parameters_.contact_solver,
@@ -117,6 +121,7 @@ namespace stiction
               {"krylov_iterations", stiffness_solver_->n_iterations()}}));
     summary["solver"].update(
       json({{"law", parameters_.friction.name()},
+            {"tolerance", parameters_.contact_solver.tolerance},
             {"force_trials", force_control_ ? force_control_->n_trials() : 0},
             {"elastic_solve_iterations",
              measured ? json(elastic_solve_iterations_) : json(nullptr)},
@@ -127,6 +132,8 @@ namespace stiction
     summary["certificate"] = certificate_to_json(certificate);
     summary["contact"]     = contact_to_json(
       *surface_, certificate, parameters_.contact_solver.tolerance);
+    summary["reactions"] =
+      reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =
       displacement_to_json(*elasticity_, judge_->displacement());
     summary["energy"] = energy_to_json(*surface_, certificate);
@@ -156,10 +163,11 @@ namespace stiction
         : 0.;
     if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
       log_->line(
-        format("WARNING: a node that faces away from its obstacle came "
-               "%.2g m into it; such nodes are no contact nodes, and "
-               "the certificate does not speak of them.",
-               depth));
+        "WARNING: a node that faces away from its obstacle came " +
+        with_unit(format("%.2g", depth),
+                  Units::named(parameters_.output.units).length) +
+        " into it; such nodes are no contact nodes, and the certificate does "
+        "not speak of them.");
     log_->line("Open " +
                (parameters_.output.write_solution
                   ? directory + "/solution.pvtu and "

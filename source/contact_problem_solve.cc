@@ -13,6 +13,7 @@
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/log.h>
+#include <stiction/output/units.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
@@ -117,6 +118,7 @@ namespace stiction
     if (!force_control_)
       return solve(tolerance, Eigen::VectorXd());
 
+    const Units units = Units::named(parameters_.output.units);
     Eigen::VectorXd start; // none on a new mesh
     const std::string reason = force_control_->press(
       [&](const double accuracy) {
@@ -133,10 +135,12 @@ namespace stiction
           outcome.reason = solution_->reason;
         if (parameters_.output.print_progress)
           for (Eigen::Index j = 0; j < outcome.forces.size(); ++j)
-            log_->line(format("  obstacle moved by %.6g m presses with %.6g N",
-                              force_control_->distances()(j),
-                              outcome.forces(j)));
-
+            log_->line(
+              "  obstacle moved by " +
+              with_unit(format("%.6g", force_control_->distances()(j)),
+                        units.length) +
+              " presses with " +
+              with_unit(format("%.6g", outcome.forces(j)), units.force));
         return outcome;
       },
       tolerance,

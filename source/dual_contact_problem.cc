@@ -185,11 +185,14 @@ namespace stiction
     auto &summary        = *summary_;
     summary["program"]   = program_to_json(communicator_);
     summary["converged"] = solution_->converged;
+    summary["units"]     = units_to_json(parameters_.output.units);
+    summary["input"]     = parameters_.source.given();
     summary["problem"]   = {
         {"file", path_}, {"contact_nodes", m}, {"dual_unknowns", 3 * m}};
     summary["solver"] = solver_to_json(
       parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
-    summary["certificate"] = certificate_to_json(*conditions_);
+    summary["solver"]["tolerance"] = parameters_.contact_solver.tolerance;
+    summary["certificate"]         = certificate_to_json(*conditions_);
     summary["contact"] =
       counts_to_json(*conditions_, parameters_.contact_solver.tolerance);
     summary["contact"]["normal_force"] = solution_->lambda.head(m).sum();

@@ -278,6 +278,18 @@ namespace stiction
 
 
 
+  std::map<std::string, std::string>
+  ParameterFile::given() const
+  {
+    std::map<std::string, std::string> values;
+    for (const auto &place : places_)
+      if (place.second.where != not_set)
+        values[place.first] = place.second.value;
+    return values;
+  }
+
+
+
   std::string
   ParameterFile::locate(const std::string &entry) const
   {

@@ -55,7 +55,7 @@ namespace stiction
     add_parameter("Lengths",
                   lengths,
                   "Edge lengths of the brick in x, y, z; other types ignore "
-                  "it. Unit: m. The reference brick has '4, 3, 1'.",
+                  "it. Unit: of length. The reference brick has '4, 3, 1'.",
                   prm,
                   Patterns::List(Patterns::Double(), 0, 3));
     add_parameter("Subdivisions",
@@ -67,12 +67,12 @@ namespace stiction
     add_number(*this,
                "Radius",
                radius,
-               "Radius of the cylinder or the half ball. Unit: m.");
+               "Radius of the cylinder or the half ball. Unit: of length.");
     add_number(*this,
                "Length",
                length,
                "Length of the cylinder, from z = 0; it gets coarse cells "
-               "about as long as its radius. Unit: m.");
+               "about as long as its radius. Unit: of length.");
     add_parameter("Generator",
                   generator,
                   "Name of a function of deal.II's GridGenerator: one of those "
@@ -104,7 +104,7 @@ namespace stiction
                   "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
                   "they come; in .vtk files the numbers of the cell data "
                   "'MaterialID', of quadrilaterals and of hexahedra. Faces "
-                  "and cells that have none get the number 0. Unit: m.",
+                  "and cells that have none get the number 0. Unit: of length.",
                   prm,
                   Patterns::Anything());
     add_parameter("Global refinement",
@@ -220,12 +220,13 @@ namespace stiction
   MaterialParameters::MaterialParameters()
     : ParameterAcceptor("Material")
   {
-    add_number(*this,
-               "Young's modulus",
-               youngs_modulus,
-               "E of the isotropic linear elastic body, > 0; must be said "
-               "unless 'Materials' says what all cells are made of. Unit: Pa. "
-               "The steel of the reference brick has 2.119e11.");
+    add_number(
+      *this,
+      "Young's modulus",
+      youngs_modulus,
+      "E of the isotropic linear elastic body, > 0; must be said "
+      "unless 'Materials' says what all cells are made of. Unit: of stress. "
+      "The steel of the reference brick has 2.119e11.");
     add_number(*this,
                "Poisson ratio",
                poisson_ratio,
@@ -236,7 +237,7 @@ namespace stiction
                density,
                "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
                "makes weight; must be said with it, here or in 'Densities'. "
-               "Unit: kg/m^3.");
+               "Unit: of mass per volume.");
     add_parameter(
       "Materials",
       materials,
@@ -258,12 +259,13 @@ namespace stiction
       "assembled stiffness matrix.",
       prm,
       Patterns::Selection("pointwise|cell mean"));
-    add_parameter("Densities",
-                  densities,
-                  "Mass densities other than the one above: 'material : "
-                  "density', several separated by '|'. Unit: kg/m^3.",
-                  prm,
-                  Patterns::Anything());
+    add_parameter(
+      "Densities",
+      densities,
+      "Mass densities other than the one above: 'material : "
+      "density', several separated by '|'. Unit: of mass per volume.",
+      prm,
+      Patterns::Anything());
     add_parameter("Material ids",
                   material_ids,
                   "Which material is where, as a formula in x, y, z, t: its "

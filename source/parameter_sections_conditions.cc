@@ -49,7 +49,7 @@ namespace stiction
                   "separated by '|'. A boundary is given by its number or its "
                   "name. Each component is a formula in x, y, z, t, or 'free': "
                   "'left : 0; free; free' is a roller or a plane of symmetry. "
-                  "Unit: m. Zeros clamp the face. Empty: none.",
+                  "Unit: of length. Zeros clamp the face. Empty: none.",
                   prm,
                   Patterns::Anything());
     add_parameter("Prescribed points",
@@ -59,14 +59,14 @@ namespace stiction
                   "body at single nodes, to take away what rigid-body motions "
                   "are left. A node of the mesh must be there. A single node "
                   "that carries a force moves the more the finer the mesh is. "
-                  "Empty: none. Unit: m.",
+                  "Empty: none. Unit: of length.",
                   prm,
                   Patterns::Anything());
     add_parameter("Traction",
                   traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
-                  "y, z, t. Empty: none. Unit: Pa.",
+                  "y, z, t. Empty: none. Unit: of stress.",
                   prm,
                   Patterns::Anything());
     add_parameter("Pressure",
@@ -74,13 +74,13 @@ namespace stiction
                   "Boundary and pressure, 'boundary : p', several separated by "
                   "'|': acts against the outward normal of the undeformed "
                   "face, in addition to a traction. A formula in x, y, z, t. "
-                  "Empty: none. Unit: Pa.",
+                  "Empty: none. Unit: of stress.",
                   prm,
                   Patterns::Anything());
     add_parameter("Body force",
                   body_force,
                   "Force on the volume, 'fx; fy; fz', each a formula in x, y, "
-                  "z, t. Empty: none. Unit: N/m^3.",
+                  "z, t. Empty: none. Unit: of force per volume.",
                   prm,
                   Patterns::Anything());
     add_parameter("Gravity",
@@ -88,13 +88,13 @@ namespace stiction
                   "Acceleration 'gx; gy; gz', each a formula in x, y, z, t, "
                   "whose product with the density is a force on the volume, in "
                   "addition to 'Body force'. '0; 0; -9.81' is weight along -z. "
-                  "Empty: none. Unit: m/s^2.",
+                  "Empty: none. Unit: of length per time^2.",
                   prm,
                   Patterns::Anything());
     add_parameter("Time",
                   time,
                   "The value of t in all formulas: how far the loads have "
-                  "grown, or a time in s. The problem itself is static.",
+                  "grown, or a time. The problem itself is static.",
                   prm,
                   Patterns::Double());
     add_parameter(
@@ -126,7 +126,8 @@ namespace stiction
       "function of x, y, z, t that is positive outside the obstacle. file : "
       "NAME.stl, a surface of triangles, open or closed, whose vertices go "
       "round counterclockwise as seen from outside (looked for as "
-      "'Geometry/Mesh file'). Unit: m; numbers may be formulas in t. With psi "
+      "'Geometry/Mesh file'). Unit: of length; numbers may be formulas in t. "
+      "With psi "
       "the distance "
       "from the obstacle (or the formula), a node has the normal -grad "
       "psi/|grad psi| and the gap psi/|grad psi| where it is before "
@@ -143,7 +144,7 @@ namespace stiction
       "Distance from the undeformed contact boundary to the "
       "foundation along the outward normal, a formula in x, y, z, t; "
       "for other obstacles it is added to their distance. "
-      "Negative: initial interference. Unit: m.",
+      "Negative: initial interference. Unit: of length.",
       prm,
       Patterns::Anything());
     add_parameter(
@@ -153,7 +154,7 @@ namespace stiction
       "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U, and slip is "
       "that of the body relative to the moved surface, which drags the body "
       "along by friction. Small, like the displacements of the body: normals "
-      "stay. Unit: m.",
+      "stay. Unit: of length.",
       prm,
       Patterns::Anything());
     add_parameter(
@@ -165,7 +166,7 @@ namespace stiction
       "force along it; it does not turn, and is held in the directions "
       "across. Of a body cut by planes of symmetry it is the part of the "
       "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
-      "Unit: N.",
+      "Unit: of force.",
       prm,
       Patterns::Anything());
   }
@@ -222,7 +223,7 @@ namespace stiction
       slip_stress,
       "Slip stress >= 0 of given friction, which must be said with it, a "
       "formula in x, y, z, t, "
-      "or two for an ellipse, as for the coefficient. Unit: Pa.",
+      "or two for an ellipse, as for the coefficient. Unit: of stress.",
       prm,
       Patterns::Anything());
     add_parameter(

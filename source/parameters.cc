@@ -156,7 +156,7 @@ namespace stiction
     check_geometry();
     require(is_sane(material.youngs_modulus.value_or(1.)),
             "Material/Young's modulus",
-            "must be a number > 0 Pa, from 1e-30 to 1e30");
+            "must be a number > 0, from 1e-30 to 1e30");
     const double nu = material.poisson_ratio.value_or(0.);
     require(nu > -1. && nu < 0.5,
             "Material/Poisson ratio",
@@ -164,7 +164,7 @@ namespace stiction
     const double density = material.density.value_or(0.);
     require(density == 0. || is_sane(density),
             "Material/Density",
-            "must be 0 or a number > 0 kg/m^3, from 1e-30 to 1e30");
+            "must be 0 or a number > 0, from 1e-30 to 1e30");
     require(std::abs(boundary.time) <= 1e30,
             "Boundary conditions/Time",
             "must be a number of at most 1e30");
@@ -241,7 +241,7 @@ namespace stiction
         const double shortest = *extremes.first, longest = *extremes.second;
         require(is_sane(shortest) && is_sane(longest),
                 "Geometry/Lengths",
-                "each must be a number > 0 m, from 1e-30 to 1e30");
+                "each must be a number > 0, from 1e-30 to 1e30");
         require(longest <= 1e4 * shortest,
                 "Geometry/Lengths",
                 "the longest may be at most 10000 times the shortest");
@@ -250,13 +250,13 @@ namespace stiction
     if (is_cylinder || geometry.type == "half ball")
       require(is_sane(*geometry.radius),
               "Geometry/Radius",
-              "must be a number > 0 m, from 1e-30 to 1e30");
+              "must be a number > 0, from 1e-30 to 1e30");
     if (is_cylinder)
       require(is_sane(*geometry.length) &&
                 *geometry.length <= 1e4 * *geometry.radius &&
                 *geometry.radius <= 1e4 * *geometry.length,
               "Geometry/Length",
-              "must be a number > 0 m, at most 10000 times the radius and at "
+              "must be a number > 0, at most 10000 times the radius and at "
               "least a 10000th of it");
 
     require(refinement.fraction > 0. && refinement.fraction <= 1.,

@@ -76,6 +76,11 @@ namespace stiction
       return file_;
     }
 
+    /// The values that the file and the settings give, by entry
+    /// ("Section/Entry").
+    std::map<std::string, std::string>
+    given() const;
+
   private:
     struct Place
     {

@@ -174,13 +174,4 @@ namespace stiction
     return held;
   }
 
-
-
-  bool
-  ContactSurface::is_plane() const
-  {
-    return std::all_of(nodes_.begin(), nodes_.end(), [&](const auto &node) {
-      return (node.normal - nodes_[0].normal).norm() < 1e-10;
-    });
-  }
 } // namespace stiction

@@ -122,7 +122,7 @@ namespace stiction
       const double nu = list.number(words[2]);
       if (!is_sane(E))
         list.refuse("Young's modulus of material " + name + " is " + words[1] +
-                    ", must be a number > 0 Pa, from 1e-30 to 1e30");
+                    ", must be a number > 0, from 1e-30 to 1e30");
       if (!(nu > -1. && nu < 0.5))
         list.refuse("Poisson's ratio of material " + name + " is " + words[2] +
                     ", must be above -1 and below 0.5");
@@ -141,7 +141,7 @@ namespace stiction
           if ((i < 3 || i >= 6) && !is_sane(numbers[i]))
             list.refuse("a modulus of material " + name + " is " +
                         words[i + 1] +
-                        ", must be a number > 0 Pa, from 1e-30 to 1e30");
+                        ", must be a number > 0, from 1e-30 to 1e30");
         }
       try
         {
@@ -312,7 +312,7 @@ namespace stiction
         if (density != 0. && !is_sane(density))
           densities.refuse("the density of material " + name + " is " +
                            words[0] +
-                           ", must be 0 or a number > 0 kg/m^3, from 1e-30 to "
+                           ", must be 0 or a number > 0, from 1e-30 to "
                            "1e30");
         by_id_.at(id).density = density;
         without_density.erase(id);

@@ -369,7 +369,7 @@ namespace stiction
     const std::string blocks =
       "By blocks: m normal components nu, m of the tangent t1, m of t2.";
     const std::string lengths =
-      "Lengths in m and forces in N, or in the units of the parameter file.";
+      "Lengths and forces are in the units of the parameter file.";
 
     write(in + "Q.mtx",
           problem.Q,

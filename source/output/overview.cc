@@ -8,6 +8,7 @@
 #include <stiction/memory.h>
 #include <stiction/output/log.h>
 #include <stiction/output/overview.h>
+#include <stiction/output/units.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -79,18 +80,21 @@ namespace stiction
     }
 
     void
-    print_size(Log &log, const Body &body)
+    print_size(Log &log, const Body &body, const Units &units)
     {
       const auto corners = body.bounding_box().get_boundary_points();
       log.line("Body");
-      log.line("  from [m]                 " + vector(corners.first));
-      log.line("  to [m]                   " + vector(corners.second));
+      log.line(format("  %-24s ", label("from", units.length).c_str()) +
+               vector(corners.first));
+      log.line(format("  %-24s ", label("to", units.length).c_str()) +
+               vector(corners.second));
     }
 
     void
     print_boundaries(Log &log,
                      const LinearElasticity &elasticity,
-                     const ContactSurface &surface)
+                     const ContactSurface &surface,
+                     const Units &units)
     {
       const Body &body = elasticity.body();
       TableHandler table;
@@ -100,9 +104,10 @@ namespace stiction
             elasticity.prescribed_displacement().components(boundary.first);
           table.add_value("boundary",
                           body.boundary_names().describe(boundary.first));
-          table.add_value("area [m^2]", number(boundary.second.area));
+          table.add_value(label("area", units.area),
+                          number(boundary.second.area));
           table.add_value("prescribed", held.empty() ? "-" : held);
-          table.add_value("resultant of its load [N]",
+          table.add_value(label("resultant of its load", units.force),
                           boundary.second.force.norm() > 0.
                             ? vector(boundary.second.force)
                             : std::string("-"));
@@ -114,13 +119,14 @@ namespace stiction
       log.line("Boundaries");
       print(log, table);
 
-      log.line("  all loads, those inside the body too [N]: " +
-               vector(sum_of_loads(elasticity)));
+      log.line("  " +
+               label("all loads, those inside the body too", units.force) +
+               ": " + vector(sum_of_loads(elasticity)));
       log.line("  free rigid-body motions: none");
     }
 
     void
-    print_contact(Log &log, const ContactSurface &surface)
+    print_contact(Log &log, const ContactSurface &surface, const Units &units)
     {
       // where the parameter file puts the obstacles, not where the search for
       // the place of a pressed one begins
@@ -144,12 +150,13 @@ namespace stiction
               }
           table.add_value("contact boundary", surface.boundaries()[b].name());
           table.add_value("nodes", n);
-          table.add_value("their area [m^2]", number(area));
-          table.add_value("smallest gap [m]", number(smallest));
-          table.add_value("largest gap [m]", number(largest));
+          table.add_value(label("their area", units.area), number(area));
+          table.add_value(label("smallest gap", units.length),
+                          number(smallest));
+          table.add_value(label("largest gap", units.length), number(largest));
           table.add_value("nodes with interference", n_inside);
           const Tensor<1, 3> &force = surface.boundaries()[b].force();
-          table.add_value("obstacle pressed on by [N]",
+          table.add_value(label("obstacle pressed on by", units.force),
                           force.norm() > 0. ? vector(force) : std::string("-"));
         }
       log.line("Contact");
@@ -213,10 +220,11 @@ namespace stiction
                  const ContactSurface &surface,
                  const Parameters &parameters)
   {
-    const Body &body = elasticity.body();
-    print_size(log, body);
-    print_boundaries(log, elasticity, surface);
-    print_contact(log, surface);
+    const Body &body  = elasticity.body();
+    const Units units = Units::named(parameters.output.units);
+    print_size(log, body, units);
+    print_boundaries(log, elasticity, surface, units);
+    print_contact(log, surface, units);
 
     const double mesh = memory_for_mesh(
       parameters,

@@ -2,11 +2,14 @@
 #include <stiction/contact/contact_conditions.h>
 #include <stiction/output/log.h>
 #include <stiction/output/report.h>
+#include <stiction/output/units.h>
 #include <stiction/parameters.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace stiction
@@ -16,13 +19,108 @@ namespace stiction
     using nlohmann::json;
 
     std::string
-    vector_line(const char *name, const json &v)
+    vector_text(const json &v)
     {
-      return format("  %-24s %.6g, %.6g, %.6g",
-                    name,
+      return format("%.6g, %.6g, %.6g",
                     v[0].get<double>(),
                     v[1].get<double>(),
                     v[2].get<double>());
+    }
+
+    std::string
+    vector_line(const std::string &name, const json &v)
+    {
+      return format("  %-24s ", name.c_str()) + vector_text(v);
+    }
+
+    // A force or moment in one line; what is rounding beside @p scale is zero.
+    std::string
+    resultant(const json &v, const double scale)
+    {
+      std::string text;
+      for (const json &component : v)
+        {
+          const double value = component.get<double>();
+          text += format("%s%.6g",
+                         text.empty() ? "" : ", ",
+                         std::abs(value) > 1e-9 * scale ? value : 0.);
+        }
+      return text;
+    }
+
+    double
+    largest_component(const json &v)
+    {
+      double largest = 0.;
+      for (const json &component : v)
+        largest = std::max(largest, std::abs(component.get<double>()));
+      return largest;
+    }
+
+    // What holds the body, with which force and moment about the origin.
+    void
+    print_supports(Log &log, const json &summary)
+    {
+      const json &reactions = summary["reactions"];
+      const json &units     = summary["units"];
+      double force  = largest_component(summary["contact"]["force_on_body"]);
+      double moment = largest_component(summary["contact"]["moment"]);
+      for (const json &boundary : reactions["boundaries"])
+        {
+          force  = std::max(force, largest_component(boundary["force"]));
+          moment = std::max(moment, largest_component(boundary["moment"]));
+        }
+      for (const json &point : reactions["points"])
+        force = std::max(force, largest_component(point["force"]));
+
+      log.line();
+      log.line(label("Supports: force", units["force"]) +
+               label(" on the body, moment about the origin", units["moment"]));
+      for (const json &boundary : reactions["boundaries"])
+        {
+          log.line(format("  %-24s force  ",
+                          boundary["name"].get<std::string>().c_str()) +
+                   resultant(boundary["force"], force));
+          log.line(format("  %-24s moment ", "") +
+                   resultant(boundary["moment"], moment));
+        }
+      for (const json &point : reactions["points"])
+        log.line(format("  %-24s force  ",
+                        ("point " + vector_text(point["at"])).c_str()) +
+                 resultant(point["force"], force));
+    }
+
+    // The parts of several contact boundaries.
+    void
+    print_contact_boundaries(Log &log, const json &summary)
+    {
+      const json &units   = summary["units"];
+      const json &contact = summary["contact"];
+      double force = 0., moment = 0.;
+      for (const json &boundary : contact["boundaries"])
+        {
+          force = std::max(force, largest_component(boundary["force_on_body"]));
+          moment = std::max(moment, largest_component(boundary["moment"]));
+        }
+      const auto line = [&](const std::string &name, const std::string &text) {
+        log.line(format("  %-24s ", ("  " + name).c_str()) + text);
+      };
+      for (const json &boundary : contact["boundaries"])
+        {
+          log.line(format("  %s: open %u, slip %u, stick %u",
+                          boundary["name"].get<std::string>().c_str(),
+                          boundary["open"].get<unsigned int>(),
+                          boundary["slip"].get<unsigned int>(),
+                          boundary["stick"].get<unsigned int>()));
+          line(label("force on the body", units["force"]),
+               resultant(boundary["force_on_body"], force));
+          line(label("tangential", units["force"]),
+               resultant(boundary["tangential_force"], force));
+          line(label("moment", units["moment"]),
+               resultant(boundary["moment"], moment));
+          line(label("largest pressure", units["stress"]),
+               format("%.6g", boundary["max_pressure"].get<double>()));
+        }
     }
 
     std::string
@@ -110,27 +208,31 @@ namespace stiction
                     contact["undecided"].get<unsigned int>()));
     if (contact.contains("force_on_body"))
       {
-        log.line(
-          vector_line("force on the body [N]", contact["force_on_body"]));
+        const json &units = summary["units"];
+        log.line(vector_line(label("force on the body", units["force"]),
+                             contact["force_on_body"]));
         for (const json &boundary : contact["boundaries"])
           if (boundary["obstacle_displacement"] != json({0., 0., 0.}))
-            log.line(vector_line(
-              contact["boundaries"].size() == 1
-                ? "obstacle moved by [m]"
-                : ("moved [m], " + boundary["name"].get<std::string>()).c_str(),
-              boundary["obstacle_displacement"]));
+            log.line(vector_line(contact["boundaries"].size() == 1
+                                   ? label("obstacle moved by", units["length"])
+                                   : label("moved", units["length"]) + ", " +
+                                       boundary["name"].get<std::string>(),
+                                 boundary["obstacle_displacement"]));
         log.line(format("  %-24s %.6g",
-                        "largest pressure [Pa]",
+                        label("largest pressure", units["stress"]).c_str(),
                         contact["max_pressure"].get<double>()));
         log.line(format("  %-24s %.6g",
-                        "largest displacement [m]",
+                        label("largest displacement", units["length"]).c_str(),
                         summary["displacement"]["max"].get<double>()));
         log.line(
           format("  %-24s strain %.6g, load %.6g, friction %.6g",
-                 "energy [J]",
+                 label("energy", units["energy"]).c_str(),
                  summary["energy"]["strain"].get<double>(),
                  summary["energy"]["load_work"].get<double>(),
                  summary["energy"]["friction_dissipation"].get<double>()));
+        if (contact["boundaries"].size() > 1)
+          print_contact_boundaries(log, summary);
+        print_supports(log, summary);
       }
 
     log.line();

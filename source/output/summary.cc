@@ -7,7 +7,10 @@
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh_names.h>
+#include <stiction/elasticity/support_reactions.h>
 #include <stiction/output/summary.h>
+#include <stiction/output/units.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -30,43 +33,51 @@ namespace stiction
       return {v[0], v[1], v[2]};
     }
 
-    // The part of each contact boundary.
-    json
-    boundaries_to_json(const ContactSurface &surface,
-                       const Certificate &certificate)
+    // What happens on a contact boundary, or on all of them.
+    struct ContactPart
     {
-      struct Part
+      unsigned int nodes = 0;
+      std::array<unsigned int, 3> states{};
+      double normal_force = 0., area = 0., max_pressure = 0.;
+      dealii::Tensor<1, 3> force_on_body, tangential_force, moment;
+
+      void
+      add(const ContactSurface &surface,
+          const Certificate &certificate,
+          const Eigen::Index i)
       {
-        unsigned int nodes  = 0;
-        double normal_force = 0., area = 0.;
-        dealii::Tensor<1, 3> force_on_body;
-      };
-      std::vector<Part> parts(surface.boundaries().size());
-      const Eigen::VectorXd force =
-        surface.force_to_cartesian(certificate.lambda()); // on the obstacle
-      const Eigen::Index m = surface.n_nodes();
-      for (Eigen::Index i = 0; i < m; ++i)
-        {
-          Part &part = parts[surface.nodes()[i].boundary];
-          ++part.nodes;
-          part.normal_force += certificate.lambda()(i);
-          if (certificate.status(i) != NodeStatus::open)
-            part.area += surface.areas()(i);
-          for (unsigned int c = 0; c < 3; ++c)
-            part.force_on_body[c] -= force(i + c * m);
-        }
-      json result = json::array();
-      for (std::size_t b = 0; b < parts.size(); ++b)
-        result.push_back({{"name", surface.boundaries()[b].name()},
-                          {"nodes", parts[b].nodes},
-                          {"normal_force", parts[b].normal_force},
-                          {"force_on_body", to_json(parts[b].force_on_body)},
-                          {"area", parts[b].area},
-                          {"obstacle_displacement",
-                           to_json(surface.obstacle_displacement(
-                             surface.boundaries()[b].id()))}});
-      return result;
-    }
+        const ContactNode &node  = surface.nodes()[i];
+        const double normal_part = certificate.lambda()(i);
+        const Eigen::Vector3d on_obstacle =
+          node.force_to_cartesian(at_node(certificate.lambda(), i));
+        const dealii::Tensor<1, 3> force(
+          {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
+
+        ++nodes;
+        ++states[static_cast<unsigned int>(certificate.status(i))];
+        if (certificate.status(i) != NodeStatus::open)
+          area += node.area;
+        normal_force += normal_part;
+        max_pressure = std::max(max_pressure, normal_part / node.area);
+        force_on_body += force;
+        tangential_force += force + normal_part * node.normal;
+        moment += cross_product_3d(node.position, force);
+      }
+
+      json
+      to_json() const
+      {
+        return {{"open", states[0]},
+                {"slip", states[1]},
+                {"stick", states[2]},
+                {"normal_force", normal_force},
+                {"tangential_force", stiction::to_json(tangential_force)},
+                {"force_on_body", stiction::to_json(force_on_body)},
+                {"moment", stiction::to_json(moment)},
+                {"max_pressure", max_pressure},
+                {"area", area}};
+      }
+    };
   } // namespace
 
 
@@ -199,46 +210,75 @@ namespace stiction
                   const Certificate &certificate,
                   const double tolerance)
   {
-    const Eigen::Index m          = surface.n_nodes();
-    const Eigen::VectorXd &lambda = certificate.lambda();
-
-    double max_pressure = 0., area = 0.;
-    for (Eigen::Index i = 0; i < m; ++i)
+    ContactPart all;
+    std::vector<ContactPart> parts(surface.boundaries().size());
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
-        max_pressure = std::max(max_pressure, lambda(i) / surface.areas()(i));
-        if (certificate.status(i) != NodeStatus::open)
-          area += surface.areas()(i);
+        all.add(surface, certificate, i);
+        parts[surface.nodes()[i].boundary].add(surface, certificate, i);
       }
 
-    json tangential_force = nullptr;
-    if (surface.is_plane())
+    json result          = all.to_json();
+    result["undecided"]  = counts_to_json(certificate, tolerance)["undecided"];
+    result["boundaries"] = json::array();
+    for (std::size_t b = 0; b < parts.size(); ++b)
       {
-        // whatever the principal directions of friction
-        ContactFrame plane;
-        plane.normal = surface.nodes()[0].normal;
-        set_tangents(plane);
-        const Eigen::VectorXd force = surface.force_to_cartesian(lambda);
-        Eigen::VectorXd first(m), second(m);
-        for (Eigen::Index i = 0; i < m; ++i)
-          {
-            const Eigen::Vector3d local =
-              plane.force_to_local(at_node(force, i));
-            first(i)  = local(1);
-            second(i) = local(2);
-          }
-        tangential_force = {first.sum(), second.sum()};
+        const ContactBoundary &boundary = surface.boundaries()[b];
+        json part                       = parts[b].to_json();
+        part["name"]                    = boundary.name();
+        part["id"]                      = boundary.id();
+        part["nodes"]                   = parts[b].nodes;
+        part["obstacle_displacement"] =
+          to_json(surface.obstacle_displacement(boundary.id()));
+        result["boundaries"].push_back(part);
       }
-
-    json result                = counts_to_json(certificate, tolerance);
-    result["normal_force"]     = lambda.head(m).sum();
-    result["tangential_force"] = tangential_force;
-    result["force_on_body"]    = to_json(certificate.force_on_body());
-    result["moment"]           = to_json(certificate.moment_on_body());
-    result["max_pressure"]     = max_pressure;
-    result["area"]             = area;
-    result["boundaries"]       = boundaries_to_json(surface, certificate);
-
     return result;
+  }
+
+
+
+  json
+  reactions_to_json(const SupportReactions &reactions, const MeshNames &names)
+  {
+    json result = {{"boundaries", json::array()}, {"points", json::array()}};
+    for (const auto &boundary : reactions.boundaries())
+      result["boundaries"].push_back(
+        {{"name", names.name(boundary.first)},
+         {"id", boundary.first},
+         {"force", to_json(boundary.second.force)},
+         {"moment", to_json(boundary.second.moment)}});
+    for (const auto &point : reactions.points())
+      result["points"].push_back(
+        {{"at", {point.at[0], point.at[1], point.at[2]}},
+         {"force", to_json(point.force)}});
+    return result;
+  }
+
+
+
+  json
+  boundaries_to_json(const MeshNames &names)
+  {
+    json result = json::array();
+    for (const auto id : names.ids())
+      result.push_back({{"id", id}, {"name", names.name(id)}});
+    return result;
+  }
+
+
+
+  json
+  units_to_json(const std::string &name)
+  {
+    const Units units = Units::named(name);
+    return {{"name", name == "none" ? "" : name},
+            {"length", units.length},
+            {"area", units.area},
+            {"force", units.force},
+            {"moment", units.moment},
+            {"stress", units.stress},
+            {"energy", units.energy},
+            {"density", units.density}};
   }
 
 

@@ -27,4 +27,12 @@ namespace stiction
   {
     return unit.empty() ? quantity : quantity + " [" + unit + "]";
   }
+
+
+
+  std::string
+  with_unit(const std::string &number, const std::string &unit)
+  {
+    return unit.empty() ? number : number + " " + unit;
+  }
 } // namespace stiction

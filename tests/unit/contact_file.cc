@@ -3,68 +3,18 @@
 // too; the slip bound is that of the law; clamped nodes are marked.
 
 #include "tests.h"
+#include "vtu_file.h"
 
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <regex>
 #include <tuple>
 
 #include <array>
 
-#include <zlib.h>
 
 using namespace stiction;
-
-namespace
-{
-  // The floating point numbers of one DataArray: base64 of a header (number
-  // of blocks, block size, size of the last one, compressed sizes) and of the
-  // compressed blocks.
-  std::vector<float>
-  decode(const std::string &text)
-  {
-    const auto head = dealii::Utilities::decode_base64(text.substr(0, 24));
-    std::uint32_t header[4];
-    std::memcpy(header, head.data(), sizeof(header));
-    const auto body = dealii::Utilities::decode_base64(text.substr(24));
-    uLongf size     = header[0] == 0 ? 0 : header[1];
-    std::vector<float> values(size / sizeof(float));
-    uncompress(reinterpret_cast<Bytef *>(values.data()),
-               &size,
-               body.data(),
-               body.size());
-    return values;
-  }
-
-  std::map<std::string, std::vector<float>>
-  read(const std::string &file)
-  {
-    std::ifstream in(file);
-    std::stringstream content;
-    content << in.rdbuf();
-    std::string text = content.str();
-
-    std::map<std::string, std::vector<float>> arrays;
-    const std::regex array(
-      "<DataArray type=\"Float(?:32|64)\"([^>]*)>\\s*([A-Za-z0-9+/=]*)\\s*"
-      "</DataArray>");
-    for (std::sregex_iterator i(text.begin(), text.end(), array), end; i != end;
-         ++i)
-      {
-        const std::string attributes = (*i)[1];
-        std::smatch name;
-        arrays[std::regex_search(
-                 attributes, name, std::regex("Name=\"([^\"]*)\""))
-                 ? std::string(name[1])
-                 : "points"] = decode((*i)[2]);
-      }
-    return arrays;
-  }
-} // namespace
 
 
 
@@ -84,6 +34,7 @@ main(int argc, char *argv[])
         continue;
 
       double pressure = 0., area = 0., bound_error = 0., open_slip = 0.;
+      double parts_error = 0., moved_error = 0.;
       std::array<double, 3> traction{};
       std::map<int, unsigned int> status;
       std::map<std::tuple<float, float, float>, bool> seen;
@@ -91,8 +42,8 @@ main(int argc, char *argv[])
         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       for (unsigned int r = 0; r < n_ranks; ++r)
         {
-          auto a = read("results/contact." +
-                        dealii::Utilities::int_to_string(r, 4) + ".vtu");
+          auto a = read_vtu("results/contact." +
+                            dealii::Utilities::int_to_string(r, 4) + ".vtu");
           for (std::size_t i = 0; i < a["status"].size(); ++i)
             {
               const auto place = std::make_tuple(a["points"][3 * i],
@@ -110,6 +61,32 @@ main(int argc, char *argv[])
                 open_slip = std::max<double>(
                   open_slip,
                   std::hypot(a["slip"][3 * i], a["slip"][3 * i + 1]));
+              // the parts of the traction along the normal and across it
+              float normal_part = 0.f, across = 0.f, length = 0.f;
+              for (unsigned int c = 0; c < 3; ++c)
+                {
+                  const float n = a["normal"][3 * i + c];
+                  const float t = a["tangential_traction"][3 * i + c];
+                  length += n * n;
+                  across += n * t;
+                  normal_part += n * a["traction"][3 * i + c];
+                  parts_error =
+                    std::max<double>(parts_error,
+                                     std::abs(a["traction"][3 * i + c] +
+                                              a["pressure"][i] * n - t) /
+                                       1.5e7);
+                }
+              if (a["status"][i] >= 0.f)
+                parts_error = std::max<double>(
+                  {parts_error,
+                   std::abs(length - 1.),
+                   std::abs(across) / 1.5e7,
+                   std::abs(normal_part + a["pressure"][i]) / 1.5e7});
+              // the foundation is at z = 0: the gap is what is left
+              if (a["status"][i] >= 0.f)
+                moved_error = std::max<double>(
+                  moved_error,
+                  std::abs(a["displacement"][3 * i + 2] - a["gap"][i]) / 1e-4);
               if (a["status"][i] >= 0.f)
                 bound_error = std::max<double>(
                   bound_error,
@@ -139,6 +116,8 @@ main(int argc, char *argv[])
             << ", open nodes slip "
             << (law == "given" || open_slip > 1e-6 ? "yes" : "NO")
             << ", slip bound of the law " << yes(bound_error < 1e-5)
-            << ", area " << area << std::endl;
+            << ", normal and tangential parts " << yes(parts_error < 1e-5)
+            << ", displaced to the gap " << yes(moved_error < 1e-5) << ", area "
+            << area << std::endl;
     }
 }

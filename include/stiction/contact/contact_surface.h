@@ -223,11 +223,6 @@ namespace stiction
       return slip_bound_;
     }
 
-    /// Whether all normals agree, so that sums over tangential components
-    /// have a meaning.
-    bool
-    is_plane() const;
-
   private:
     void
     collect_nodes(const LinearElasticity &elasticity);

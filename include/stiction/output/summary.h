@@ -17,7 +17,9 @@ namespace stiction
   class DualOperator;
   struct ContactSolverParameters;
   class LinearElasticity;
+  class MeshNames;
   class NewtonMultigrid;
+  class SupportReactions;
 
   /// The section "certificate" of summary.json; the figures that only a body
   /// has are null without one.
@@ -42,9 +44,10 @@ namespace stiction
   solver_to_json(const ContactSolverParameters &parameters,
                  const NewtonMultigrid &newton);
 
-  /// The sections "contact" and "energy", from a certificate. Forces in N,
-  /// moments in Nm, pressures in Pa, areas in m², energies in J. Several
-  /// contact boundaries have an entry each in "boundaries".
+  /// The sections "contact" and "energy", from a certificate. Forces are those
+  /// on the body, tangential_force the sum of the parts tangential to the
+  /// contact surface; moments are about the origin. Each contact boundary has
+  /// an entry in "boundaries" with the same figures.
   nlohmann::json
   contact_to_json(const ContactSurface &surface,
                   const Certificate &certificate,
@@ -52,7 +55,21 @@ namespace stiction
   nlohmann::json
   energy_to_json(const ContactSurface &surface, const Certificate &certificate);
 
-  /// The section "displacement": the largest displacement of a node in m, and
+  /// The section "reactions": forces of the supports on the body, and their
+  /// moments about the origin.
+  nlohmann::json
+  reactions_to_json(const SupportReactions &reactions, const MeshNames &names);
+
+  /// The boundaries of the mesh with their ids and names; those without a name
+  /// have their id for one.
+  nlohmann::json
+  boundaries_to_json(const MeshNames &names);
+
+  /// The section "units": what 'Output/Units' says, empty for none.
+  nlohmann::json
+  units_to_json(const std::string &name);
+
+  /// The section "displacement": the largest displacement of a node, and
   /// where. Collective.
   nlohmann::json
   displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u);

@@ -28,6 +28,12 @@ namespace stiction
   /// known.
   std::string
   label(const std::string &quantity, const std::string &unit);
+
+
+
+  /// "0.3 mm", or the number alone.
+  std::string
+  with_unit(const std::string &number, const std::string &unit);
 } // namespace stiction
 
 #endif
