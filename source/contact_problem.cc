@@ -12,7 +12,10 @@
 #include <stiction/elasticity/materials.h>
 #include <stiction/elasticity/stiffness_solver.h>
 #include <stiction/elasticity/support_reactions.h>
+#include <stiction/blas_choice.h>
+#include <stiction/cores.h>
 #include <stiction/errors.h>
+#include <stiction/interrupt.h>
 #include <stiction/memory.h>
 #include <stiction/missing_entries.h>
 #include <stiction/output/convergence_history.h>
@@ -46,6 +49,8 @@ namespace stiction
         parameters.output.print_progress,
         parameters.refinement.adaptive_steps > 0))
   {
+    if (parameters.output.print_progress)
+      phases_.announce(*log_);
     if (parameters.refinement.adaptive_steps > 0)
       refinement_ = std::make_unique<AdaptiveRefinement>(parameters);
   }
@@ -65,7 +70,7 @@ namespace stiction
       assemble_system();
       make_contact_surface();
       print_applied(*log_, *elasticity_, *surface_);
-      open_output();
+      require_writable_output(parameters_, communicator_);
       solve_and_certify();
       while (refine_mesh())
         {
@@ -73,12 +78,13 @@ namespace stiction
           make_contact_surface();
           solve_and_certify();
         }
-      measure_yardsticks();
+      if (!solution_->interrupted)
+        measure_yardsticks();
       output_results();
+      export_problem();
     }
     summarize();
     report();
-    export_problem();
     return solution_->converged;
   }
 
@@ -92,12 +98,14 @@ namespace stiction
       if (parameters_.contact_solver.is_primal())
         {
           set_up_multigrid();
+          open_output();
           solve_for_displacements();
         }
       else
         {
           set_up_stiffness_solver();
           set_up_dual_operator();
+          open_output();
           solve_for_contact_forces();
         }
     }
@@ -125,6 +133,12 @@ namespace stiction
     log_->line(refinement_->remark());
     if (refinement_->is_finished())
       return false;
+    if (is_interrupted(communicator_))
+      {
+        solution_->interrupted = true;
+        log_->line("INTERRUPTED: the mesh is refined no further.");
+        return false;
+      }
 
     // in the order of who knows whom
     judge_.reset();
@@ -149,11 +163,7 @@ namespace stiction
     make_grid();
     assemble_system();
     make_contact_surface();
-    together(communicator_, [&]() {
-      if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-        require_writable(parameters_.output.directory,
-                         parameters_.source.describe("Output/Directory"));
-    });
+    require_writable_output(parameters_, communicator_);
     print_applied(*log_, *elasticity_, *surface_);
     print_overview(*log_, *elasticity_, *surface_, parameters_);
     log_->line("The input is valid; nothing was solved.");
@@ -165,15 +175,7 @@ namespace stiction
   ContactProblem::make_grid()
   {
     const auto phase = phases_.scope("mesh");
-    if (parameters_.performance.print_timing)
-      log_->line(format(
-        "stiction %s (deal.II %s, %s, %u rank%s)",
-        STICTION_VERSION,
-        DEAL_II_PACKAGE_VERSION,
-        STICTION_BUILD_TYPE,
-        dealii::Utilities::MPI::n_mpi_processes(communicator_),
-        dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1 ? ""
-                                                                    : "s"));
+    describe_machine();
     const auto check_size = [&](const double n_cells) {
       require_memory_for_mesh(parameters_, n_cells, communicator_);
     };
@@ -184,6 +186,32 @@ namespace stiction
     assign_material_ids(*body_, parameters_);
     refine_contact_boundary(*body_, parameters_);
     describe_body();
+  }
+
+
+
+  void
+  ContactProblem::describe_machine()
+  {
+    if (!parameters_.performance.print_timing)
+      return;
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(communicator_);
+    log_->line(format("stiction %s (deal.II %s, %s, %u rank%s)",
+                      STICTION_VERSION,
+                      DEAL_II_PACKAGE_VERSION,
+                      STICTION_BUILD_TYPE,
+                      n_ranks,
+                      n_ranks == 1 ? "" : "s"));
+    if (!blas_remark().empty())
+      log_->line(blas_remark());
+    const SharedCores shared = shared_cores(communicator_);
+    if (shared.n_ranks > shared.n_cores)
+      log_->line(format("WARNING: %u ranks share %u core%s, which is slower "
+                        "than as many ranks as cores.",
+                        shared.n_ranks,
+                        shared.n_cores,
+                        shared.n_cores == 1 ? "" : "s"));
   }
 
 
@@ -275,7 +303,11 @@ namespace stiction
   void
   ContactProblem::open_output()
   {
-    prepare_output(parameters_, *log_, communicator_);
+    if (has_output_)
+      return; // since an earlier mesh
+    has_output_ = true;
+    open_output_directory(parameters_, *log_, communicator_);
+    keep_iterate_when_interrupted();
   }
 
 
@@ -283,6 +315,7 @@ namespace stiction
   void
   ContactProblem::measure_yardsticks()
   {
+    const auto phase = phases_.scope("yardsticks");
     if (parameters_.performance.measure_one_elastic_solve)
       {
         const ElasticSolveCost cost =

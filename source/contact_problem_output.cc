@@ -53,11 +53,9 @@ namespace stiction
                      refinement_ ? refinement_->indicators()
                                  : dealii::Vector<double>(),
                      output);
-    else
-      remove_solution(output.directory, communicator_);
     write_contact(*elasticity_, u, *surface_, certificate, output);
     write_obstacles(output.directory, *elasticity_, *surface_);
-    write_run_files(parameters_, *history_, communicator_);
+    write_history(*history_, output.directory, communicator_);
   }
 
 
@@ -68,6 +66,7 @@ namespace stiction
     const std::string &directory = parameters_.output.export_directory;
     if (directory.empty())
       return;
+    const auto phase = phases_.scope("output");
     together(communicator_, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
         return;
@@ -85,7 +84,6 @@ namespace stiction
                                solution_->lambda,
                                judge_->certificate().gradient());
     });
-    log_->line("The discrete problem is in " + directory + ".");
   }
 
 
@@ -96,19 +94,20 @@ namespace stiction
     const bool measured            = elastic_solve_iterations_ > 0;
     const Certificate &certificate = judge_->certificate();
 
-    summary_             = std::make_unique<json>();
-    json &summary        = *summary_;
-    summary["program"]   = program_to_json(communicator_);
-    summary["converged"] = solution_->converged;
-    summary["units"]     = units_to_json(parameters_.output.units);
-    summary["input"]     = parameters_.source.given();
-    summary["problem"]   = {
-        {"cells", body_->triangulation().n_global_active_cells()},
-        {"nodes", body_->n_nodes()},
-        {"dofs", body_->dof_handler().n_dofs()},
-        {"contact_nodes", surface_->n_nodes()},
-        {"dual_unknowns", 3 * surface_->n_nodes()},
-        {"boundaries", boundaries_to_json(body_->boundary_names())}};
+    summary_               = std::make_unique<json>();
+    json &summary          = *summary_;
+    summary["program"]     = program_to_json(communicator_);
+    summary["converged"]   = solution_->converged;
+    summary["interrupted"] = solution_->interrupted;
+    summary["units"]       = units_to_json(parameters_.output.units);
+    summary["input"]       = parameters_.source.given();
+    summary["problem"]     = {
+          {"cells", body_->triangulation().n_global_active_cells()},
+          {"nodes", body_->n_nodes()},
+          {"dofs", body_->dof_handler().n_dofs()},
+          {"contact_nodes", surface_->n_nodes()},
+          {"dual_unknowns", 3 * surface_->n_nodes()},
+          {"boundaries", boundaries_to_json(body_->boundary_names())}};
     summary["solver"] = newton_
                           ? solver_to_json(parameters_.contact_solver, *newton_)
                           : solver_to_json(parameters_.contact_solver,
@@ -173,5 +172,8 @@ namespace stiction
                   ? directory + "/solution.pvtu and "
                   : std::string()) +
                directory + "/contact.pvtu in ParaView.");
+    if (!parameters_.output.export_directory.empty())
+      log_->line("The discrete problem is in " +
+                 parameters_.output.export_directory + ".");
   }
 } // namespace stiction

@@ -11,6 +11,7 @@
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/multigrid_solver.h>
 #include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/interrupt.h>
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/log.h>
 #include <stiction/output/units.h>
@@ -68,6 +69,15 @@ namespace stiction
 
 
   void
+  ContactProblem::finish_step(const ContactStep &step)
+  {
+    history_->add(step);
+    stop_if_interrupted(communicator_);
+  }
+
+
+
+  void
   ContactProblem::set_up_multigrid()
   {
     const auto phase = phases_.scope("stiffness_setup");
@@ -87,7 +97,7 @@ namespace stiction
     solution_        = std::make_unique<ContactSolution>(newton_->solve(
       parameters_.contact_solver.tolerance,
       parameters_.contact_solver.maximum_iterations,
-      [&](const ContactStep &step) { history_->add(step); },
+      [&](const ContactStep &step) { finish_step(step); },
       force_control_.get()));
     if (force_control_)
       surface_->move_obstacles(force_control_->distances());
@@ -112,7 +122,7 @@ namespace stiction
         *judge_,
         accuracy,
         parameters_.contact_solver.maximum_iterations,
-        [&](const ContactStep &step) { history_->add(step); },
+        [&](const ContactStep &step) { finish_step(step); },
         from));
     };
     if (!force_control_)
@@ -133,6 +143,8 @@ namespace stiction
                                   certificate.force_scale());
         if (!certificate.is_solved(std::max(accuracy, tolerance)))
           outcome.reason = solution_->reason;
+        if (solution_->interrupted)
+          outcome.reason = "interrupted";
         if (parameters_.output.print_progress)
           for (Eigen::Index j = 0; j < outcome.forces.size(); ++j)
             log_->line(
@@ -154,6 +166,7 @@ namespace stiction
   void
   ContactProblem::certify()
   {
+    const auto phase = phases_.scope("certificate");
     // the dual iteration had its last iterate judged already
     if (newton_)
       judge_displacement();
@@ -176,7 +189,8 @@ namespace stiction
     judge_->judge(newton_->displacement(), solution_->lambda);
     solution_->converged =
       judge_->certificate().converged(parameters_.contact_solver.tolerance);
-    if (!solution_->converged && solution_->reason.empty())
+    if (!solution_->converged && !solution_->interrupted &&
+        solution_->reason.empty())
       solution_->reason = "the certificate measures more than the iteration "
                           "did, raise 'Contact solver/Tolerance'";
   }
@@ -188,6 +202,8 @@ namespace stiction
   {
     if (newton_ && !solution_->lambda.allFinite())
       return;
+    if (solution_->interrupted && !solution_->converged)
+      return; // a figure that only informs, and an elastic solve
     try
       {
         judge_->certificate().compute_duality_gap(judge_->displacement(),

@@ -3,6 +3,7 @@
 #include <stiction/contact/judge.h>
 #include <stiction/dual_contact_problem.h>
 #include <stiction/errors.h>
+#include <stiction/interrupt.h>
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
@@ -82,7 +83,8 @@ namespace stiction
     {
       const auto total = phases_.scope("total");
       read_problem();
-      prepare_output(parameters_, *log_, communicator_);
+      open_output_directory(parameters_, *log_, communicator_);
+      keep_iterate_when_interrupted();
       solve_contact();
       output_results();
     }
@@ -135,7 +137,10 @@ namespace stiction
                       *judge_,
                       parameters_.contact_solver.tolerance,
                       parameters_.contact_solver.maximum_iterations,
-                      [&](const ContactStep &step) { history_->add(step); }));
+                      [&](const ContactStep &step) {
+                        history_->add(step);
+                        stop_if_interrupted(communicator_);
+                      }));
     conditions_ = &judge_->judge(solution_->lambda);
   }
 
@@ -146,7 +151,7 @@ namespace stiction
   {
     const auto phase             = phases_.scope("output");
     const std::string &directory = parameters_.output.directory;
-    write_run_files(parameters_, *history_, communicator_);
+    write_history(*history_, directory, communicator_);
     together(communicator_, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
         return;
@@ -180,15 +185,16 @@ namespace stiction
   void
   DualContactProblem::summarize()
   {
-    const Eigen::Index m = Q_->n_nodes();
-    summary_             = std::make_unique<nlohmann::json>();
-    auto &summary        = *summary_;
-    summary["program"]   = program_to_json(communicator_);
-    summary["converged"] = solution_->converged;
-    summary["units"]     = units_to_json(parameters_.output.units);
-    summary["input"]     = parameters_.source.given();
-    summary["problem"]   = {
-        {"file", path_}, {"contact_nodes", m}, {"dual_unknowns", 3 * m}};
+    const Eigen::Index m   = Q_->n_nodes();
+    summary_               = std::make_unique<nlohmann::json>();
+    auto &summary          = *summary_;
+    summary["program"]     = program_to_json(communicator_);
+    summary["converged"]   = solution_->converged;
+    summary["interrupted"] = solution_->interrupted;
+    summary["units"]       = units_to_json(parameters_.output.units);
+    summary["input"]       = parameters_.source.given();
+    summary["problem"]     = {
+          {"file", path_}, {"contact_nodes", m}, {"dual_unknowns", 3 * m}};
     summary["solver"] = solver_to_json(
       parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
     summary["solver"]["tolerance"] = parameters_.contact_solver.tolerance;

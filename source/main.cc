@@ -1,6 +1,8 @@
+#include <stiction/blas_choice.h>
 #include <stiction/contact_problem.h>
 #include <stiction/dual_contact_problem.h>
 #include <stiction/errors.h>
+#include <stiction/interrupt.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -22,7 +24,8 @@ namespace
   {
     certified     = 0,
     input_error   = 1,
-    not_converged = 2
+    not_converged = 2,
+    interrupted   = 3
   };
 
   struct CommandLine
@@ -30,7 +33,8 @@ namespace
     std::string file;
     std::optional<std::string> output, export_directory, problem;
     std::vector<std::string> settings;
-    bool validate = false, print_parameters = false;
+    bool validate = false, print_parameters = false,
+         print_output_directory = false;
   };
 
   // What was made stays alive until main() ends: to destroy parallel objects
@@ -57,11 +61,24 @@ namespace
                             arguments.output,
                             arguments.export_directory,
                             !arguments.problem);
+    if (arguments.print_output_directory)
+      {
+        if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::cout << program.parameters.output.directory << std::endl;
+        return certified;
+      }
+    const auto status = [](const bool is_certified,
+                           const ContactSolution &solution) {
+      return is_certified           ? certified
+             : solution.interrupted ? interrupted
+                                    : not_converged;
+    };
     if (arguments.problem)
       {
         program.dual_problem = std::make_unique<DualContactProblem>(
           *arguments.problem, program.parameters, MPI_COMM_WORLD);
-        return program.dual_problem->run() ? certified : not_converged;
+        const bool is_certified = program.dual_problem->run();
+        return status(is_certified, program.dual_problem->solution());
       }
     program.problem =
       std::make_unique<ContactProblem>(program.parameters, MPI_COMM_WORLD);
@@ -70,7 +87,8 @@ namespace
         program.problem->validate();
         return certified;
       }
-    return program.problem->run() ? certified : not_converged;
+    const bool is_certified = program.problem->run();
+    return status(is_certified, program.problem->solution());
   }
 
   // One line that a terminal can show, whatever the user's file had in it.
@@ -93,6 +111,7 @@ namespace
 int
 main(int argc, char *argv[])
 {
+  stiction::choose_blas_kernels();
   // the linear algebra is parallel over ranks; more threads would only fight
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool speaks =
@@ -130,8 +149,13 @@ main(int argc, char *argv[])
   app.add_flag("--print-parameters",
                arguments.print_parameters,
                "Print the complete commented default file");
+  app.add_flag("--print-output-directory",
+               arguments.print_output_directory,
+               "Print the directory for all results, solve nothing");
   app.set_version_flag("--version", "stiction " STICTION_VERSION);
-  app.footer("Exit status: 0 certified, 1 bad input, 2 not converged.");
+  app.footer("Exit status: 0 certified, 1 bad input, 2 not converged, 3 "
+             "interrupted.\nCtrl-C ends the run after its step, with all files "
+             "of what is reached then;\na second one ends it at once.");
 
   const auto refuse = [&](const std::string &sentence) {
     if (speaks)
@@ -148,6 +172,7 @@ main(int argc, char *argv[])
     return input_error;
   };
 
+  stiction::watch_for_interrupts(speaks, interrupted);
   Program program;
 
   try

@@ -4,6 +4,7 @@
 // What the tests share. They print words and numbers of size one to be
 // compared with a reference output.
 
+#include <stiction/blas_choice.h>
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact_problem.h>
@@ -17,6 +18,9 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+// As the program does: before MPI is initialised.
+inline const bool has_chosen_blas = (stiction::choose_blas_kernels(), true);
 
 // The shipped parameter file of that name. SOURCE_DIR is the folder of the
 // test.

@@ -43,7 +43,8 @@ namespace stiction
     /// Collective. Throws InputError, for bad input before anything is
     /// written, and if a file cannot be written.
     ///
-    /// @return whether the certificate reached the tolerance.
+    /// @return whether the certificate reached the tolerance; if not,
+    ///   solution() knows why.
     bool
     run();
 
@@ -107,6 +108,8 @@ namespace stiction
     void
     make_grid();
     void
+    describe_machine();
+    void
     describe_body();
     void
     assemble_system();
@@ -127,6 +130,9 @@ namespace stiction
     set_up_multigrid();
     void
     solve_for_displacements();
+    /// Ends the iteration by an exception if the user wants it.
+    void
+    finish_step(const ContactStep &step);
     void
     certify();
     void
@@ -164,6 +170,7 @@ namespace stiction
     std::unique_ptr<SupportReactions> reactions_;
     std::unique_ptr<nlohmann::json> summary_;
 
+    bool has_output_ = false; ///< whether open_output() was called
     Phases phases_;
     /// Iterations of one elastic solve, if it was measured.
     unsigned int elastic_solve_iterations_ = 0;

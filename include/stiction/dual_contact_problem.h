@@ -52,6 +52,12 @@ namespace stiction
       return *summary_;
     }
 
+    const ContactSolution &
+    solution() const
+    {
+      return *solution_;
+    }
+
   private:
     void
     read_problem();

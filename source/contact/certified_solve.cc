@@ -1,6 +1,7 @@
 #include <stiction/contact/certified_solve.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/judge.h>
+#include <stiction/interrupt.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,25 +115,30 @@ namespace stiction
     while (!is_content())
       {
         StoppingRule rule;
-        rule.residual           = target;
-        rule.change             = std::max(tolerance, target);
-        rule.max_iterations     = max_iterations - iterations;
-        DualMethodResult result = method.solve(
-          iterate,
-          slip_bound,
-          scaling,
-          rule,
-          [&](const DualMethod::Step &step) {
-            row.contraction =
-              row.residual > 0. ? step.residual / row.residual : 0.;
-            ++row.step;
-            row.iterations += step.inner_iterations;
-            row.multiplications = Q.n_multiplications();
-            row.residual        = step.residual;
-            row.change          = step.change;
-            row.normal_force    = iterate.lambda.head(Q.n_nodes()).sum();
-            observer(row);
-          });
+        rule.residual         = target;
+        rule.change           = std::max(tolerance, target);
+        rule.max_iterations   = max_iterations - iterations;
+        const auto after_step = [&](const DualMethod::Step &step) {
+          row.contraction =
+            row.residual > 0. ? step.residual / row.residual : 0.;
+          ++row.step;
+          row.iterations += step.inner_iterations;
+          row.multiplications = Q.n_multiplications();
+          row.residual        = step.residual;
+          row.change          = step.change;
+          row.normal_force    = iterate.lambda.head(Q.n_nodes()).sum();
+          observer(row);
+        };
+        DualMethodResult result;
+        try
+          {
+            result =
+              method.solve(iterate, slip_bound, scaling, rule, after_step);
+          }
+        catch (const Interrupted &)
+          {
+            solution.interrupted = true;
+          }
         iterations += result.iterations;
         solution.lambda  = iterate.lambda;
         conditions       = &judge.judge(solution.lambda);
@@ -140,6 +146,8 @@ namespace stiction
         scaling          = usable_scaling(*conditions, Q, tolerance);
         if (is_content())
           break;
+        if (solution.interrupted)
+          return solution;
 
         const double residual = conditions->contact_figures().kkt_residual;
         idle                  = residual < 0.9 * smallest ? 0 : idle + 1;

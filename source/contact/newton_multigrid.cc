@@ -2,6 +2,7 @@
 #include <stiction/contact/newton_multigrid.h>
 #include <stiction/contact/pressed_obstacles.h>
 #include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/interrupt.h>
 
 #include <algorithm>
 
@@ -64,33 +65,43 @@ namespace stiction
       {
         if (l > 0)
           lambda = refine(l);
+        if (solution.interrupted)
+          continue; // the iterate is wanted on the finest level
         const bool is_finest = l == finest_level();
 
         const unsigned int iterations = row.iterations;
         row.residual                  = 0.; // that of another problem
-        solution.reason               = solve_on_level(
-          l,
-          lambda,
-          is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
-          max_steps - steps,
-          [&](const LevelNewton::Statistics &statistics,
-              const ContactResidual &residual) {
-            ++row.step;
-            row.unknowns   = hierarchy_.level(l).n_dofs();
-            row.iterations = iterations + statistics.krylov_iterations;
-            row.contraction =
-              row.residual > 0. ? residual.value() / row.residual : 0.;
-            row.residual = residual.value();
-            row.normal_force =
-              state_->lambda.head(problems_[l]->n_nodes()).sum();
-            observer(row);
-          },
-          force_control);
+        const auto after_step = [&](const LevelNewton::Statistics &statistics,
+                                    const ContactResidual &residual) {
+          statistics_[l] = statistics;
+          ++row.step;
+          row.unknowns   = hierarchy_.level(l).n_dofs();
+          row.iterations = iterations + statistics.krylov_iterations;
+          row.contraction =
+            row.residual > 0. ? residual.value() / row.residual : 0.;
+          row.residual     = residual.value();
+          row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
+          observer(row);
+        };
+        try
+          {
+            solution.reason = solve_on_level(
+              l,
+              lambda,
+              is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
+              max_steps - steps,
+              after_step,
+              force_control);
+          }
+        catch (const Interrupted &)
+          {
+            solution.interrupted = true;
+          }
 
         steps += statistics_[l].newton_steps;
       }
     solution.lambda    = state_->lambda;
-    solution.converged = solution.reason.empty();
+    solution.converged = solution.reason.empty() && !solution.interrupted;
     return solution;
   }
 

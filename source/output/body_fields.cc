@@ -484,14 +484,4 @@ namespace stiction
     out.write(parameters.directory, "solution", body.communicator());
   }
 
-
-
-  void
-  remove_solution(const std::string &directory, MPI_Comm communicator)
-  {
-    std::error_code error; // there may be none
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (const char *ending : {".pvtu", ".pvd"})
-        std::filesystem::remove(directory + "/solution" + ending, error);
-  }
 } // namespace stiction

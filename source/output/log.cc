@@ -11,6 +11,7 @@ namespace stiction
 {
   Log::Log(MPI_Comm communicator)
     : speaks_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , last_line_(std::chrono::steady_clock::now())
   {
   }
 
@@ -21,6 +22,8 @@ namespace stiction
   {
     if (!speaks_)
       return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_line_ = std::chrono::steady_clock::now();
     std::cout << text << std::endl;
     if (file_.is_open())
       file_ << text << std::endl;
@@ -35,11 +38,23 @@ namespace stiction
   {
     if (!speaks_)
       return;
+    const std::lock_guard<std::mutex> lock(mutex_);
     file_.open(name);
     file_ << so_far_.str() << std::flush;
     if (!file_)
       throw InputError(name + ": cannot be written, must be in a directory "
                               "with space and with the permission to write.");
+  }
+
+
+
+  double
+  Log::seconds_of_silence() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         last_line_)
+      .count();
   }
 
 

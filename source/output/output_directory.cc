@@ -12,6 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <regex>
+#include <utility>
+#include <vector>
 
 namespace stiction
 {
@@ -22,50 +25,96 @@ namespace stiction
     {
       return dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     }
+
+    // Whether a file is one that a run writes at its end, by its name.
+    bool
+    is_ours(const std::string &name)
+    {
+      static const std::regex names(
+        "(solution|contact|obstacle)(\\.[0-9]{4,})?\\.(vtu|pvtu|pvd)"
+        "|summary\\.json|convergence\\.csv|forces\\.csv|picture\\.png");
+      return std::regex_match(name, names);
+    }
+
+    void
+    remove_earlier_run(const std::string &directory)
+    {
+      namespace fs = std::filesystem;
+      std::error_code error; // what cannot be removed cannot be written either
+      std::vector<fs::path> files;
+      for (const auto &entry : fs::directory_iterator(directory, error))
+        if (entry.is_regular_file(error) &&
+            is_ours(entry.path().filename().string()))
+          files.push_back(entry.path());
+      for (const fs::path &file : files)
+        fs::remove(file, error);
+    }
+
+    // Of all directories: in which, and the entry that says so.
+    std::vector<std::pair<std::string, std::string>>
+    directories(const Parameters &parameters)
+    {
+      std::vector<std::pair<std::string, std::string>> all;
+      if (!parameters.output.export_directory.empty())
+        all.emplace_back(parameters.output.export_directory,
+                         parameters.source.describe("Output/Export directory"));
+      all.emplace_back(parameters.output.directory,
+                       parameters.source.describe("Output/Directory"));
+      return all;
+    }
   } // namespace
 
 
 
   void
-  prepare_output(const Parameters &parameters, Log &log, MPI_Comm communicator)
+  require_writable_output(const Parameters &parameters, MPI_Comm communicator)
   {
-    const std::string &directory = parameters.output.directory;
     together(communicator, [&]() {
-      if (!is_first(communicator))
-        return;
-      std::error_code error;
-      const auto make = [&](const std::string &name, const char *entry) {
-        require_writable(name, parameters.source.describe(entry));
-        std::filesystem::create_directories(name, error);
-        if (error)
-          throw InputError(parameters.source.describe(entry) +
-                           ", cannot be written to, must be a directory that "
-                           "exists or can be made.");
-        require_writable(name + "/.", parameters.source.describe(entry));
-      };
-      if (!parameters.output.export_directory.empty())
-        make(parameters.output.export_directory, "Output/Export directory");
-      make(directory, "Output/Directory");
-      log.open_file(directory + "/log.txt");
-      std::filesystem::remove(directory + "/summary.json", error);
+      if (is_first(communicator))
+        for (const auto &[directory, entry] : directories(parameters))
+          require_writable(directory, entry);
     });
   }
 
 
 
   void
-  write_run_files(const Parameters &parameters,
-                  const ConvergenceHistory &history,
-                  MPI_Comm communicator)
+  open_output_directory(const Parameters &parameters,
+                        Log &log,
+                        MPI_Comm communicator)
   {
     const std::string &directory = parameters.output.directory;
     together(communicator, [&]() {
       if (!is_first(communicator))
         return;
-      write_file(directory + "/convergence.csv",
-                 [&](std::ostream &out) { history.write(out); });
+      for (const auto &[name, entry] : directories(parameters))
+        {
+          std::error_code error;
+          std::filesystem::create_directories(name, error);
+          if (error)
+            throw InputError(entry +
+                             ", cannot be written to, must be a directory that "
+                             "exists or can be made.");
+          require_writable(name + "/.", entry);
+        }
+      log.open_file(directory + "/log.txt"); // which overwrites it
+      remove_earlier_run(directory);
       write_file(directory + "/used_parameters.prm",
                  [&](std::ostream &out) { out << parameters.used_file(); });
+    });
+  }
+
+
+
+  void
+  write_history(const ConvergenceHistory &history,
+                const std::string &directory,
+                MPI_Comm communicator)
+  {
+    together(communicator, [&]() {
+      if (is_first(communicator))
+        write_file(directory + "/convergence.csv",
+                   [&](std::ostream &out) { history.write(out); });
     });
   }
 

@@ -185,7 +185,8 @@ namespace stiction
     return format("%s, the tolerance is %g; ",
                   conditions.worst().c_str(),
                   tolerance) +
-           solution.reason;
+           (solution.interrupted ? "the answer is not certified"
+                                 : solution.reason);
   }
 
 
@@ -325,6 +326,8 @@ namespace stiction
     if (summary["converged"].get<bool>())
       log.line("CERTIFIED: every deciding figure is within the tolerance.");
     else
-      log.line("NOT CONVERGED: " + reason + ".");
+      log.line((summary["interrupted"].get<bool>() ? "INTERRUPTED: "
+                                                   : "NOT CONVERGED: ") +
+               reason + ".");
   }
 } // namespace stiction

@@ -12,6 +12,7 @@
 #   status: 1             the exit status, of every rank
 #   says: TEXT            stands in the message; any number of such lines
 #   says not: TEXT        does not
+#   interrupt: TEXT       Ctrl-C once TEXT stands on stdout, on every rank
 #   memory: 4000000       at most so many kB for each rank
 #   writes: nothing       no file is made or changed; the rule for status 1,
 #                         unless 'writes: something' says otherwise
@@ -25,15 +26,16 @@
 #   prm alone:            the same, and nothing is added
 #
 # The message is what the program writes to stderr for status 1, to stdout for
-# other statuses. For status 1 it must be one line in all, from all ranks
-# together: a sentence that begins with 'stiction: ' and ends with '.'. For
-# other statuses nothing may be written to stderr.
+# other statuses, for status 3 either. For status 1 it must be one line in all,
+# from all ranks together: a sentence that begins with 'stiction: ' and ends with
+# '.'. For statuses 0 and 2 nothing may be written to stderr.
 set -u
 stiction=$(realpath "$1")
 case_file=$(realpath "$2")
 errors=$(dirname "$(realpath "$0")")
 memory=$(sed -n 's/^memory: *//p' "$case_file")
-export stiction errors memory
+interrupt=$(sed -n 's/^interrupt: *//p' "$case_file")
+export stiction errors memory interrupt
 export OMPI_MCA_rmaps_base_oversubscribe=1 # more ranks than cores
 
 all() { # all values of a key
@@ -100,7 +102,14 @@ before=$(sum_of_everything)
 # The ranks' own output and status, without what mpirun adds to them.
 # shellcheck disable=SC2016 # expanded by the inner shell
 each_rank='[ -z "$memory" ] || ulimit -v "$memory"
-           "$stiction" "$@" >>../stdout 2>>../stderr </dev/null
+           "$stiction" "$@" >>../stdout 2>>../stderr </dev/null &
+           if [ -n "$interrupt" ]; then
+             until grep -qF -e "$interrupt" ../stdout || ! kill -0 $!; do
+               sleep 0.01
+             done
+             kill -INT $!
+           fi 2>/dev/null
+           wait $!
            rank_status=$?; echo $rank_status >>../statuses; exit $rank_status'
 arguments=()
 eval "arguments=($(all arguments))"
@@ -136,6 +145,10 @@ if [ "$status" = 1 ]; then
   for success in CERTIFIED 'NOT CONVERGED' 'is valid' ParaView; do
     expect lacks ../stdout "$success" -- "no '$success' on stdout"
   done
+elif [ "$status" = 3 ]; then
+  message=../said
+  cat ../stdout ../stderr >../said
+  expect lacks ../said "CERTIFIED: " -- "no certificate"
 else
   expect test ! -s ../stderr -- "nothing on stderr"
 fi

@@ -34,6 +34,7 @@ namespace stiction
     Eigen::VectorXd lambda; ///< contact forces, N, length 3m
     bool converged = false; ///< as the judge says
     std::string reason; ///< if not: what stopped the iteration, what to change
+    bool interrupted = false; ///< whether the user stopped it
   };
 
 
@@ -46,6 +47,8 @@ namespace stiction
   ///
   /// @param tolerance of the judge.
   /// @param max_iterations of the method, in all.
+  /// @param observer called after every step. If it throws Interrupted, on all
+  ///   ranks, the iterate of that step is judged and handed back.
   /// @param lambda where to start, 3m contact forces; empty: zero.
   ContactSolution
   certified_solve(DualMethod &method,

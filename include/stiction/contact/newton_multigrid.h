@@ -39,7 +39,9 @@ namespace stiction
                     bool levels_in_use,
                     const LevelNewton::Options &options = {});
 
-    /// Called after every step on any level.
+    /// Called after every step on any level. If it throws Interrupted, on all
+    /// ranks, the iterate of that step is interpolated to the finest level and
+    /// handed back.
     using Observer = std::function<void(const ContactStep &)>;
 
     /// Solves the problem to the tolerance, in the figures of the certificate.

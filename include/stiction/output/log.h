@@ -3,7 +3,9 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <fstream>
+#include <mutex>
 #include <sstream>
 #include <string>
 
@@ -11,7 +13,7 @@ namespace stiction
 {
   /// What the program says: on the screen at once and, from open_file() on, in
   /// log.txt too, with everything that was said before. Rank 0 speaks, the
-  /// others are silent.
+  /// others are silent. May be used from several threads.
   class Log
   {
   public:
@@ -28,8 +30,15 @@ namespace stiction
     void
     open_file(const std::string &name);
 
+    /// How long nothing was said, in seconds.
+    double
+    seconds_of_silence() const;
+
   private:
     const bool speaks_;
+    /// Phases speaks from a thread of its own.
+    mutable std::mutex mutex_;
+    std::chrono::steady_clock::time_point last_line_;
     std::ostringstream so_far_;
     std::ofstream file_;
   };

@@ -13,17 +13,25 @@ namespace stiction
   class Log;
   class Parameters;
 
-  /// Makes the output directory, opens log.txt in it and removes summary.json:
-  /// an earlier success must not stand beside a later failure. Collective.
-  /// Throws InputError, before anything is changed, if it cannot be written.
+  /// Throws InputError if the directories for output cannot be written to or
+  /// be made. Changes nothing. Collective.
   void
-  prepare_output(const Parameters &parameters, Log &log, MPI_Comm communicator);
+  require_writable_output(const Parameters &parameters, MPI_Comm communicator);
 
-  /// Writes convergence.csv and used_parameters.prm. Collective.
+  /// Makes the output directory, opens log.txt in it, removes the other files
+  /// of an earlier run, which must not be read together with those of this one,
+  /// and writes used_parameters.prm. Collective. Throws InputError, before
+  /// anything is changed, if it cannot be written.
   void
-  write_run_files(const Parameters &parameters,
-                  const ConvergenceHistory &history,
-                  MPI_Comm communicator);
+  open_output_directory(const Parameters &parameters,
+                        Log &log,
+                        MPI_Comm communicator);
+
+  /// Writes convergence.csv. Collective.
+  void
+  write_history(const ConvergenceHistory &history,
+                const std::string &directory,
+                MPI_Comm communicator);
 
   /// Writes summary.json, the last file of a run. Collective.
   void

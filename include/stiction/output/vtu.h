@@ -37,11 +37,6 @@ namespace stiction
                  const dealii::Vector<double> &error_indicators,
                  const OutputParameters &parameters);
 
-  /// Removes the index files that an earlier run left of the body, so that they
-  /// are not taken for those of this one.
-  void
-  remove_solution(const std::string &directory, MPI_Comm communicator);
-
   /// Writes contact.pvtu (with its pieces and contact.pvd): the contact
   /// boundary with pressure, traction on the body and its tangential part,
   /// slip, gap, status, area, slip bound, displacement and the normal towards

@@ -1,0 +1,45 @@
+#ifndef stiction_interrupt_h
+#define stiction_interrupt_h
+
+#include <mpi.h>
+
+#include <exception>
+
+namespace stiction
+{
+  /// Thrown on all ranks after a step that is to be the last one.
+  class Interrupted : public std::exception
+  {
+  public:
+    const char *
+    what() const noexcept override
+    {
+      return "interrupted";
+    }
+  };
+
+
+
+  /// What becomes of SIGINT (Ctrl-C), SIGTERM and SIGUSR1, which mpirun hands
+  /// on to its programs. At first one of them ends the process at once, saying
+  /// that nothing was written, with this exit status.
+  ///
+  /// @param speaks whether this rank is the one that says so.
+  void
+  watch_for_interrupts(bool speaks, int exit_status);
+
+  /// From now on there is an iterate worth keeping: the first signal is only
+  /// noted, the second one ends the process.
+  void
+  keep_iterate_when_interrupted();
+
+  /// Whether a signal came on any rank. Collective.
+  bool
+  is_interrupted(MPI_Comm communicator);
+
+  /// Throws Interrupted if is_interrupted(). Collective.
+  void
+  stop_if_interrupted(MPI_Comm communicator);
+} // namespace stiction
+
+#endif
