@@ -67,8 +67,7 @@ namespace stiction
     bool
     may_interfere(const BoundaryParameters &boundary)
     {
-      return boundary.initial_gap != "0" ||
-             (!boundary.obstacle.empty() && boundary.obstacle != "foundation");
+      return boundary.initial_gap != "0" || boundary.obstacle != "foundation";
     }
 
     bool
@@ -104,8 +103,6 @@ namespace stiction
                                             boundaries.ids().begin(),
                                             static_cast<std::ptrdiff_t>(
                                               boundaries.ids().size() / 2))));
-    if (boundary.obstacle.empty())
-      missing.add(conditions, "with what", "Obstacle = foundation");
 
     if (friction.law_name.empty())
       missing.add("Friction",

@@ -49,7 +49,8 @@ namespace stiction
       "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
       "have the numbers it gives them. file: a mesh of hexahedra from 'Mesh "
       "file'. Refined curved boundaries follow the shape, those of a file "
-      "stay as the file has them. Must be said.",
+      "stay as the file has them. May be left out where "
+      "'Lengths' or 'Table 1 level' say that it is a brick.",
       prm,
       Patterns::Selection("brick|cylinder|half ball|generator|file|"));
     add_parameter("Lengths",

@@ -112,8 +112,7 @@ namespace stiction
     add_parameter(
       "Obstacle",
       obstacle,
-      "What the contact boundary may touch, rigid; must be said. foundation: "
-      "it lies "
+      "What the contact boundary may touch, rigid. foundation: it lies "
       "opposite to the boundary along its outward normal, at the distance "
       "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
       "its normal towards the body. sphere : cx; cy; cz; R, centre and "

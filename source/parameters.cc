@@ -49,6 +49,10 @@ namespace stiction
         if (geometry.type == "file" && !geometry.mesh_file.empty())
           geometry.mesh_file =
             source.find_file("Geometry/Mesh file", geometry.mesh_file);
+        // no other body has such edges or rows
+        if (geometry.type.empty() &&
+            (!geometry.lengths.empty() || geometry.table_1_level > 0))
+          geometry.type = "brick";
         apply_table_1_level();
         check_body();
       }
@@ -117,7 +121,7 @@ namespace stiction
   Parameters::apply_table_1_level()
   {
     const unsigned int k = geometry.table_1_level;
-    if (k == 0 || geometry.type.empty())
+    if (k == 0)
       return;
     require(geometry.is_brick(),
             "Geometry/Table 1 level",

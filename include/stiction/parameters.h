@@ -127,7 +127,7 @@ namespace stiction
     std::string gravity                 = "";
     double time                         = 1.;
     std::string contact_boundary        = "";
-    std::string obstacle                = "";
+    std::string obstacle                = "foundation";
     std::string initial_gap             = "0";
     std::string obstacle_displacement   = "0; 0; 0";
     std::string obstacle_force          = "0; 0; 0";
