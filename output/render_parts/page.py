@@ -301,6 +301,9 @@ def frame(axes, slot, unit, upwards=True):
         axis.set_label_text(label(slot.panel.axes[c], unit, exponent),
                             size=SMALL, color=TEXT)
         axis.labelpad = 3
+    if slot.size[1] < 0.9:  # too flat for a name along the axis
+        axes.yaxis.label.set(text=axes.get_ylabel().replace(" [", "\n["),
+                             rotation=0, ha="right", va="center")
     if not upwards:
         axes.set_ylabel("")
         axes.set_yticklabels([])

@@ -199,8 +199,10 @@ class Page(unittest.TestCase):
         self.assertFalse(any("NOT CERTIFIED" in line for line in words))
 
     def test_long_flat_and_tall(self):
-        for lengths in ((200, 10, 10), (1e-3, 2e-2, 1), (3, 3, 0.01)):
-            self.check(lengths, [(2, 0)], (0, -1, 0))
+        for lengths in ((200, 10, 10), (1e-3, 2e-2, 1), (3, 3, 0.01),
+                        (1, 1e-4, 1)):
+            for friction in ((0, -1, 0), (0, 0, 0)):
+                self.check(lengths, [(2, 0)], friction)
 
     def test_three_boundaries_not_certified(self):
         words = self.check((2, 2, 2), [(2, 0), (0, 2), (1, 0)], (-1, -1, -1),
