@@ -16,7 +16,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(ROOT, "output"))
 import render  # pylint: disable=wrong-import-position
 
-SHARPNESS = 72  # dots an inch: 900 wide
+SHARPNESS = 70  # dots an inch: 896 wide
 GALLERY = os.path.join(ROOT, "doc", "gallery")
 STICTION = os.path.join(ROOT, "build", "stiction")
 
@@ -32,7 +32,7 @@ PICTURES = {
     "sphere": "A rigid sphere in a block; its gap is exaggerated as much as "
     "the displacement, so that it lies in the dent it makes.",
     "stl": "A stamp given by triangles: the pressure is highest at its edges.",
-    "two_contact_boundaries": "A bar between a foundation and a tilted plane, "
+    "two_contact_boundaries": "A bar between a foundation and a plane, "
     "each with its own law of friction: each contact boundary has its own "
     "maps, all with the same colours of pressure.",
     "greco_plate": "The GRECO plate of Code_Aster: a strip of contact, open at "
@@ -43,8 +43,10 @@ PICTURES = {
     "the rim slips; small cells with hanging nodes where it touches.",
     "two_materials": "A soft layer under a stiff one: the stress is in the "
     "stiff layer, averaging at nodes smears its jump.",
-    "gravity": "A dam under water and its own weight: the heel opens.",
-    "orthotropic": "Wood pressed and pulled along its grain.",
+    "gravity": "A wall under the pressure of water and its own weight, "
+    "clamped at one side: its foot opens towards the water.",
+    "orthotropic": "Wood pressed down and drawn along its grain: all of it "
+    "slips.",
     "orthotropic_friction": "An ellipse of friction: the arrows are longer "
     "along x than along y where the block slips.",
     "rubber": "A sphere pressed deep into nearly incompressible rubber: nearly "

@@ -24,6 +24,7 @@ import os
 import sys
 
 try:
+    import PIL.features
     import PIL.Image
     import vtk
 
@@ -50,9 +51,11 @@ def render(directory, picture, sharpness=SHARPNESS):
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=sharpness)
     image = PIL.Image.open(drawn).convert("RGB")
-    try:  # only 64 shades of each colour, for a smaller file
-        image.point(lambda shade: shade // 4 * 255 // 63).save(
-            picture, format="PNG", optimize=True)
+    if PIL.features.check("libimagequant"):  # Debian's has it: smaller files
+        image = image.quantize(256, PIL.Image.Quantize.LIBIMAGEQUANT,
+                               dither=PIL.Image.Dither.NONE)
+    try:
+        image.save(picture, format="PNG", optimize=True)
     except OSError as error:
         raise Unusable(f"the picture {picture} cannot be written: {error}.") \
             from error

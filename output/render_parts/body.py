@@ -104,7 +104,7 @@ def stress_actor(surface, highest, colors):
 
 
 def drawn_obstacles(run, factor):
-    """The obstacles, each with its gap as many times larger as the displacement.
+    """The obstacles, their gaps as many times larger as the displacement.
 
     So a point of the body that touches one does so in the picture. What is far
     off then is left out.
@@ -154,7 +154,7 @@ def moved_away(obstacle, points, faces, factor):
 
 
 def camera_of(basis, actors):
-    """A parallel view, without its size, and the extents of the actors in it."""
+    """A parallel view without its size, and extents of the actors in it."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for actor in actors:
         data = actor.GetMapper().GetInput()

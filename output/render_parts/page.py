@@ -18,13 +18,13 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from . import panels as contact_panels
 from .panels import CLAMPED, OPEN, SLIP, STICK
 
-WIDTH, MARGIN, HEADER = 12.5, 0.3, 0.95
-BODY = (0.3, 5.3)  # from the left, width; the maps likewise
-MAPS = (6.15, 6.05)
+WIDTH, MARGIN, HEADER = 12.8, 0.3, 0.95
+LEFT, RIGHT, ROOM = 0.3, 6.55, 6.05  # two columns and their width
+BODY = 5.7  # width
 COLUMN, TICKS, BETWEEN = 2.55, 0.62, 0.28  # of maps side by side
 TITLE, LEGEND, AXIS, KEY, BAR, GAP = 0.38, 0.34, 0.52, 0.3, 0.62, 0.2
 THICK = 0.13  # a colour bar
-STRETCH = 10  # the largest ratio of the sides of a map
+STRETCH = 16  # the largest ratio of the sides of a map
 
 SMALL, NORMAL, LARGE = 8.5, 10, 15
 TEXT, RED = "#212121", "#B00020"
@@ -117,13 +117,14 @@ class Slot:
         ratio = (high[0] - low[0]) / (high[1] - low[1])
         shown = min(max(ratio, 1 / STRETCH), STRETCH)
         self.stretched = shown != ratio
-        beside = min(COLUMN, 4.2 * shown)
-        below = min(MAPS[1] - TICKS - 0.2, 2.4 * shown)
+        whole = ROOM - TICKS - 0.2
+        beside, below = min(COLUMN, 4.2 * shown), min(whole, 2.4 * shown)
         self.stacked = below > 1.35 * beside and ratio > 1
-        width = below if self.stacked else beside
+        width, self.column = (below, whole) if self.stacked \
+            else (beside, COLUMN)
         self.size = np.array([width, width / shown])
         self.choose_arrows()
-        self.size *= 1 - 2 * self.reach / width
+        self.size *= min(1, (self.column - 2 * self.reach) / width)
         self.map_height = self.size[1] + 2 * self.reach + AXIS
         self.height = TITLE + LEGEND + self.map_height + BAR + GAP
         if self.stacked:
@@ -163,18 +164,23 @@ def draw(run, panels, body_picture):
     body.picture() does.
     """
     slots = [Slot(panel) for panel in panels]
-    rooms = sum(slot.height for slot in slots)
-    height = HEADER + max(5, rooms) + MARGIN
-    page = Page(height)
+    body_height = min(max(5, slots[0].height), 6.5)
+    tops = {RIGHT: HEADER, LEFT: HEADER + body_height + GAP}
+    places = []
+    for slot in slots:  # to the right of the body, then below it as well
+        column = min(tops, key=tops.get)
+        places.append((column, tops[column]))
+        tops[column] += slot.height
+    below = LEFT in {column for column, _ in places}
+    page = Page(max(tops.values() if below else
+                    (tops[RIGHT], HEADER + body_height)) + MARGIN)
     draw_header(page, run, panels)
-    draw_body(page, run, body_picture, min(height - HEADER - MARGIN, 6.5))
+    draw_body(page, run, body_picture, body_height)
     names = names_of(run)
     largest = max(panel.pressure.max() for panel in panels)
-    top = HEADER
-    for slot in slots:
-        draw_slot(page, slot, top, names[slot.panel.boundary], run.units,
+    for slot, place in zip(slots, places):
+        draw_slot(page, slot, place, names[slot.panel.boundary], run.units,
                   largest)
-        top += slot.height
     return page.figure
 
 
@@ -190,13 +196,13 @@ def names_of(run):
 
 def draw_header(page, run, panels):
     """Title and the numbers that matter."""
-    page.text(BODY[0], 0.16, run.name, LARGE, fontweight="bold")
+    page.text(LEFT, 0.16, run.name, LARGE, fontweight="bold")
     if run.summary.get("interrupted") or not run.summary["converged"]:
-        page.text(MAPS[0], 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
+        page.text(RIGHT, 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
                   color=RED)
     contact = run.summary["contact"]
     total = {s: sum(contact_panels.counts(p)[s] for p in panels) for s in STATUS}
-    page.text(BODY[0], 0.53, "   ".join([
+    page.text(LEFT, 0.53, "   ".join([
         "largest pressure "
         + quantity(run.units["stress"], contact["max_pressure"]),
         "contact force on the body "
@@ -207,7 +213,7 @@ def draw_header(page, run, panels):
 
 def draw_body(page, run, body_picture, height):
     """The body in its column, with a colour bar and the directions below."""
-    left, width = BODY
+    left, width = LEFT, BODY
     room = height - TITLE - BAR - 0.3
     body = body_picture(width, room)
     words = (f"displacement {number(body.factor)} times as large"
@@ -243,16 +249,15 @@ def draw_directions(page, directions, left, top):
                   ha="center", va="center")
 
 
-def draw_slot(page, slot, top, name, units, largest):
-    """Title, legend and both maps of a contact panel."""
-    left, (width, height) = MAPS[0], slot.size
+def draw_slot(page, slot, place, name, units, largest):
+    """Title, legend and both maps of a contact panel, from a place on."""
+    (left, top), (width, height) = place, slot.size
     title, seen = slot.title(name)
     page.text(left, top, title, fontweight="bold")
     page.text(left, top + 0.2, seen, SMALL)
     draw_legend(page, slot.panel, left, top + TITLE + 0.1)
     top += TITLE + LEGEND
-    column = MAPS[1] - TICKS if slot.stacked else COLUMN
-    inset = TICKS + (column - width) / 2
+    inset = TICKS + (slot.column - width) / 2
     status = page.axes(left + inset, top + slot.reach, width, height)
     draw_status(status, slot.panel)
     frame(status, slot, units["length"])
@@ -296,6 +301,9 @@ def frame(axes, slot, unit, upwards=True):
         axis.set_label_text(label(slot.panel.axes[c], unit, exponent),
                             size=SMALL, color=TEXT)
         axis.labelpad = 3
+    if slot.size[1] < 0.9:  # too flat for a name along the axis
+        axes.yaxis.label.set(text=axes.get_ylabel().replace(" [", "\n["),
+                             rotation=0, ha="right", va="center")
     if not upwards:
         axes.set_ylabel("")
         axes.set_yticklabels([])

@@ -11,23 +11,24 @@ from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 from . import cases, figures, runs
 
-# Okabe and Ito's colours, which the colour-blind tell apart; methods of one
-# family share a colour and differ in line and marker.
+# Every method has its own colour, marker and line; methods of one family have
+# one hue, from light to dark.
 STYLES = {
     "ALG_GS": ("#0072B2", "-", "o"),
-    "GS_fixed_point": ("#56B4E9", "--", "s"),
-    "ALG_2": ("#E69F00", "-", "^"),
-    "ALG_4": ("#E69F00", "--", "s"),
-    "ALG_8": ("#E69F00", ":", "D"),
-    "QPQ_V0": ("#56B4E9", "-", "v"),
+    "GS_fixed_point": ("#CC79A7", "--", "h"),
+    "ALG_2": ("#F0B040", "-", "^"),
+    "ALG_4": ("#C06A00", "--", "s"),
+    "ALG_8": ("#6B3A00", ":", "D"),
+    "QPQ_V0": ("#A6D8F5", "-", "v"),
     "QPQ_V1": ("#56B4E9", "--", "<"),
-    "QPQ_V2": ("#56B4E9", "-.", ">"),
-    "QPQ_V4": ("#56B4E9", ":", "P"),
+    "QPQ_V2": ("#2A7FA8", "-.", ">"),
+    "QPQ_V4": ("#0B3C5D", ":", "P"),
     "MPGP": ("#009E73", "-", "X"),
     "Newton": ("#000000", "-", "*"),
-    "ADMM": ("#D55E00", "-", "d"),
+    "ADMM": ("#D55E00", "-", "p"),
 }
 PAPER_MARKERS = {"ALG_GS": "o", "ALG_2": "^", "ALG_4": "s"}
+READINGS = "Reading A: n of the paper's table counts nodes, B: it counts unknowns"
 LAW_TITLES = {"given": "given friction", "coulomb": "Coulomb friction"}
 
 pyplot.rcParams.update(
@@ -60,11 +61,13 @@ def panels(rows, columns, **options):
     return figure, left.subplots(rows, columns, squeeze=False, **options)
 
 
-def finish(figure, axes, path, order=None):
+def finish(figure, axes, path, order=None, title=None):
     """One legend for all panels, outside of them; writes both files.
 
     order: of the labels; that of the methods if it is left out.
     """
+    if title:
+        figure.suptitle(title)
     known = {}
     for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels()):
@@ -102,8 +105,11 @@ def comparable(methods, name):
     return [m for m in methods if name != "products" or m != "ADMM"]
 
 
-def against_n(result, name, ylabel, path, paper=False):
-    """A figure of every run against n, both in logarithms."""
+def against_n(result, name, ylabel, path, title, paper=False):
+    """A figure of every run against n, both in logarithms.
+
+    title: what is counted.
+    """
     levels = result.chosen("k")
     figure, axes, named = problem_panels(result)
     sizes = [cases.table_n(k) for k in levels]
@@ -135,10 +141,10 @@ def against_n(result, name, ylabel, path, paper=False):
         axis.xaxis.set_minor_formatter(NullFormatter())
         axis.minorticks_off()
     for axis in axes[-1]:
-        axis.set_xlabel("n (reading A: nodes, B: unknowns)")
+        axis.set_xlabel("n of the paper's Table 1")
     for axis in axes[:, 0]:
         axis.set_ylabel(ylabel)
-    finish(figure, axes, path)
+    finish(figure, axes, path, title=f"{title}\n{READINGS}")
 
 
 def residual_histories(result, path):
@@ -251,13 +257,17 @@ def draw_all(result, directory):
 
     def iteration_time(path):
         label = "iteration alone [s]"
-        against_n(result, "iteration_s", label, path, paper=True)
+        title = "Time of the iteration alone until a method has solved its problem"
+        against_n(result, "iteration_s", label, path, title, paper=True)
 
     def program_time(path):
-        against_n(result, "program_s", "whole program [s]", path, paper=True)
+        title = "Time of the whole program, from mesh to files"
+        label = "whole program [s]"
+        against_n(result, "program_s", label, path, title, paper=True)
 
     def products(path):
-        against_n(result, "products", "products with Q", path)
+        title = "Multiplications by Q until a method has solved its problem"
+        against_n(result, "products", "multiplications by Q", path, title)
 
     draw("time_program", "Time of the whole program against n", program_time)
     draw("time_iteration", "Time of the iteration alone against n", iteration_time)

@@ -1,0 +1,231 @@
+#!/usr/bin/python3
+"""Tests of the picture of a run: the surface, the panels, and the page."""
+
+import itertools
+import os
+import sys
+import unittest
+from types import SimpleNamespace
+
+try:
+    import matplotlib  # pylint: disable=unused-import
+    import numpy as np
+except ImportError as error:
+    print(f"Skipped: {error}")
+    sys.exit(77)
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                                "..", "..", "output"))
+# pylint: disable=wrong-import-position
+from render_parts import meshes, page, panels
+
+
+def hexahedra(cells, low=(0, 0, 0), high=(1, 1, 1)):
+    """The corners of a grid of cells in a box, (n, 8, 3)."""
+    unit = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
+                     [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    places = np.array(list(itertools.product(*map(range, cells))))
+    low, high = np.array(low), np.array(high)
+    return low + (places[:, None, :] + unit) / cells * (high - low)
+
+
+def mesh_of(corners):
+    """Points and outer faces of cells given by their corners."""
+    first, number = meshes.merge(corners.reshape(-1, 3))
+    faces = meshes.outer_faces(number.reshape(-1, 8), len(first))
+    return corners.reshape(-1, 3)[first], faces
+
+
+def side(points, faces, axis, place):
+    """The faces in a plane."""
+    return faces[np.isclose(points[faces][:, :, axis], place).all(axis=1)]
+
+
+def contact_on(faces, boundary, status=panels.SLIP, friction=(1, 0, 0)):
+    """Contact faces with the same status, pressure 2 and friction all over."""
+    shape = faces.shape
+    return SimpleNamespace(
+        faces=faces, boundary=np.full(shape[0], boundary),
+        status=np.full(shape, status), pressure=np.full(shape, 2.0),
+        area=np.ones(shape),
+        tangential_traction=np.broadcast_to(np.array(friction, dtype=float),
+                                            (*shape, 3)).copy())
+
+
+def joined(*contacts):
+    """Several contact boundaries as one record of them all."""
+    return SimpleNamespace(**{
+        name: np.concatenate([getattr(contact, name) for contact in contacts])
+        for name in vars(contacts[0])})
+
+
+def cylinder_side(radius, length, n=24, m=3):
+    """Points and faces of the side of a cylinder along z, seen from outside."""
+    angles = 2 * np.pi * np.arange(n) / n
+    points = np.array([[radius * np.cos(a), radius * np.sin(a), length * k / m]
+                       for k in range(m + 1) for a in angles])
+    faces = [[k * n + i, k * n + (i + 1) % n, (k + 1) * n + (i + 1) % n,
+              (k + 1) * n + i] for k in range(m) for i in range(n)]
+    return points, np.array(faces)
+
+
+class Surface(unittest.TestCase):
+    """The faces on the outside of a mesh."""
+
+    def test_points_up_to_rounding(self):
+        points = np.array([[0, 0, 1 / 3], [0, 0, np.float32(1 / 3)], [0, 0, 1]])
+        first, number = meshes.merge(points)
+        self.assertEqual(len(first), 2)
+        self.assertEqual(number[0], number[1])
+        self.assertNotEqual(number[0], number[2])
+
+    def test_brick_is_closed_and_seen_from_outside(self):
+        points, faces = mesh_of(hexahedra((3, 2, 4), high=(3, 1, 2)))
+        self.assertEqual(len(points), 4 * 3 * 5)
+        areas = meshes.vector_areas(points[faces])
+        self.assertAlmostEqual(np.linalg.norm(areas, axis=1).sum(), 22)
+        outwards = points[faces].mean(axis=1) - [1.5, 0.5, 1]
+        self.assertTrue(((areas * outwards).sum(axis=1) > 0).all())
+
+    def test_no_faces_between_large_and_small_cells(self):
+        _, faces = mesh_of(np.concatenate([
+            hexahedra((1, 1, 1)), hexahedra((2, 2, 2), (1, 0, 0), (2, 1, 1))]))
+        self.assertEqual(len(faces), 5 + 5 * 4)
+
+    def test_outline_of_a_cube_is_its_edges(self):
+        points, faces = mesh_of(hexahedra((2, 2, 2)))
+        edges = meshes.outline(points, faces, np.array([1, -1, 1]))
+        self.assertEqual(len(edges), 12 * 2)
+
+
+class Panels(unittest.TestCase):
+    """Contact boundaries laid flat."""
+
+    def setUp(self):
+        self.points, self.faces = mesh_of(hexahedra((4, 3, 1), high=(4, 3, 1)))
+
+    def test_bottom_is_seen_from_above(self):
+        bottom = side(self.points, self.faces, 2, 0)
+        panel, = panels.panels_of(contact_on(bottom, 4), self.points)
+        self.assertEqual(panel.seen, "seen from +z")
+        self.assertEqual(panel.axes, ["x", "y"])
+        np.testing.assert_allclose(panel.places, self.points[bottom][:, :, :2])
+        np.testing.assert_allclose(panel.friction[..., 0], 1)
+
+    def test_every_boundary_has_its_panel(self):
+        both = joined(contact_on(side(self.points, self.faces, 2, 0), 4),
+                      contact_on(side(self.points, self.faces, 0, 4), 1))
+        four, one = sorted(panels.panels_of(both, self.points),
+                           key=lambda panel: -panel.boundary)
+        self.assertEqual((len(four.faces), len(one.faces)), (12, 3))
+        self.assertEqual(one.axes, ["y", "z"])
+
+    def test_all_sides_of_a_brick_are_apart(self):
+        shown = panels.panels_of(contact_on(self.faces, 0), self.points)
+        self.assertEqual(len(shown), 6)
+
+    def test_side_of_a_cylinder_is_unrolled(self):
+        points, faces = cylinder_side(2, 3)
+        around = points[faces].mean(axis=1)
+        contact = contact_on(faces, 0, friction=(0, 0, 1))
+        contact.pressure[around[:, 0] < 1.9] = 0
+        contact.status[around[:, 0] < 1.9] = panels.OPEN
+        panel, = panels.panels_of(contact, points)
+        low, high = (f(panel.places.reshape(-1, 2), axis=0)
+                     for f in (np.min, np.max))
+        np.testing.assert_allclose(high - low, [4 * np.pi, 3], rtol=0.01)
+        np.testing.assert_allclose(panel.friction[..., 1], 1)
+        middle = panel.places[panel.pressure.all(axis=1)].mean(axis=(0, 1))
+        self.assertAlmostEqual(middle[0], 0)
+        self.assertTrue(panel.enlarged)
+
+    def test_hanging_nodes_are_not_counted(self):
+        contact = contact_on(side(self.points, self.faces, 2, 0), 4)
+        contact.area[contact.faces == contact.faces[0, 0]] = 0
+        panel, = panels.panels_of(contact, self.points)
+        count = panels.counts(panel)
+        self.assertEqual((count[panels.SLIP], count[panels.OPEN]), (19, 0))
+
+    def test_corners_share_out_a_face(self):
+        panel, = panels.panels_of(contact_on(side(self.points, self.faces, 2, 0),
+                                             4), self.points)
+        parts = panels.quarters(panel, panels.SLIP)
+        areas = meshes.vector_areas(np.pad(parts, ((0, 0), (0, 0), (0, 1))))
+        np.testing.assert_allclose(np.abs(areas[:, 2]), 0.25)
+
+
+class Page(unittest.TestCase):
+    """Nothing on the page is over anything else, whatever is shown."""
+
+    def texts_of(self, lengths, sides, friction, converged=True):
+        """The boxes of all texts of the page of a brick with these sides."""
+        points, faces = mesh_of(hexahedra((4, 4, 4), high=lengths))
+        contact = joined(*[
+            contact_on(side(points, faces, axis, place), i, friction=friction)
+            for i, (axis, place) in enumerate(sides)])
+        units = {"length": "mm", "force": "N", "stress": "MPa"}
+        boundaries = [{"name": f"side {i}", "id": i} for i in range(len(sides))]
+        run = SimpleNamespace(name="a brick", contact=contact, units=units,
+                              summary={"converged": converged, "contact": {
+                                  "boundaries": boundaries, "max_pressure": 2e7,
+                                  "force_on_body": [1e8, -1e8, 1e-9]}})
+        shown = panels.panels_of(contact, points)
+        figure = page.draw(run, shown, lambda width, height: SimpleNamespace(
+            image=np.zeros((100, 150, 3)), factor=700, highest=1.2e8,
+            axes=np.array([[0.5, -0.4], [0.6, 0.3], [0, 0.9]]), obstacle=True))
+        figure.canvas.draw()
+        found = figure.findobj(matplotlib.text.Text)
+        boxes = [(text.get_text(), text.get_window_extent()) for text in found
+                 if text.get_text() and text.get_visible()]
+        return figure, [(words, box) for words, box in boxes if box.width > 0]
+
+    def check(self, *arguments, **options):
+        """No texts overlap, and all of them are on the page."""
+        figure, texts = self.texts_of(*arguments, **options)
+        width, height = figure.canvas.get_width_height()
+        for words, box in texts:
+            self.assertTrue(0 <= box.x0 and box.x1 <= width and 0 <= box.y0
+                            and box.y1 <= height, words)
+        for (one, a), (two, b) in itertools.combinations(texts, 2):
+            overlap = min(a.x1, b.x1) - max(a.x0, b.x0), \
+                min(a.y1, b.y1) - max(a.y0, b.y0)
+            self.assertFalse(min(overlap) > 1, f"'{one}' and '{two}'")
+        return [words for words, _ in texts]
+
+    def test_brick(self):
+        words = self.check((4, 3, 1), [(2, 0)], (1, 0.5, 0))
+        self.assertIn("Contact boundary side 0", words)
+        self.assertIn("pressure [MPa]", words)
+        self.assertFalse(any("NOT CERTIFIED" in line for line in words))
+
+    def test_long_flat_and_tall(self):
+        for lengths in ((200, 10, 10), (1e-3, 2e-2, 1), (3, 3, 0.01),
+                        (1, 1e-4, 1)):
+            for friction in ((0, -1, 0), (0, 0, 0)):
+                self.check(lengths, [(2, 0)], friction)
+
+    def test_three_boundaries_not_certified(self):
+        words = self.check((2, 2, 2), [(2, 0), (0, 2), (1, 0)], (-1, -1, -1),
+                           converged=False)
+        self.assertIn("NOT CERTIFIED", words)
+        self.assertEqual(sum("Contact boundary" in line for line in words), 3)
+
+    def test_no_friction(self):
+        self.assertIn("no friction",
+                      self.check((4, 3, 1), [(2, 1)], (0, 0, 0)))
+
+
+class Numbers(unittest.TestCase):
+    """Numbers and units as they are written."""
+
+    def test_units(self):
+        self.assertEqual(page.label("pressure", ""), "pressure")
+        self.assertEqual(page.label("x", "mm"), "x [mm]")
+        self.assertEqual(page.label("pressure", "Pa", 6), "pressure [$10^{6}$ Pa]")
+        self.assertEqual(page.quantity("N", 1.5, -2, 1e-12),
+                         "(1.5, \N{MINUS SIGN}2, 0) N")
+        self.assertEqual(page.quantity("", 1.582e8), "158.2$\\times10^{6}$")
+
+
+if __name__ == "__main__":
+    unittest.main()
