@@ -5,11 +5,12 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -40,21 +41,28 @@ read_vtu(const std::string &file)
   std::ifstream in(file);
   std::stringstream content;
   content << in.rdbuf();
-  std::string text = content.str();
+  const std::string text = content.str();
 
   std::map<std::string, std::vector<float>> arrays;
-  const std::regex array(
-    "<DataArray type=\"Float(?:32|64)\"([^>]*)>\\s*([A-Za-z0-9+/=]*)\\s*"
-    "</DataArray>");
-  for (std::sregex_iterator i(text.begin(), text.end(), array), end; i != end;
-       ++i)
+  const auto between =
+    [&](const std::string &from, const char *to, const std::string &in) {
+      const std::size_t at = in.find(from);
+      return at == std::string::npos
+               ? std::string()
+               : in.substr(at + from.size(),
+                           in.find(to, at + from.size()) - at - from.size());
+    };
+  const std::string begin = "<DataArray type=\"Float";
+  for (std::size_t at = text.find(begin); at != std::string::npos;
+       at             = text.find(begin, at + 1))
     {
-      const std::string attributes = (*i)[1];
-      std::smatch name;
-      arrays[std::regex_search(
-               attributes, name, std::regex("Name=\"([^\"]*)\""))
-               ? std::string(name[1])
-               : "points"] = decode((*i)[2]);
+                  const std::size_t end        = text.find('>', at);
+                  const std::string attributes = text.substr(at, end - at);
+                  std::string values = text.substr(end + 1, text.find('<', end) - end - 1);
+                  values.erase(std::remove_if(values.begin(), values.end(), ::isspace),
+                   values.end());
+                  const std::string name = between("Name=\"", "\"", attributes);
+                  arrays[name.empty() ? "points" : name] = decode(values);
     }
   return arrays;
 }

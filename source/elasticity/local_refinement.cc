@@ -4,8 +4,8 @@
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
-#include <deal.II/base/utilities.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,9 +21,12 @@ namespace stiction
       parameters.source.locate(where));
     if (parameters.geometry.contact_refinement == 0)
       return;
-    const auto boundary_id = body.boundary_names().id(
-      dealii::Utilities::trim(parameters.boundary.contact_boundary),
-      parameters.source.locate("Boundary conditions/Contact boundary"));
+    std::set<dealii::types::boundary_id> contact_boundaries;
+    for (const std::string &name :
+         split_at_bars(parameters.boundary.contact_boundary))
+      contact_boundaries.insert(body.boundary_names().id(
+        name,
+        parameters.source.locate("Boundary conditions/Contact boundary")));
 
     for (unsigned int k = 0; k < parameters.geometry.contact_refinement; ++k)
       {
@@ -32,7 +35,8 @@ namespace stiction
           for (const auto &cell : body.triangulation().active_cell_iterators())
             if (cell->is_locally_owned())
               for (const auto &face : cell->face_iterators())
-                if (face->at_boundary() && face->boundary_id() == boundary_id &&
+                if (face->at_boundary() &&
+                    contact_boundaries.count(face->boundary_id()) > 0 &&
                     is_refined.value(face->center()) > 0.)
                   is_cut[cell->active_cell_index()] = true;
         });

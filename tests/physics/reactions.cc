@@ -129,9 +129,9 @@ main(int argc, char *argv[])
     const auto &left = R["boundaries"][0];
     out() << "Pulled bar: held with the load "
           << yes(left["name"] == "left" &&
-                 has(left["force"], {{-F, 0., 0.}}, F))
+                 has(left["force"], Vector3({-F, 0., 0.}), F))
           << ", its moment "
-          << yes(has(left["moment"], {{0., -F / 2., 1.5 * F}}, F))
+          << yes(has(left["moment"], Vector3({0., -F / 2., 1.5 * F}), F))
           << ", nothing at the points "
           << yes(has(R["points"][0]["force"], {}, F) &&
                  has(R["points"][1]["force"], {}, F))

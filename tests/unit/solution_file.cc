@@ -83,9 +83,11 @@ namespace
           }
         const auto sigma = material.stress(epsilon);
         for (unsigned int k = 0; k < 9; ++k)
-          e.law = std::max(e.law,
-                           std::abs(sigma[k / 3][k % 3] - stress[9 * i + k]) /
-                             material.youngs_modulus / largest_strain);
+          e.law =
+            std::max(e.law,
+                     std::abs(sigma[k / 3][k % 3] - stress[9 * i + k]) /
+                       (material.lame_lambda + 2. * material.shear_modulus) /
+                       largest_strain);
         if (mean_dilatation)
           e.volume_strain = std::max(
             e.volume_strain, std::abs(trace - first_trace) / largest_strain);
@@ -190,7 +192,7 @@ main(int argc, char *argv[])
                           8,
                           false,
                           true},
-                         {"triquadratic", "quadratic.prm", {}, 64}})
+                         {"triquadratic", "quadratic.prm", {}, 27}})
     {
       const Run run(shipped(c.file), c.settings);
       MPI_Barrier(MPI_COMM_WORLD); // the files of the others
@@ -198,11 +200,12 @@ main(int argc, char *argv[])
         continue;
       const Errors e =
         check(run, c.n_points, c.mean_dilatation, c.has_hanging_nodes);
-      out() << c.name << ": " << e.nodes << " nodes, stress of the strain "
-            << yes(e.law < 1e-5) << ", volume strain "
-            << yes(e.volume_strain < 1e-5) << ", principal stresses "
-            << yes(e.principal < 1e-4) << ", von Mises stress "
-            << yes(e.von_mises < 1e-4) << ", averaged "
+      out() << c.name << ": all nodes "
+            << yes(e.nodes == run.summary()["problem"]["nodes"])
+            << ", stress of the strain " << yes(e.law < 1e-5)
+            << ", volume strain " << yes(e.volume_strain < 1e-5)
+            << ", principal stresses " << yes(e.principal < 1e-4)
+            << ", von Mises stress " << yes(e.von_mises < 1e-4) << ", averaged "
             << yes(e.averaged < 1e-5) << ", reactions "
             << yes(e.reaction < 1e-5) << std::endl;
     }
