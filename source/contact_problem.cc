@@ -186,6 +186,25 @@ namespace stiction
     assign_material_ids(*body_, parameters_);
     refine_contact_boundary(*body_, parameters_);
     describe_body();
+    describe_choices();
+  }
+
+
+
+  void
+  ContactProblem::describe_choices() const
+  {
+    if (parameters_.material.volume_strain == "automatic" &&
+        parameters_.has_mean_dilatation())
+      log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
+                        parameters_.material.largest_poisson_ratio()));
+    if (parameters_.contact_solver.is_primal() && !parameters_.is_matrix_free())
+      {
+        const std::string why = parameters_.why_not_simple();
+        log_->line("Algebraic multigrid, which takes many times as long for an "
+                   "unknown as geometric multigrid: that is not there with " +
+                   (why.empty() ? std::string("'Global refinement' 0") : why));
+      }
   }
 
 

@@ -135,12 +135,38 @@ namespace stiction
       reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =
       displacement_to_json(*elasticity_, judge_->displacement());
-    summary["energy"] = energy_to_json(*surface_, certificate);
+    summary["energy"]   = energy_to_json(*surface_, certificate);
+    summary["warnings"] = warnings();
     if (refinement_)
       summary["refinement"] = refinement_->to_json();
     summary["seconds"]        = phases_.to_json();
     summary["peak_memory_MB"] = peak_memory(communicator_);
     write_summary(summary, parameters_.output.directory, communicator_);
+  }
+
+
+
+  std::vector<std::string>
+  ContactProblem::warnings() const
+  {
+    std::vector<std::string> warnings;
+    if (parameters_.has_locking())
+      warnings.push_back(
+        format("with a Poisson ratio of %g trilinear elements lock, bodies and "
+               "forces become too stiff, which the certificate does not see: "
+               "'Material/Volume strain = cell mean' does not lock.",
+               parameters_.material.largest_poisson_ratio()));
+    const LA::Vector &u = judge_->displacement();
+    const double depth =
+      solution_->converged ? surface_->penetration_of_facing_away(u) : 0.;
+    if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
+      warnings.push_back(
+        "a node that faces away from its obstacle came " +
+        with_unit(format("%.2g", depth),
+                  Units::named(parameters_.output.units).length) +
+        " into it; such nodes are no contact nodes, and the certificate does "
+        "not speak of them.");
+    return warnings;
   }
 
 
@@ -156,17 +182,8 @@ namespace stiction
                          judge_->certificate(),
                          parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
-    const double depth =
-      solution_->converged
-        ? surface_->penetration_of_facing_away(judge_->displacement())
-        : 0.;
-    if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
-      log_->line(
-        "WARNING: a node that faces away from its obstacle came " +
-        with_unit(format("%.2g", depth),
-                  Units::named(parameters_.output.units).length) +
-        " into it; such nodes are no contact nodes, and the certificate does "
-        "not speak of them.");
+    for (const auto &warning : (*summary_)["warnings"])
+      log_->line("WARNING: " + warning.get<std::string>());
     log_->line("Open " +
                (parameters_.output.write_solution
                   ? directory + "/solution.pvtu and "

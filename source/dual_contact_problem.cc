@@ -197,8 +197,9 @@ namespace stiction
           {"file", path_}, {"contact_nodes", m}, {"dual_unknowns", 3 * m}};
     summary["solver"] = solver_to_json(
       parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
-    summary["solver"]["tolerance"] = parameters_.contact_solver.tolerance;
-    summary["certificate"]         = certificate_to_json(*conditions_);
+    summary["solver"]["tolerance"]     = parameters_.contact_solver.tolerance;
+    summary["certificate"]             = certificate_to_json(*conditions_);
+    summary["certificate"]["has_body"] = false;
     summary["contact"] =
       counts_to_json(*conditions_, parameters_.contact_solver.tolerance);
     summary["contact"]["normal_force"] = solution_->lambda.head(m).sum();
@@ -218,6 +219,8 @@ namespace stiction
       parameters_.contact_solver.tolerance,
       explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
       parameters_.performance.print_timing);
+    log_->line("There was no body to judge: the certificate is that of the "
+               "contact conditions with Q and h as they are.");
     log_->line("The contact forces are in " + parameters_.output.directory +
                "/forces.csv.");
   }

@@ -165,6 +165,8 @@ main(int argc, char *argv[])
   // Where one rank alone may have failed, the others must not wait for it. If
   // all have failed, the first one speaks and ends them.
   const auto abort = [&](const std::string &sentence) {
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+      return refuse(sentence);
     if (!speaks)
       std::this_thread::sleep_for(std::chrono::seconds(2));
     std::cerr << "stiction: " << printable(sentence) << std::endl;

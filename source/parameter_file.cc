@@ -1,6 +1,7 @@
 #include <stiction/did_you_mean.h>
 #include <stiction/errors.h>
 #include <stiction/parameter_file.h>
+#include <stiction/utf8.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -143,6 +144,11 @@ namespace stiction
                         const std::string &value,
                         ParameterHandler &prm)
   {
+    for (const std::string &text : {section, name, value})
+      if (const std::size_t bad = first_byte_not_utf8(text);
+          bad != std::string::npos)
+        throw InputError(where + ": byte " + std::to_string(bad + 1) + " of '" +
+                         text + "' is no UTF-8, must be text in UTF-8.");
     const Declarations all = declared(prm);
     if (section.empty() || !all.contains(section))
       throw InputError(where + unknown_section(all, section));

@@ -115,9 +115,10 @@ namespace stiction
                   Patterns::Integer(0, 12));
     add_parameter("Contact refinement",
                   contact_refinement,
-                  "How many more times the cells at the contact boundary are "
-                  "cut into eight, and cells around them so that neighbours "
-                  "differ by one level. The nodes that hang between small and "
+                  "How many more times the cells at the contact boundary and "
+                  "those behind them are cut into eight, and cells around them "
+                  "so that neighbours differ by one level. The nodes that hang "
+                  "between small and "
                   "large cells follow their neighbours; contact is imposed at "
                   "the others.",
                   prm,
@@ -179,15 +180,16 @@ namespace stiction
   double
   GeometryParameters::n_cells() const
   {
-    // each local refinement makes seven more of every cell of a layer, the
-    // largest there is
+    // each local refinement makes seven more of every cell of two layers, the
+    // largest there are
     const double thinnest =
       is_brick() ? *std::min_element(subdivisions.begin(), subdivisions.end())
                  : 1.;
     const double layer =
       n_uniform_cells() / std::pow(2., global_refinement) / thinnest;
-    return n_uniform_cells() +
-           7. / 3. * layer * (std::pow(4., contact_refinement) - 1.);
+    return n_uniform_cells() + 7. / 3. *
+                                 std::min(2. * layer, n_uniform_cells()) *
+                                 (std::pow(4., contact_refinement) - 1.);
   }
 
 
@@ -232,7 +234,7 @@ namespace stiction
                "Poisson ratio",
                poisson_ratio,
                "nu, above -1 and below 0.5; must be said with Young's modulus. "
-               "Trilinear elements lock as it approaches 0.5.");
+               "Above 0.45 see 'Volume strain'.");
     add_number(*this,
                "Density",
                density,
@@ -254,12 +256,14 @@ namespace stiction
       "Volume strain",
       volume_strain,
       "pointwise: as the displacements have it; trilinear elements "
-      "then lock as nu approaches 0.5. cell mean: the change of "
-      "volume is the same all over a cell (mean dilatation, B-bar), "
-      "for nearly incompressible materials, nu above 0.49; with an "
-      "assembled stiffness matrix.",
+      "then lock as nu approaches 0.5, bodies and forces become many times too "
+      "stiff. cell mean: the change of volume is the same all over a cell "
+      "(mean dilatation, B-bar), for nearly incompressible materials; with an "
+      "assembled stiffness matrix, without geometric multigrid. automatic: "
+      "cell mean for trilinear elements if an isotropic material has nu above "
+      "0.45, otherwise pointwise.",
       prm,
-      Patterns::Selection("pointwise|cell mean"));
+      Patterns::Selection("automatic|pointwise|cell mean"));
     add_parameter(
       "Densities",
       densities,
@@ -280,11 +284,30 @@ namespace stiction
 
 
 
-  bool
-  MaterialParameters::is_simple() const
+  double
+  MaterialParameters::largest_poisson_ratio() const
   {
-    return volume_strain == "pointwise" &&
-           materials.find("orthotropic") == std::string::npos;
+    double largest = poisson_ratio.value_or(-1.);
+    // what is not to be read is refused where the materials are made
+    for (const std::string &material : split_at_bars(materials))
+      {
+        const auto words = dealii::Utilities::split_string_list(
+          material.substr(material.find(':') + 1), ";"); // none: all of it
+        if (words.size() == 3 && words[0] == "isotropic")
+          largest = std::max(largest, std::strtod(words[2].c_str(), nullptr));
+      }
+    return largest;
+  }
+
+
+
+  bool
+  MaterialParameters::has_mean_dilatation(
+    const unsigned int element_degree) const
+  {
+    return volume_strain == "cell mean" ||
+           (volume_strain == "automatic" && element_degree == 1 &&
+            largest_poisson_ratio() > locking_poisson_ratio);
   }
 
 

@@ -71,11 +71,6 @@ namespace stiction
                   "that.",
                   prm,
                   Patterns::Selection("direct|fixed point"));
-    add_parameter("Accelerate fixed point",
-                  accelerate_fixed_point,
-                  "Whether successive approximations extrapolate the slip "
-                  "bound (Anderson). A step that does not lower the residual "
-                  "is undone.");
   }
 
 

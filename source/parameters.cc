@@ -74,6 +74,25 @@ namespace stiction
 
 
   std::string
+  Parameters::why_not_simple() const
+  {
+    std::string all;
+    const auto add = [&](const bool holds, const std::string &reason) {
+      if (holds)
+        all += (all.empty() ? "" : ", ") + reason;
+    };
+    add(geometry.element_degree > 1, "'Element degree' 2");
+    add(geometry.contact_refinement > 0, "'Contact refinement'");
+    add(refinement.adaptive_steps > 0, "'Adaptive steps'");
+    add(has_mean_dilatation(), "'Volume strain' cell mean");
+    add(material.materials.find("orthotropic") != std::string::npos,
+        "an orthotropic material");
+    return all;
+  }
+
+
+
+  std::string
   Parameters::stiffness_solver_type() const
   {
     if (stiffness_solver.type != "automatic")
@@ -345,8 +364,8 @@ namespace stiction
       "Stiffness solver/Type",
       "needs trilinear cells of isotropic materials, alike on each level, so "
       "'Geometry/Contact refinement' must be 0, 'Geometry/Element "
-      "degree' 1 and 'Material/Volume strain' pointwise, or the type "
-      "'amg'");
+      "degree' 1 and 'Material/Volume strain' pointwise (automatic is that up "
+      "to a Poisson ratio of 0.45), or the type 'amg'");
     require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
             "Stiffness solver/Type",
             "must be 'automatic', 'multigrid' or 'amg' for 'Contact "

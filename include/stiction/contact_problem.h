@@ -107,6 +107,10 @@ namespace stiction
 
     void
     make_grid();
+    /// Of what was left to the program.
+    void
+    describe_choices() const;
+
     void
     describe_machine();
     void
@@ -147,6 +151,9 @@ namespace stiction
     export_problem();
     void
     summarize();
+    /// What the certificate does not see, in sentences.
+    std::vector<std::string>
+    warnings() const;
     void
     report() const;
 

@@ -87,16 +87,24 @@ namespace stiction
   {
     MaterialParameters();
 
-    /// Whether all materials are isotropic and volume strains pointwise: then
-    /// Lamé's two numbers say all of a cell.
+    /// Of all isotropic materials.
+    double
+    largest_poisson_ratio() const;
+
+    /// Whether volume strains are means over cells, by 'Volume strain' with
+    /// automatic replaced by what it stands for.
     bool
-    is_simple() const;
+    has_mean_dilatation(unsigned int element_degree) const;
+
+    /// Above it trilinear elements with pointwise volume strains are much too
+    /// stiff.
+    static constexpr double locking_poisson_ratio = 0.45;
 
     std::optional<double> youngs_modulus, poisson_ratio, density;
     std::string materials     = "";
     std::string densities     = "";
     std::string material_ids  = "";
-    std::string volume_strain = "pointwise";
+    std::string volume_strain = "automatic";
   };
 
   struct RefinementParameters : dealii::ParameterAcceptor
@@ -169,7 +177,6 @@ namespace stiction
     std::string disc_solver         = "newton";
     unsigned int squares            = 2;
     std::string coulomb_iteration   = "direct";
-    bool accelerate_fixed_point     = false;
   };
 
   struct StiffnessSolverParameters : dealii::ParameterAcceptor
@@ -260,8 +267,29 @@ namespace stiction
     bool
     is_simple() const
     {
-      return geometry.is_simple() && material.is_simple() &&
-             refinement.adaptive_steps == 0;
+      return why_not_simple().empty();
+    }
+
+    /// The entries because of which it is not, with their values, separated by
+    /// commas.
+    std::string
+    why_not_simple() const;
+
+    /// See MaterialParameters::has_mean_dilatation().
+    bool
+    has_mean_dilatation() const
+    {
+      return material.has_mean_dilatation(geometry.element_degree);
+    }
+
+    /// Whether the elements lock: trilinear ones, a Poisson ratio near 0.5 and
+    /// 'Volume strain = pointwise'.
+    bool
+    has_locking() const
+    {
+      return geometry.element_degree == 1 && !has_mean_dilatation() &&
+             material.largest_poisson_ratio() >
+               MaterialParameters::locking_poisson_ratio;
     }
 
     /// 'Stiffness solver/Type', with automatic replaced by what it stands for.

@@ -1,5 +1,4 @@
 #include <stiction/contact/coulomb_fixed_point.h>
-#include <stiction/qp/anderson.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +24,8 @@ namespace stiction
 
 
   CoulombFixedPoint::CoulombFixedPoint(
-    std::unique_ptr<DualMethod> given_friction,
-    const bool accelerate)
+    std::unique_ptr<DualMethod> given_friction)
     : given_friction_(std::move(given_friction))
-    , accelerate_(accelerate)
   {
   }
 
@@ -40,7 +37,6 @@ namespace stiction
     DualMethodStatistics all = given_friction_->statistics();
     all.coulomb_iterations   = iterations_;
     all.contraction          = contraction_;
-    all.fallbacks += undone_;
     return all;
   }
 
@@ -64,9 +60,6 @@ namespace stiction
     if (result.residual <= rule.residual)
       result.change = 0.; // nothing to do
 
-    qp::Anderson anderson;
-    Eigen::VectorXd bound        = slip_bound.at(iterate.lambda);
-    bool is_extrapolated         = false;
     std::deque<double> residuals = {result.residual};
     double smallest              = result.residual;
     unsigned int idle_steps      = 0;
@@ -78,16 +71,15 @@ namespace stiction
             result.iterations >= rule.max_iterations)
           break;
 
-        const DualIterate before     = iterate;
-        const double residual_before = result.residual;
+        const Eigen::VectorXd before = iterate.lambda;
         StoppingRule inner;
-        inner.residual = std::max(approximation_reduction * residual_before,
+        inner.residual = std::max(approximation_reduction * result.residual,
                                   0.5 * rule.residual);
         inner.change   = std::numeric_limits<double>::infinity();
         inner.max_iterations = rule.max_iterations - result.iterations;
         const DualMethodResult approximation =
           given_friction_->solve(iterate,
-                                 qp::SlipBound::given(bound),
+                                 qp::SlipBound::given(slip_bound.at(before)),
                                  scaling,
                                  inner,
                                  [](const Step &) {});
@@ -96,20 +88,9 @@ namespace stiction
 
         const double norm = iterate.lambda.norm();
         result.change =
-          norm > 0. ? (iterate.lambda - before.lambda).norm() / norm : 0.;
+          norm > 0. ? (iterate.lambda - before).norm() / norm : 0.;
         result.residual = residual();
         observer({approximation.iterations, result.residual, result.change});
-
-        if (is_extrapolated && !(result.residual < residual_before))
-          {
-            iterate         = before;
-            result.residual = residual_before;
-            bound           = slip_bound.at(iterate.lambda);
-            is_extrapolated = false;
-            anderson.restart();
-            ++undone_;
-            continue;
-          }
 
         residuals.push_back(result.residual);
         if (residuals.size() > contraction_horizon + 1)
@@ -117,22 +98,11 @@ namespace stiction
         contraction_ = std::pow(result.residual / residuals.front(),
                                 1. / static_cast<double>(residuals.size() - 1));
 
-        Eigen::VectorXd next = slip_bound.at(iterate.lambda);
-        if (accelerate_)
-          {
-            const Eigen::VectorXd extrapolated =
-              anderson.next(bound, next).cwiseMax(0.);
-            is_extrapolated = extrapolated != next;
-            next            = extrapolated;
-          }
-        bound = next;
-
         idle_steps = result.residual < 0.9 * smallest ? 0 : idle_steps + 1;
         smallest   = std::min(smallest, result.residual);
         if (result.residual <= rule.residual && result.change <= rule.change)
           continue; // converged
-        if ((approximation.iterations == 0 && result.change == 0. &&
-             !is_extrapolated) ||
+        if ((approximation.iterations == 0 && result.change == 0.) ||
             approximation.stagnated || !std::isfinite(result.residual))
           {
             result.stagnated = true;

@@ -57,8 +57,7 @@ namespace stiction
     auto method = create(parameters, Q);
     if (coulomb && (!method->solves_coulomb() ||
                     parameters.coulomb_iteration == "fixed point"))
-      return std::make_unique<CoulombFixedPoint>(
-        std::move(method), parameters.accelerate_fixed_point);
+      return std::make_unique<CoulombFixedPoint>(std::move(method));
     return method;
   }
 } // namespace stiction

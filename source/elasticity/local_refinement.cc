@@ -4,6 +4,10 @@
 #include <stiction/errors.h>
 #include <stiction/parameters.h>
 
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
 
 #include <set>
 #include <string>
@@ -28,16 +32,31 @@ namespace stiction
         name,
         parameters.source.locate("Boundary conditions/Contact boundary")));
 
+    using Cell           = dealii::Triangulation<3>::active_cell_iterator;
+    const auto is_wanted = [&](const Cell &cell, const unsigned int f) {
+      const auto face = cell->face(f);
+      return face->at_boundary() &&
+             contact_boundaries.count(face->boundary_id()) > 0 &&
+             is_refined.value(face->center()) > 0.;
+    };
+    // One layer of cut cells alone would end two small cells below the surface,
+    // where the large ones make themselves felt in the pressure.
+    const auto is_below_wanted = [&](const Cell &cell, const unsigned int f) {
+      if (cell->at_boundary(f) || cell->face(f)->has_children() ||
+          cell->neighbor_is_coarser(f))
+        return false;
+      return is_wanted(
+        cell->neighbor(f),
+        dealii::GeometryInfo<3>::opposite_face[cell->neighbor_of_neighbor(f)]);
+    };
     for (unsigned int k = 0; k < parameters.geometry.contact_refinement; ++k)
       {
         std::vector<bool> is_cut(body.triangulation().n_active_cells());
         together(body.communicator(), [&]() {
           for (const auto &cell : body.triangulation().active_cell_iterators())
             if (cell->is_locally_owned())
-              for (const auto &face : cell->face_iterators())
-                if (face->at_boundary() &&
-                    contact_boundaries.count(face->boundary_id()) > 0 &&
-                    is_refined.value(face->center()) > 0.)
+              for (const unsigned int f : cell->face_indices())
+                if (is_wanted(cell, f) || is_below_wanted(cell, f))
                   is_cut[cell->active_cell_index()] = true;
         });
         body.refine(is_cut);

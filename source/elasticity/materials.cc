@@ -248,7 +248,7 @@ namespace stiction
 
 
   Materials::Materials(const Body &body, const Parameters &parameters)
-    : have_mean_dilatation_(parameters.material.volume_strain == "cell mean")
+    : have_mean_dilatation_(parameters.has_mean_dilatation())
   {
     const MaterialParameters &common = parameters.material;
     const std::set<material_id> ids(body.material_names().ids().begin(),

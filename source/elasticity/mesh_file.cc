@@ -9,9 +9,13 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <sstream>
+#include <unordered_map>
+#include <vector>
 
 namespace stiction
 {
@@ -97,6 +101,21 @@ namespace stiction
                              "same nodes.");
       }
 
+      // Cells that meet at an edge or a vertex alone: neither has deal.II a
+      // mesh of them, nor do they make a body.
+      void
+      require_manifold()
+      {
+        std::vector<Part> edges, vertices;
+        for (unsigned int e = 0; e < GeometryInfo<3>::lines_per_cell; ++e)
+          edges.push_back({{GeometryInfo<3>::line_to_cell_vertices(e, 0),
+                            GeometryInfo<3>::line_to_cell_vertices(e, 1)}});
+        for (const unsigned int v : GeometryInfo<3>::vertex_indices())
+          vertices.push_back({{v, v}});
+        require_connected_around(edges, "edge");
+        require_connected_around(vertices, "node");
+      }
+
       // and marks what is inside, which is no boundary
       void
       require_boundaries_fit()
@@ -134,6 +153,57 @@ namespace stiction
         return vertices;
       }
 
+      using Part = std::array<unsigned int, 2>; // local: an edge or, twice
+                                                // the same, a vertex
+
+      std::uint64_t
+      key(const std::size_t cell, const Part &part) const
+      {
+        const auto &of_cell = mesh_.cells[cell].vertices;
+        const auto ends     = std::minmax(of_cell[part[0]], of_cell[part[1]]);
+        return (static_cast<std::uint64_t>(ends.first) << 32) | ends.second;
+      }
+
+      // All cells with an edge or vertex in common must be reached from each
+      // other through faces that have it, too.
+      void
+      require_connected_around(const std::vector<Part> &parts,
+                               const std::string &name)
+      {
+        const std::size_t n = parts.size();
+        boost::disjoint_sets_with_storage<> around(n * mesh_.cells.size());
+        for (const auto &face : cells_)
+          if (face.second.n == 2)
+            for (std::size_t p = 0; p < n; ++p)
+              {
+                const std::uint64_t common = key(face.second.first, parts[p]);
+                for (std::size_t q = 0; q < n; ++q)
+                  if (key(face.second.second, parts[q]) == common &&
+                      is_in(face.first, common))
+                    around.union_set(n * face.second.first + p,
+                                     n * face.second.second + q);
+              }
+        std::unordered_map<std::uint64_t, std::size_t> first;
+        for (std::size_t i = 0; i < n * mesh_.cells.size(); ++i)
+          {
+            const std::size_t other =
+              first.emplace(key(i / n, parts[i % n]), i).first->second;
+            if (around.find_set(i) != around.find_set(other))
+              throw InputError(
+                location_ + ", " + describe_cell(mesh_, other / n) + " and " +
+                describe_cell(mesh_, i / n) + " meet at a single " + name +
+                ", hexahedra that touch must be connected by "
+                "faces around it.");
+          }
+      }
+
+      static bool
+      is_in(const Key &face, const std::uint64_t part)
+      {
+        return std::binary_search(face.begin(), face.end(), part >> 32) &&
+               std::binary_search(face.begin(), face.end(), part & 0xffffffff);
+      }
+
       void
       add_cell(const std::size_t number)
       {
@@ -155,7 +225,10 @@ namespace stiction
             if (shared.n == 0)
               shared.first = number;
             else
-              pieces_.union_set(shared.first, number);
+              {
+                shared.second = number;
+                pieces_.union_set(shared.first, number);
+              }
             if (++shared.n > 2)
               throw InputError(location_ + ", " + describe_cell(mesh_, number) +
                                " shares a face with two others, at most two "
@@ -168,8 +241,8 @@ namespace stiction
 
       struct Neighbours
       {
-        std::size_t first = 0;
-        unsigned int n    = 0;
+        std::size_t first = 0, second = 0;
+        unsigned int n = 0;
       };
 
       MeshData &mesh_;
@@ -190,6 +263,7 @@ namespace stiction
     GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, mesh.faces);
     Faces faces(mesh, location);
     faces.require_one_piece();
+    faces.require_manifold();
     faces.require_boundaries_fit();
     GridTools::consistently_order_cells(mesh.cells);
     return mesh;

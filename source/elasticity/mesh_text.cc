@@ -1,6 +1,7 @@
 #include "mesh_text.h"
 
 #include <stiction/errors.h>
+#include <stiction/utf8.h>
 
 #include <algorithm>
 #include <cctype>
@@ -194,6 +195,11 @@ namespace stiction
       text.refuse("'" + name +
                   "' is no name that a parameter file could use, must be a "
                   "word or words without ':', '|', ';' and '#'");
+    const std::size_t bad = first_byte_not_utf8(name);
+    if (bad != std::string::npos)
+      text.refuse("byte " + std::to_string(bad + 1) + " of the name '" + name +
+                  "' is no UTF-8, names must be in UTF-8, 'iconv -f latin1 -t "
+                  "utf-8' makes that of a file in Latin-1");
     if (name.find_first_not_of("0123456789") == std::string::npos &&
         name != std::to_string(id))
       text.refuse("'" + name + "' is the name of number " + std::to_string(id) +

@@ -127,8 +127,12 @@ namespace stiction
   {
     together(communicator, [&]() {
       if (is_first(communicator))
-        write_file(directory + "/summary.json",
-                   [&](std::ostream &out) { out << summary.dump(2) << '\n'; });
+        write_file(directory + "/summary.json", [&](std::ostream &out) {
+          // paths may have any bytes
+          out << summary.dump(
+                   2, ' ', false, nlohmann::json::error_handler_t::replace)
+              << '\n';
+        });
     });
   }
 

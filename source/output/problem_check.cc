@@ -78,19 +78,30 @@ namespace stiction::problem_check
       require(Q(i, i), Allowed::positive, [&]() { return place(i, i); });
 
     const Eigen::VectorXd scale = Q.diagonal().cwiseSqrt();
+    double worst                = 0.;
+    Eigen::Index row = 0, column = 0;
     for (Eigen::Index j = 0; j < n; ++j)
       for (Eigen::Index i = j + 1; i < n; ++i)
         {
-          const double difference = Q(i, j) - Q(j, i);
-          if (!(std::abs(difference) <= tolerance * scale(i) * scale(j)))
-            throw InputError(place(i, j) + " is " + text(Q(i, j)) +
-                             ", the entry across the diagonal " +
-                             text(Q(j, i)) +
-                             ", must be equal, the matrix being symmetric, "
-                             "to 1e-8 of the diagonal.");
-          if (difference != 0.)
-            Q(i, j) = Q(j, i) = 0.5 * (Q(i, j) + Q(j, i));
+          const double difference =
+            std::abs(Q(i, j) - Q(j, i)) / (scale(i) * scale(j));
+          if (!(difference <= worst))
+            {
+              worst  = difference;
+              row    = i;
+              column = j;
+            }
         }
+    if (!(worst <= tolerance))
+      throw InputError(place(row, column) + " is " + text(Q(row, column)) +
+                       ", the entry across the diagonal " +
+                       text(Q(column, row)) +
+                       ", must be equal, the matrix being symmetric, to 1e-8 "
+                       "of the diagonal; of all pairs these differ most, by " +
+                       text(worst) + " of it.");
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index i = j + 1; i < n; ++i)
+        Q(i, j) = Q(j, i) = 0.5 * (Q(i, j) + Q(j, i));
   }
 
 

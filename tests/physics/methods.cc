@@ -62,9 +62,9 @@ main(int argc, char *argv[])
               others.push_back({"Contact solver/Method=newton",
                                 "Contact solver/Coulomb iteration=fixed "
                                 "point"});
-              others.push_back({"Contact solver/Method=gauss seidel",
-                                "Contact solver/Coulomb iteration=fixed point",
-                                "Contact solver/Accelerate fixed point=true"});
+              others.push_back(
+                {"Contact solver/Method=gauss seidel",
+                 "Contact solver/Coulomb iteration=fixed point"});
             }
           unsigned int certified = 0;
           double largest         = 0.;

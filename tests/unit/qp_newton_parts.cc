@@ -2,11 +2,9 @@
 // given, hand back the image of the solution without a product of their own,
 // and a good preconditioner saves iterations; Nyström's preconditioner from
 // all directions is the inverse; the linearisation is the derivative of the
-// conditions, seen by differences; Anderson's extrapolation solves a linear
-// fixed point of n unknowns in a few steps where the plain iteration crawls.
+// conditions, seen by differences.
 
 #include <stiction/qp/admm.h>
-#include <stiction/qp/anderson.h>
 #include <stiction/qp/contact_linearization.h>
 #include <stiction/qp/feasible_set.h>
 #include <stiction/qp/krylov_methods.h>
@@ -157,23 +155,5 @@ main()
     print_count("ADMM: more than four factorisations", many_factors);
     print_below("ADMM: distance from the reference solution", error, 1e-7);
     print_below("ADMM: gradient handed back is wrong by", wrong_gradient, 1e-9);
-  }
-
-  // Anderson
-  {
-    const MatrixXd contraction = 0.9 * random.spd(2, 1.5);
-    const VectorXd c           = random.vector(2);
-    const VectorXd solution =
-      (MatrixXd::Identity(2, 2) - contraction).lu().solve(c);
-    Anderson anderson;
-    VectorXd g = VectorXd::Zero(2), plain = g;
-    for (unsigned int k = 0; k < 5; ++k)
-      {
-        g     = anderson.next(g, contraction * g + c);
-        plain = contraction * plain + c;
-      }
-    print_below("Anderson, five steps", (g - solution).norm(), 1e-8);
-    print("Without it, five steps are not enough",
-          (plain - solution).norm() > 1e-2);
   }
 }

@@ -12,16 +12,12 @@ namespace stiction
   /// again and again until λ is its own bound.
   ///
   /// An approximation is solved only to a fixed part of the error with which
-  /// it starts; the factor by which that error falls is observed. On request
-  /// the bound is extrapolated from the last ones (Anderson 1965); a step that
-  /// raises the residual is undone and repeated without.
+  /// it starts; the factor by which that error falls is observed.
   class CoulombFixedPoint : public DualMethod
   {
   public:
     /// @param given_friction the method for each approximation.
-    /// @param accelerate whether bounds are extrapolated.
-    CoulombFixedPoint(std::unique_ptr<DualMethod> given_friction,
-                      bool accelerate);
+    explicit CoulombFixedPoint(std::unique_ptr<DualMethod> given_friction);
 
     DualMethodResult
     solve(DualIterate &iterate,
@@ -41,9 +37,8 @@ namespace stiction
 
   private:
     std::unique_ptr<DualMethod> given_friction_;
-    const bool accelerate_;
-    unsigned int iterations_ = 0, undone_ = 0;
-    double contraction_ = 0.;
+    unsigned int iterations_ = 0;
+    double contraction_      = 0.;
   };
 } // namespace stiction
 
