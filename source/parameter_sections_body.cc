@@ -1,3 +1,4 @@
+#include <stiction/elasticity/boundary_functions.h>
 #include <stiction/parameters.h>
 
 #include <deal.II/base/utilities.h>
