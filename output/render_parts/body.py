@@ -144,13 +144,24 @@ def moved_away(obstacle, points, faces, factor):
     normal = normals[nearest]
     gap = ((places - points[nearest]) * normal).sum(axis=1)
     little = 0.003 * np.ptp(points, axis=0).max()
-    moved = places + ((factor - 1) * gap + little)[:, None] * normal
+    moved = widened(places + ((factor - 1) * gap + little)[:, None] * normal)
     result = vtk.vtkPolyData()
     result.DeepCopy(obstacle)
     result.SetPoints(points_of(moved))
     result.GetPointData().SetScalars(numpy_to_vtk(factor * np.abs(gap),
                                                   deep=True))
     return result
+
+
+def widened(places):
+    """The points of a flat surface further apart, to be seen around the body.
+
+    A foundation ends where its contact boundary does.
+    """
+    off = places - places.mean(axis=0)
+    thickness = np.linalg.svd(off, compute_uv=False)[2]
+    is_flat = thickness <= 1e-3 * np.linalg.norm(off)
+    return places + 0.15 * off if is_flat else places
 
 
 def camera_of(basis, actors):
