@@ -63,6 +63,10 @@ namespace stiction
               !dealii::Utilities::trim(this->output.export_directory).empty(),
             "Output/Export directory",
             "must name a directory or be empty");
+    require(this->output.export_directory != this->output.directory,
+            "Output/Export directory",
+            "must be another one than 'Output/Directory', from which a later "
+            "run would remove only its own files");
 
     std::ostringstream out;
     prm.print_parameters(out,

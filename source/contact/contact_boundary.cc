@@ -138,8 +138,8 @@ namespace stiction
     for (std::size_t b = 0; b < names.size(); ++b)
       {
         ContactBoundary boundary;
-        boundary.name_ = names[b];
         boundary.id_ = body.boundary_names().id(names[b], source.locate(entry));
+        boundary.name_ = body.boundary_names().name(boundary.id_);
         if (!ids.insert(boundary.id_).second)
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
