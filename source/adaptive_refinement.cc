@@ -135,6 +135,21 @@ namespace stiction
 
 
 
+  MeshError
+  AdaptiveRefinement::mesh_error() const
+  {
+    const Mesh &mesh = meshes_.back();
+    MeshError all;
+    if (mesh.error >= 0.)
+      {
+        all.square  = mesh.error * mesh.error;
+        all.n_cells = static_cast<unsigned long long>(mesh.n_cells);
+      }
+    return all;
+  }
+
+
+
   Vector<double>
   AdaptiveRefinement::indicators() const
   {

@@ -78,6 +78,7 @@ namespace stiction
           make_contact_surface();
           solve_and_certify();
         }
+      estimate_mesh();
       if (!solution_->interrupted)
         measure_yardsticks();
       output_results();
@@ -327,6 +328,21 @@ namespace stiction
     has_output_ = true;
     open_output_directory(parameters_, *log_, communicator_);
     keep_iterate_when_interrupted();
+  }
+
+
+
+  void
+  ContactProblem::estimate_mesh()
+  {
+    if (refinement_)
+      mesh_error_ = refinement_->mesh_error();
+    else if (parameters_.refinement.estimate_error && solution_->converged)
+      {
+        const auto phase = phases_.scope("error_estimate");
+        mesh_error_      = estimate_mesh_error(
+          *elasticity_, *surface_, judge_->displacement(), solution_->lambda);
+      }
   }
 
 

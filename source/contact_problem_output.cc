@@ -135,7 +135,9 @@ namespace stiction
       reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =
       displacement_to_json(*elasticity_, judge_->displacement());
-    summary["energy"]   = energy_to_json(*surface_, certificate);
+    summary["energy"] = energy_to_json(*surface_, certificate);
+    summary["mesh_error"] =
+      mesh_error_to_json(mesh_error_, certificate.strain_energy());
     summary["warnings"] = warnings();
     if (refinement_)
       summary["refinement"] = refinement_->to_json();
@@ -182,6 +184,10 @@ namespace stiction
                          judge_->certificate(),
                          parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
+    const std::string mesh =
+      describe_mesh_error((*summary_)["mesh_error"], parameters_);
+    if (!mesh.empty())
+      log_->line(mesh);
     for (const auto &warning : (*summary_)["warnings"])
       log_->line("WARNING: " + warning.get<std::string>());
     log_->line("Open " +

@@ -326,8 +326,7 @@ namespace stiction
                   "cells with the largest errors are cut into eight, and the "
                   "problem is solved again. The files are those of the last "
                   "mesh; it is the last one too if its answer is not "
-                  "certified. The estimate has no constants: it says where the "
-                  "mesh is too coarse, it is no bound.",
+                  "certified.",
                   prm,
                   Patterns::Integer(0, 50));
     add_parameter("Fraction",
@@ -343,5 +342,14 @@ namespace stiction
                   "this; 0: the memory is the limit.",
                   prm,
                   Patterns::Integer(0));
+    add_parameter("Estimate error",
+                  estimate_error,
+                  "Whether the last lines of a run say how large the error of "
+                  "the mesh is, as a part of the energy norm of the "
+                  "displacement: an estimate, no bound. Above 16384 cells it "
+                  "is made from a sample of them. Adaptive steps estimate it "
+                  "in any case.",
+                  prm,
+                  Patterns::Bool());
   }
 } // namespace stiction

@@ -1,6 +1,7 @@
 #ifndef stiction_adaptive_refinement_h
 #define stiction_adaptive_refinement_h
 
+#include <stiction/contact/error_estimator.h>
 #include <stiction/elasticity/linear_algebra.h>
 
 #include <deal.II/lac/vector.h>
@@ -62,6 +63,11 @@ namespace stiction
     {
       return remark_;
     }
+
+    /// η² of the last mesh, of its answer; of no cells if that was not
+    /// certified.
+    MeshError
+    mesh_error() const;
 
     /// η_K of the last mesh by active cells, J^½: of its answer, if that was
     /// certified, otherwise empty.

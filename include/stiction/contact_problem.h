@@ -2,6 +2,7 @@
 #define stiction_contact_problem_h
 
 #include <stiction/contact/certified_solve.h>
+#include <stiction/contact/error_estimator.h>
 #include <stiction/contact/judge.h>
 #include <stiction/elasticity/linear_algebra.h>
 #include <stiction/output/phases.h>
@@ -144,6 +145,8 @@ namespace stiction
     void
     compute_duality_gap();
     void
+    estimate_mesh();
+    void
     measure_yardsticks();
     void
     output_results();
@@ -175,6 +178,8 @@ namespace stiction
     std::unique_ptr<ContactSolution> solution_;
 
     std::unique_ptr<SupportReactions> reactions_;
+    MeshError mesh_error_; ///< of no cells: not estimated
+
     std::unique_ptr<nlohmann::json> summary_;
 
     bool has_output_ = false; ///< whether open_output() was called

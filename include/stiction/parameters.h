@@ -114,6 +114,7 @@ namespace stiction
     unsigned int adaptive_steps   = 0;
     double fraction               = 0.5;
     unsigned int maximum_unknowns = 0;
+    bool estimate_error           = true;
   };
 
   struct BoundaryParameters : dealii::ParameterAcceptor

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <iostream>
@@ -70,5 +72,29 @@ namespace stiction
     va_end(arguments);
     va_end(again);
     return text;
+  }
+
+
+
+  std::array<double, 3>
+  without_rounding(std::array<double, 3> v, const double size)
+  {
+    const double norm = std::max(size, std::hypot(v[0], v[1], v[2]));
+    for (double &component : v)
+      if (std::abs(component) <= 1e-12 * norm)
+        component = 0.;
+    return v;
+  }
+
+
+
+  std::string
+  format_vector(const char *pattern,
+                const std::array<double, 3> &v,
+                const double size)
+  {
+    const auto w = without_rounding(v, size);
+    return format(pattern, w[0]) + ", " + format(pattern, w[1]) + ", " +
+           format(pattern, w[2]);
   }
 } // namespace stiction

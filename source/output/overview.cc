@@ -48,11 +48,7 @@ namespace stiction
     std::string
     vector(const Tensor<1, 3> &v, const double size = 0.)
     {
-      const auto component = [&](const unsigned int c) {
-        return number(std::abs(v[c]) > 1e-12 * std::max(size, v.norm()) ? v[c]
-                                                                        : 0.);
-      };
-      return component(0) + ", " + component(1) + ", " + component(2);
+      return format_vector("%.4g", {{v[0], v[1], v[2]}}, size);
     }
 
     Tensor<1, 3>

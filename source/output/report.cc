@@ -21,10 +21,7 @@ namespace stiction
     std::string
     vector_text(const json &v)
     {
-      return format("%.6g, %.6g, %.6g",
-                    v[0].get<double>(),
-                    v[1].get<double>(),
-                    v[2].get<double>());
+      return format_vector("%.6g", v.get<std::array<double, 3>>());
     }
 
     std::string
@@ -153,6 +150,13 @@ namespace stiction
       return all.empty() ? "none" : all;
     }
 
+    // Figures are relative: below the precision of numbers they are nothing.
+    constexpr double rounding_of_figures = 1e-16;
+
+    // Parts of the energy norm: an error below the one is no matter of advice,
+    // above the other nothing local is right.
+    constexpr double small_mesh_error = 0.01, large_mesh_error = 0.3;
+
     // A geometric mean above this deserves a word.
     constexpr double worrying_contraction = 0.9;
   } // namespace
@@ -191,6 +195,34 @@ namespace stiction
 
 
 
+  std::string
+  describe_mesh_error(const json &mesh_error, const Parameters &parameters)
+  {
+    if (mesh_error.is_null())
+      return {};
+    const double error = mesh_error["relative_energy_error"].get<double>();
+    std::string text =
+      error < 1e-4 ? std::string("Mesh: estimated error below 0.01 %")
+                   : format("Mesh: estimated error %.2g %%", 100. * error);
+    text += " of the energy norm";
+    if (mesh_error["sampled"].get<bool>())
+      text += format(" (from a sample of %llu cells)",
+                     mesh_error["cells_sampled"].get<unsigned long long>());
+    if (error < small_mesh_error)
+      return text + ".";
+
+    if (error > large_mesh_error)
+      text += ": stresses and pressures are not to be trusted yet";
+    // geometric multigrid works on uniform meshes alone
+    return text + (parameters.stiffness_solver.type == "multigrid"
+                     ? "; 'Geometry/Global refinement' lowers it."
+                   : parameters.refinement.adaptive_steps > 0
+                     ? "; more 'Refinement/Adaptive steps' lower it."
+                     : "; 'Refinement/Adaptive steps' lowers it.");
+  }
+
+
+
   void
   print_report(Log &log,
                const json &summary,
@@ -225,12 +257,15 @@ namespace stiction
         log.line(format("  %-24s %.6g",
                         label("largest displacement", units["length"]).c_str(),
                         summary["displacement"]["max"].get<double>()));
-        log.line(
-          format("  %-24s strain %.6g, load %.6g, friction %.6g",
-                 label("energy", units["energy"]).c_str(),
-                 summary["energy"]["strain"].get<double>(),
-                 summary["energy"]["load_work"].get<double>(),
-                 summary["energy"]["friction_dissipation"].get<double>()));
+        const auto energies = without_rounding(
+          {{summary["energy"]["strain"].get<double>(),
+            summary["energy"]["load_work"].get<double>(),
+            summary["energy"]["friction_dissipation"].get<double>()}});
+        log.line(format("  %-24s strain %.6g, load %.6g, friction %.6g",
+                        label("energy", units["energy"]).c_str(),
+                        energies[0],
+                        energies[1],
+                        energies[2]));
         if (contact["boundaries"].size() > 1)
           print_contact_boundaries(log, summary);
         print_supports(log, summary);
@@ -259,7 +294,9 @@ namespace stiction
       {
         if (figures[row.name].is_null())
           continue;
-        const double value = figures[row.name].get<double>();
+        double value = figures[row.name].get<double>();
+        if (value < rounding_of_figures)
+          value = 0.;
         log.line(format("  %-24s %9.2e  %-36s %s",
                         row.name,
                         value,
@@ -324,7 +361,10 @@ namespace stiction
 
     log.line();
     if (summary["converged"].get<bool>())
-      log.line("CERTIFIED: every deciding figure is within the tolerance.");
+      log.line(
+        format("CERTIFIED: the discrete problem is solved (every deciding "
+               "figure is within %g).",
+               tolerance));
     else
       log.line((summary["interrupted"].get<bool>() ? "INTERRUPTED: "
                                                    : "NOT CONVERGED: ") +

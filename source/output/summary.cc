@@ -1,6 +1,7 @@
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_boundary.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/error_estimator.h>
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/nodal_blocks.h>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace stiction
 {
@@ -293,6 +295,20 @@ namespace stiction
       {"load_work", certificate.load_work()},
       {"friction_dissipation",
        0. - certificate.lambda().tail(n).dot(certificate.gradient().tail(n))}};
+  }
+
+
+
+  json
+  mesh_error_to_json(const MeshError &error, const double strain_energy)
+  {
+    if (error.n_cells == 0)
+      return nullptr;
+    return {{"relative_energy_error",
+             strain_energy > 0. ? std::sqrt(error.square / (2. * strain_energy))
+                                : 0.},
+            {"sampled", error.is_sampled},
+            {"cells_sampled", error.n_cells}};
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <mutex>
@@ -48,6 +49,19 @@ namespace stiction
   /// printf into a string.
   std::string
   format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
+
+  /// Numbers of one kind without those that are rounding: 0 for what is below
+  /// 1e-12 of their Euclidean norm, or of the size of numbers from which they
+  /// were computed.
+  std::array<double, 3>
+  without_rounding(std::array<double, 3> v, double size = 0.);
+
+  /// The three components of a vector, each by this pattern,
+  /// without_rounding().
+  std::string
+  format_vector(const char *pattern,
+                const std::array<double, 3> &v,
+                double size = 0.);
 } // namespace stiction
 
 #endif

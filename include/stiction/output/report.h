@@ -9,6 +9,7 @@ namespace stiction
 {
   class ContactConditions;
   class Log;
+  class Parameters;
   struct ContactSolution;
   struct ContactSolverParameters;
 
@@ -22,6 +23,14 @@ namespace stiction
   explain(const ContactSolution &solution,
           const ContactConditions &conditions,
           double tolerance);
+
+  /// A sentence on the estimated error of the mesh and what lowers it; empty if
+  /// none was estimated.
+  ///
+  /// @param mesh_error the section of summary.json.
+  std::string
+  describe_mesh_error(const nlohmann::json &mesh_error,
+                      const Parameters &parameters);
 
   /// The end of a run in words: contact state, forces, energies, the
   /// certificate with its verdict, and if asked for what it cost.

@@ -20,6 +20,7 @@ namespace stiction
   class MeshNames;
   class NewtonMultigrid;
   class SupportReactions;
+  struct MeshError;
 
   /// The section "certificate" of summary.json; the figures that only a body
   /// has are null without one.
@@ -68,6 +69,12 @@ namespace stiction
   /// The section "units": what 'Output/Units' says, empty for none.
   nlohmann::json
   units_to_json(const std::string &name);
+
+  /// The section "mesh_error": the estimated error as a part of the energy norm
+  /// of the displacement √(uᵀKu), whether it is from a sample, and of how many
+  /// cells; null if none was estimated.
+  nlohmann::json
+  mesh_error_to_json(const MeshError &error, double strain_energy);
 
   /// The section "displacement": the largest displacement of a node, and
   /// where. Collective.
