@@ -4,6 +4,7 @@
 #include <stiction/errors.h>
 #include <stiction/interrupt.h>
 #include <stiction/parameters.h>
+#include <stiction/utf8.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -95,9 +96,13 @@ namespace
   std::string
   printable(std::string sentence)
   {
-    constexpr std::size_t at_most = 600;
+    constexpr std::size_t at_most = 600; // what is cut might cut a character
+    const bool is_utf8 =
+      sentence.size() <= at_most &&
+      stiction::first_byte_not_utf8(sentence) == std::string::npos;
     for (char &c : sentence)
-      if (std::iscntrl(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0)
+      if (std::iscntrl(static_cast<unsigned char>(c)) != 0 ||
+          (!is_utf8 && (c & 0x80) != 0))
         c = '?';
     if (sentence.size() > at_most)
       sentence = sentence.substr(0, at_most / 2) + " ... " +

@@ -25,6 +25,7 @@ COLUMN, TICKS, BETWEEN = 2.55, 0.62, 0.28  # of maps side by side
 TITLE, LEGEND, AXIS, KEY, BAR, GAP = 0.38, 0.34, 0.52, 0.3, 0.62, 0.2
 THICK = 0.13  # a colour bar
 STRETCH = 16  # the largest ratio of the sides of a map
+LONGEST_TITLE = 40  # letters, then it is cut
 
 SMALL, NORMAL, LARGE = 8.5, 10, 15
 TEXT, RED = "#212121", "#B00020"
@@ -154,7 +155,10 @@ class Slot:
             parts.append("only the part that touches")
         if self.stretched:
             parts.append("sides not to scale")
-        return f"Contact boundary {name}", ", ".join(parts)
+        name = f"Contact boundary {name}"
+        if len(name) > LONGEST_TITLE:
+            name = name[:LONGEST_TITLE - 1] + "…"
+        return name, ", ".join(parts)
 
 
 def draw(run, panels, body_picture):
@@ -219,7 +223,9 @@ def draw_body(page, run, body_picture, height):
     words = (f"displacement {number(body.factor)} times as large"
              if body.factor > 1 else "displacement true to scale")
     words += ", lines: before loading"
-    words += ", grey: obstacle" * body.obstacle
+    if body.obstacle:
+        words += ", grey: obstacle"
+        words += " with its gaps as large" * (body.factor > 1)
     page.text(left, HEADER, "Deformed body", fontweight="bold")
     page.text(left, HEADER + 0.2, words, SMALL)
     rows, columns = body.image.shape[:2]

@@ -144,9 +144,9 @@ namespace stiction
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(
-          location_ + " = " + expression_ +
-          ", is not a formula in x, y, z, t: " + complaint_of_parser(exception) + ".");
+        throw InputError(location_ + " = " + expression_ +
+                         ", is not a formula in x, y, z, t: " +
+                         complaint_of_parser(exception) + ".");
       }
   }
 

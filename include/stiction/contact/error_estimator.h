@@ -75,10 +75,10 @@ namespace stiction
   /// few such families that seem to have the largest errors, all are taken. The
   /// sample is the same for any number of ranks.
   ///
-  /// Measured over twelve draws against all cells: the root of the sum is within
-  /// 1.4 % (standard deviation; at most 3.5 %) on the reference brick with 1.2
-  /// million unknowns, within 0.1 % for Hertz' contact, whose error is in few
-  /// families.
+  /// Measured over twelve draws against all cells: the root of the sum is
+  /// within 1.4 % (standard deviation; at most 3.5 %) on the reference brick
+  /// with 1.2 million unknowns, within 0.1 % for Hertz' contact, whose error is
+  /// in few families.
   ///
   /// Parameters as above. @param all_up_to how many cells are all looked at.
   /// Throws InputError as above. Collective.
