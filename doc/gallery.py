@@ -42,7 +42,7 @@ PICTURES = {
     "sliding_sphere": "A sphere pressed on and drawn sideways: a part sticks, "
     "the rim slips; small cells with hanging nodes where it touches.",
     "two_materials": "A soft layer under a stiff one: the stress is in the "
-    "stiff layer, averaging at nodes smears its jump.",
+    "stiff layer.",
     "gravity": "A wall under the pressure of water and its own weight, "
     "clamped at one side: its foot opens towards the water.",
     "orthotropic": "Wood pressed down and drawn along its grain: all of it "

@@ -54,16 +54,32 @@ namespace stiction
       std::string section_, text_;
     };
 
+    // Numbers that stand for steel and for what it bears, in the file's units.
+    struct Examples
+    {
+      std::string traction, slip_stress, youngs_modulus, density;
+    };
+
+    Examples
+    examples_in(const std::string &units)
+    {
+      if (units == "mm, N, MPa")
+        return {"-1", "10", "2.1e5", "7.85e-9"};
+      return {"-1e6", "1e7", "2.1e11", "7850"};
+    }
+
     void
-    add_load(MissingEntries &missing, const MeshNames &boundaries)
+    add_load(MissingEntries &missing,
+             const MeshNames &boundaries,
+             const Examples &examples)
     {
       missing.add(conditions,
                   "a load",
                   "Traction = " + boundaries.name(*boundaries.ids().rbegin()) +
-                    " : 0; 0; -1e6");
+                    " : 0; 0; " + examples.traction);
     }
 
-    // Whether the gaps alone can tell that no obstacle is inside the body.
+    // Whether there may be interference, which only the gaps can tell.
     bool
     may_interfere(const BoundaryParameters &boundary)
     {
@@ -87,6 +103,7 @@ namespace stiction
     const FrictionParameters &friction = parameters.friction;
     const MaterialParameters &material = parameters.material;
     const std::string first = boundaries.name(*boundaries.ids().begin());
+    const Examples examples = examples_in(parameters.output.units);
     MissingEntries missing;
 
     if (boundary.prescribed_displacement.empty() &&
@@ -95,7 +112,7 @@ namespace stiction
                   "a support",
                   "Prescribed displacement = " + first + " : 0; 0; 0");
     if (!boundary.has_load() && !may_interfere(boundary))
-      add_load(missing, boundaries);
+      add_load(missing, boundaries, examples);
     if (boundary.contact_boundary.empty())
       missing.add(conditions,
                   "where there may be contact",
@@ -114,18 +131,21 @@ namespace stiction
       missing.add(
         "Friction", "the coefficient of Coulomb's law", "Coefficient = 0.3");
     if (has_law(parameters, FrictionLaw::given) && friction.slip_stress.empty())
-      missing.add(
-        "Friction", "the slip stress of given friction", "Slip stress = 1e7");
+      missing.add("Friction",
+                  "the slip stress of given friction",
+                  "Slip stress = " + examples.slip_stress);
 
     if (!material.youngs_modulus && material.materials.empty())
-      missing.add("Material", "stiffness", "Young's modulus = 2.1e11");
+      missing.add("Material",
+                  "stiffness",
+                  "Young's modulus = " + examples.youngs_modulus);
     if (!material.poisson_ratio && material.materials.empty())
       missing.add("Material", "contraction", "Poisson ratio = 0.3");
     if (!material.density && material.densities.empty() &&
         !boundary.gravity.empty())
       missing.add("Material",
                   "the density of which gravity makes weight",
-                  "Density = 7850");
+                  "Density = " + examples.density);
     missing.refuse_if_any(parameters, boundaries);
   }
 
@@ -142,7 +162,7 @@ namespace stiction
           .any())
       return;
     MissingEntries missing;
-    add_load(missing, boundaries);
+    add_load(missing, boundaries, examples_in(parameters.output.units));
     missing.refuse_if_any(parameters, boundaries);
   }
 } // namespace stiction

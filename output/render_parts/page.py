@@ -68,6 +68,11 @@ def quantity(unit, *values):
     return f"{words} {unit}".strip()
 
 
+def plain(name):
+    """A name of the user's, in which nothing is a formula."""
+    return name.replace("$", r"\$")
+
+
 class Page:
     """A page of a given height to put things on from the top downwards."""
 
@@ -158,7 +163,7 @@ class Slot:
         name = f"Contact boundary {name}"
         if len(name) > LONGEST_TITLE:
             name = name[:LONGEST_TITLE - 1] + "…"
-        return name, ", ".join(parts)
+        return plain(name), ", ".join(parts)
 
 
 def draw(run, panels, body_picture):
@@ -200,7 +205,7 @@ def names_of(run):
 
 def draw_header(page, run, panels):
     """Title and the numbers that matter."""
-    page.text(LEFT, 0.16, run.name, LARGE, fontweight="bold")
+    page.text(LEFT, 0.16, plain(run.name), LARGE, fontweight="bold")
     if run.summary.get("interrupted") or not run.summary["converged"]:
         page.text(RIGHT, 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
                   color=RED)

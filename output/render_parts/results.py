@@ -30,9 +30,14 @@ def read_grid(file, reader, fields):
     return grid
 
 
-def read_mesh(file, cell_type, corners, fields):
-    """Points, cells and point data of cells that are all of one type."""
-    grid = read_grid(file, vtk.vtkXMLPUnstructuredGridReader(), fields)
+def read_mesh(file, cell_type, corners, fields, wanted=None):
+    """Points, cells and point data of cells that are all of one type.
+
+    wanted: a field and the one that it is read from where there is none.
+    """
+    choice = list(wanted or ())
+    grid = read_grid(file, vtk.vtkXMLPUnstructuredGridReader(),
+                     fields + choice)
     if (vtk_to_numpy(grid.GetCellTypesArray()) != cell_type).any():
         raise Unusable(f"{file} has cells of another type than stiction's.")
     mesh = SimpleNamespace(
@@ -44,6 +49,13 @@ def read_mesh(file, cell_type, corners, fields):
         if array is None:
             raise Unusable(f"{file} has no point data '{field}'.")
         setattr(mesh, field, vtk_to_numpy(array).astype(float))
+    for field in choice:
+        array = grid.GetPointData().GetArray(field)
+        if array is not None:
+            setattr(mesh, choice[0], vtk_to_numpy(array).astype(float))
+            return mesh
+    if choice:
+        raise Unusable(f"{file} has no point data '{choice[-1]}'.")
     return mesh
 
 
@@ -67,7 +79,8 @@ def read(directory):
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
     solution = read_mesh(os.path.join(directory, "solution.pvtu"), HEXAHEDRON,
-                         8, ["displacement", "von_Mises_stress"])
+                         8, ["displacement"],
+                         ("von_Mises_stress_averaged", "von_Mises_stress"))
     contact = read_mesh(os.path.join(directory, "contact.pvtu"), QUADRILATERAL,
                         4, ["pressure", "tangential_traction", "status",
                             "area", "boundary"])
@@ -88,12 +101,16 @@ def read(directory):
 
 
 def body_of(solution, faces, first, number):
-    """The body with points merged and the stress averaged at them."""
+    """The body with points merged and the stress averaged at them.
+
+    The file has averages over cells of the same material already, unless it was
+    written without them.
+    """
     count = np.bincount(number)
     return SimpleNamespace(
         points=solution.points[first],
         displacement=solution.displacement[first],
-        stress=np.bincount(number, solution.von_Mises_stress) / count,
+        stress=np.bincount(number, solution.von_Mises_stress_averaged) / count,
         faces=faces)
 
 
@@ -111,6 +128,11 @@ def contact_of(contact, number, outer, n_points):
               for name, values in vars(contact).items()
               if name not in ("points", "cells")}
     fields["boundary"] = fields["boundary"][:, 0].astype(int)
+    # where there is no contact node, the pressure of the others of the face
+    known = fields["status"] >= 0
+    mean = (known * fields["pressure"]).sum(axis=1) / np.maximum(
+        known.sum(axis=1), 1)
+    fields["pressure"] = np.where(known, fields["pressure"], mean[:, None])
     # the corner after the first one tells which way round the other file goes
     outside = outer[place]
     start = np.argmax(outside == faces[:, :1], axis=1)

@@ -94,17 +94,20 @@ namespace stiction
     const auto piece        = [&](const unsigned int r) {
       return name + "." + Utilities::int_to_string(r, 4) + ".vtu";
     };
+    // readers complain of pieces that are empty
+    std::vector<std::string> pieces;
+    const auto n_patches =
+      Utilities::MPI::all_gather(communicator, this->get_patches().size());
+    for (unsigned int r = 0; r < n_patches.size(); ++r)
+      if (n_patches[r] > 0)
+        pieces.push_back(piece(r));
     together(communicator, [&]() {
-      write_file(directory + "/" + piece(rank),
-                 [&](std::ostream &file) { this->write_vtu(file); });
+      if (n_patches[rank] > 0)
+        write_file(directory + "/" + piece(rank),
+                   [&](std::ostream &file) { this->write_vtu(file); });
       if (rank != 0)
         return;
 
-      std::vector<std::string> pieces;
-      for (unsigned int r = 0;
-           r < Utilities::MPI::n_mpi_processes(communicator);
-           ++r)
-        pieces.push_back(piece(r));
       write_file(directory + "/" + name + ".pvtu", [&](std::ostream &file) {
         this->write_pvtu_record(file, pieces);
       });

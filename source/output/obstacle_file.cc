@@ -254,7 +254,7 @@ namespace stiction
       for (unsigned int c = 0; c < 3; ++c)
         // odd, so that planes through the middle cut the cells
         n[c] = 2 * static_cast<unsigned int>(
-                     std::ceil(box.side_length(c) / length * 12.)) +
+                     std::ceil(box.side_length(c) / length * 20.)) +
                1;
       Triangulation<3> cubes;
       GridGenerator::subdivided_hyper_rectangle(
@@ -289,7 +289,7 @@ namespace stiction
               cell, distance, 0., vertices, triangles);
         }
       for (Point<3> &p : vertices)
-        p = obstacle.nearest(p, length / 24.);
+        p = obstacle.nearest(p, length / 40.);
       for (const auto &triangle : triangles)
         {
           std::array<Point<3>, 3> points;

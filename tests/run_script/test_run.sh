@@ -29,7 +29,7 @@ sleep 1.1 # file systems may count whole seconds
 exit "${STATUS:-0}"
 END
 stub bin/mpirun <<'END'
-[ "$1 $2" = '--oversubscribe -n' ] && echo "ranks $3" && shift 3 && "$@"
+[ "$1 $2 $3" = '--quiet --oversubscribe -n' ] && echo "ranks $4" && shift 4 && "$@"
 END
 stub bin/setsid <<<'"$@"'
 stub bin/dpkg-query <<<'echo "install ok installed"'
