@@ -47,12 +47,7 @@ namespace stiction
     action.sa_flags         = SA_RESTART;
     sigemptyset(&action.sa_mask);
     for (const int signal : interrupting_signals)
-      {
-        struct sigaction before = {};
-        sigaction(signal, &action, &before);
-        if (before.sa_handler == SIG_IGN) // a shell's job in the background
-          sigaction(signal, &before, nullptr);
-      }
+      sigaction(signal, &action, nullptr);
   }
 
 
