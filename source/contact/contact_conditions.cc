@@ -81,7 +81,7 @@ namespace stiction
 
         raise(contact_figures_.penetration, -gap / u0);
         raise(contact_figures_.complementarity,
-              std::abs(lambda_(i) * gap) / (force * u0));
+              std::abs(lambda_(i)) / force * std::min(std::abs(gap) / u0, 1.));
         raise(contact_figures_.cone_violation, -lambda_(i) / force);
         raise(contact_figures_.cone_violation,
               (lambda_t.norm() - slip_bound_(i)) / force);

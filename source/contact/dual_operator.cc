@@ -1,5 +1,7 @@
 #include <stiction/contact/dual_operator.h>
 
+#include <algorithm>
+
 #include <utility>
 
 namespace stiction
@@ -85,8 +87,9 @@ namespace stiction
     Undoing result;
     for (Eigen::Index i = 0; i < m; ++i)
       {
+        // nothing has to undo an open gap
         const double size =
-          Eigen::Vector3d(h(i), h(i + m), h(i + 2 * m)).norm();
+          Eigen::Vector3d(std::max(h(i), 0.), h(i + m), h(i + 2 * m)).norm();
         result.force += size / c(i);
         result.work += size * size / c(i);
       }

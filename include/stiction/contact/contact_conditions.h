@@ -38,7 +38,9 @@ namespace stiction
       double kkt_residual = 0.;
       /// max(−w_ν, 0).
       double penetration = 0.;
-      /// max π_ν|w_ν|.
+      /// max π_ν min(|w_ν|, 1): a pressure across a gap is as wrong across a
+      /// wide one. Times a gap that no displacement closes it would ask for
+      /// digits that nothing depends on.
       double complementarity = 0.;
       /// max(‖π_t‖ − γ, −π_ν, 0).
       double cone_violation = 0.;

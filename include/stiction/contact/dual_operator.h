@@ -136,12 +136,13 @@ namespace stiction
 
 
 
-  /// What it would take to undo h node by node, with c the nodal compliance:
-  /// a scale of forces and of work that does not depend on any solution.
+  /// What it would take to undo h node by node, its overlaps (not its open
+  /// gaps) and its slips, with c the nodal compliance: a scale of forces and of
+  /// work that does not depend on any solution.
   struct Undoing
   {
-    double force = 0.; ///< Σ‖h_i‖/c_i, N
-    double work  = 0.; ///< Σ‖h_i‖²/c_i, Nm
+    double force = 0.; ///< Σ‖(h_ν⁺, h_t)_i‖/c_i, N
+    double work  = 0.; ///< Σ‖(h_ν⁺, h_t)_i‖²/c_i, Nm
   };
 
   /// Collective.
