@@ -1,3 +1,4 @@
+#include <stiction/contact/advice.h>
 #include <stiction/contact/certified_solve.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/judge.h>
@@ -167,9 +168,9 @@ namespace stiction
             residual < rounding_residual
               ? "rounding or the accuracy of the linear solver prevents a "
                 "smaller one, raise 'Contact solver/Tolerance'"
-              : "the method makes no further progress, choose another 'Contact "
-                "solver/Method' (newton and newton multigrid stand still most "
-                "rarely)";
+              : "the method makes no further progress, " +
+                  method.advice(judge.has_body()) +
+                  advice_on_friction(slip_bound);
         if (!solution.reason.empty())
           return solution;
 

@@ -33,7 +33,7 @@ namespace stiction
     constexpr double telling_change = 10.;
 
     // Of several obstacles: what is left of the slope where a line ends.
-    constexpr double required_fall = 0.7;
+    constexpr double required_fall_of_error = 0.7;
 
     // To tell how the forces change, the contact problem need only be solved
     // this much better than the last error of the forces.
@@ -215,7 +215,7 @@ namespace stiction
     if (last_)
       {
         const double slope = error.dot(line_.direction);
-        if (std::abs(slope) > -required_fall * line_.slope_at_start &&
+        if (std::abs(slope) > -required_fall_of_error * line_.slope_at_start &&
             std::abs(slope) >
               telling_change * noise * line_.direction.cwiseAbs().sum())
           return last_->distances + line_.next(slope) * line_.direction;

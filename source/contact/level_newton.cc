@@ -1,3 +1,4 @@
+#include <stiction/contact/advice.h>
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/level_newton.h>
 #include <stiction/contact/nodal_blocks.h>
@@ -7,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <string>
 #include <utility>
 
 namespace stiction
@@ -116,17 +118,9 @@ namespace stiction
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
         if (statistics_.fallbacks == max_fallbacks)
-          return std::string(
-                   "neither Newton steps nor the method of multipliers "
-                   "come closer, ") +
-                 (problem_.slip_bound().is_coulomb()
-                    ? "where the coefficient of friction is large there may be "
-                      "no solution or several: try a smaller "
-                      "'Friction/Coefficient', a finer mesh, or "
-                    : "try ") +
-                 "'Stiffness solver/Type = amg' if cells are flat or the "
-                 "Poisson ratio is near 0.5, or 'Contact solver/Method = "
-                 "newton', above all where friction is strongly orthotropic";
+          return "neither Newton steps nor the method of multipliers come "
+                 "closer, " +
+                 advice();
         fall_back(state,
                   residual.value(),
                   tolerance,
@@ -135,6 +129,21 @@ namespace stiction
         lambda   = state.lambda;
         observer(statistics_, residual);
       }
+  }
+
+
+
+  std::string
+  LevelNewton::advice() const
+  {
+    const std::string newton = "choose 'Contact solver/Method = newton'";
+    if (2 * unfinished_systems_ < statistics_.newton_steps)
+      return newton + advice_on_friction(problem_.slip_bound());
+    // the coarsest level has an algebraic multigrid already
+    return "most linear systems were not solved in " +
+           std::to_string(SupportedSystem::max_directions) +
+           " iterations each (are cells flat, is a Poisson ratio near 0.5?), " +
+           newton + (level_ > 0 ? " or 'Stiffness solver/Type = amg'" : "");
   }
 
 
@@ -163,8 +172,10 @@ namespace stiction
                         qp::natural_residual(
                           now.lambda, -now.w, problem_.slip_bound(), scaling));
     };
-    statistics_.krylov_iterations +=
+    const unsigned int iterations =
       system_.solve(state, linearization, is_enough);
+    statistics_.krylov_iterations += iterations;
+    unfinished_systems_ += iterations == SupportedSystem::max_directions;
     ++statistics_.newton_steps;
   }
 

@@ -14,9 +14,6 @@ namespace stiction
 {
   namespace
   {
-    // The directions kept take 12 bytes an unknown each.
-    constexpr unsigned int max_directions = 20;
-
     // Long vectors are worked on in pieces that stay in the cache: all that is
     // to be done with a piece is done at once.
     constexpr std::size_t block_size = 1536;

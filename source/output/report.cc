@@ -137,6 +137,7 @@ namespace stiction
             std::make_pair("gauss_seidel_iterations", "Gauss-Seidel sweeps"),
             std::make_pair("newton_steps", "Newton steps"),
             std::make_pair("dual_krylov_iterations", "Krylov iterations"),
+            std::make_pair("interior_point_steps", "interior point steps"),
             std::make_pair("conjugate_gradient_steps", "CG steps"),
             std::make_pair("expansion_steps", "expansions"),
             std::make_pair("release_steps", "releases"),

@@ -1,6 +1,7 @@
 // The methods on the dual problem of the reference brick, k = 1: Newton's
 // method with its fallbacks forced after every step still ends at the same
-// forces, and counts them; the monolithic method's energy falls in every
+// forces, and counts them, those without a matrix and the interior point method
+// with one; the monolithic method's energy falls in every
 // iteration; successive approximations report how they contract, and the
 // extrapolation ends at the same forces; a method that needs the matrix says
 // so; a problem written to files and read again has the same solution.
@@ -53,14 +54,20 @@ main(int argc, char *argv[])
   for (const auto &bound : {given, coulomb})
     {
       const char *law = bound.is_coulomb() ? "coulomb" : "given";
-      Newton plain(*Q), forced(*Q, 1);
-      const auto best = solve(plain, bound), same = solve(forced, bound);
+      Newton plain(*Q), forced(*by_solves, 1), inside(*Q, 1);
+      const auto best = solve(plain, bound), same = solve(forced, bound),
+                 also = solve(inside, bound);
       out() << law << ": newton " << yes(best.converged)
             << " without fallbacks " << yes(plain.statistics().fallbacks == 0)
             << "; forced to fall back " << yes(same.converged)
             << ", more than twice " << yes(forced.statistics().fallbacks > 2)
             << ", same forces "
             << yes((same.lambda - best.lambda).norm() <
+                   1e-7 * best.lambda.norm())
+            << "; forced inside " << yes(also.converged) << ", steps there "
+            << yes(inside.statistics().interior_point_steps > 5)
+            << ", same forces "
+            << yes((also.lambda - best.lambda).norm() <
                    1e-7 * best.lambda.norm())
             << std::endl;
     }

@@ -127,6 +127,12 @@ namespace stiction
     void
     compute_body_figures(const LA::Vector &u);
 
+    /// S of a body that nothing but its supports move and nothing touches: if
+    /// it is only the rounding of K u, which is estimated unknown by unknown,
+    /// what the displacement would take if it strained the body. Collective.
+    double
+    force_if_rounding(const LA::Vector &u, double S) const;
+
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;

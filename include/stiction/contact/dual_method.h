@@ -49,6 +49,7 @@ namespace stiction
     unsigned int gauss_seidel_iterations  = 0; ///< sweeps
     unsigned int newton_steps             = 0;
     unsigned int krylov_iterations        = 0; ///< in the Newton steps
+    unsigned int interior_point_steps     = 0;
     unsigned int conjugate_gradient_steps = 0; ///< of active set methods
     unsigned int expansion_steps          = 0; ///< the active set grew
     unsigned int release_steps            = 0; ///< the active set shrank
@@ -100,6 +101,16 @@ namespace stiction
     limitation() const
     {
       return {};
+    }
+
+    /// Which other method may help where this one stands still.
+    ///
+    /// @param has_body whether methods in displacements can be chosen.
+    virtual std::string
+    advice(const bool has_body) const
+    {
+      return std::string("choose 'Contact solver/Method = newton'") +
+             (has_body ? " or 'newton multigrid'" : "");
     }
 
     /// Sums over all runs so far.

@@ -76,6 +76,10 @@ namespace stiction
     }
 
   private:
+    /// What may help where nothing comes closer to a solution.
+    std::string
+    advice() const;
+
     /// One Newton step with the present ρ.
     void
     step(ContactState &state,
@@ -96,6 +100,7 @@ namespace stiction
     const Options options_;
     SupportedSystem system_;
     double c_;
+    unsigned int unfinished_systems_ = 0; ///< left at the cap on iterations
     Statistics statistics_;
   };
 } // namespace stiction

@@ -4,20 +4,25 @@
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/monolithic.h>
+#include <stiction/qp/interior_point.h>
 #include <stiction/qp/semismooth_newton.h>
 
 #include <memory>
+#include <string>
 
 namespace stiction
 {
   /// The semismooth Newton method on the dual problem, for given and for
   /// Coulomb friction alike, with methods to fall back on.
   ///
-  /// A Newton run that stands still is followed by a stretch of a method with
-  /// a proof: with given friction the monolithic active set method, whose
-  /// energy falls in every step; with Coulomb friction one successive
-  /// approximation, solved as a problem of given friction. Then Newton
-  /// resumes from there.
+  /// Newton steps solve their systems by products with Q, and stand still where
+  /// Q is ill-conditioned, above all with bodies that are held weakly. Then
+  /// comes the interior point method, if Q is a matrix and of an order that can
+  /// be factorised. If there is none, or if it stands still itself, a stretch
+  /// of a method with a proof follows: with given friction the monolithic
+  /// active set method, whose energy falls in every step; with Coulomb friction
+  /// one successive approximation, solved as a problem of given friction. Then
+  /// Newton resumes from there.
   class Newton : public DualMethod
   {
   public:
@@ -41,15 +46,51 @@ namespace stiction
       return true;
     }
 
+    std::string
+    advice(const bool has_body) const override
+    {
+      return std::string("choose 'Contact solver/Method = ") +
+             (has_body ? "newton multigrid'" : "admm'");
+    }
+
     DualMethodStatistics
     statistics() const override;
 
   private:
+    bool
+    has_interior_point() const;
+
+    /// The parts of solve(): each continues the iterate and the result, and
+    /// returns whether nothing is left to do.
+    bool
+    run_newton(DualIterate &iterate,
+               const qp::SlipBound &slip_bound,
+               const qp::Scaling &scaling,
+               const StoppingRule &rule,
+               const Observer &observer,
+               DualMethodResult &result);
+    bool
+    run_interior_point(DualIterate &iterate,
+                       const qp::SlipBound &slip_bound,
+                       const qp::Scaling &scaling,
+                       const StoppingRule &rule,
+                       const Observer &observer,
+                       DualMethodResult &result);
+    bool
+    fall_back(DualIterate &iterate,
+              const qp::SlipBound &slip_bound,
+              const qp::Scaling &scaling,
+              const StoppingRule &rule,
+              const Observer &observer,
+              DualMethodResult &result);
+
     const DualOperator &Q_;
     DualOperatorBlock block_;
     qp::SemismoothNewton newton_;
     const unsigned int max_steps_in_a_run_;
-    std::unique_ptr<Monolithic> monolithic_; ///< made when first needed
+    /// Both are made when first needed.
+    std::unique_ptr<qp::InteriorPoint> interior_point_;
+    std::unique_ptr<Monolithic> monolithic_;
     DualMethodStatistics statistics_;
   };
 } // namespace stiction

@@ -34,6 +34,10 @@ namespace stiction
                     unsigned int level,
                     StiffnessPreconditioner &preconditioner);
 
+    /// The iterations that solve() takes at most: their directions are kept, 12
+    /// bytes an unknown each.
+    static constexpr unsigned int max_directions = 20;
+
     /// What is known after an iteration.
     struct Progress
     {

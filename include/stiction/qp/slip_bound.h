@@ -35,6 +35,13 @@ namespace stiction::qp
       return is_coulomb_;
     }
 
+    /// The largest F, 0 if there is none.
+    double
+    largest_coefficient() const
+    {
+      return coefficient_.size() > 0 ? coefficient_.maxCoeff() : 0.;
+    }
+
     /// Whether neither law alone describes it.
     bool
     is_mixed() const

@@ -1,0 +1,134 @@
+// The interior point method finds solutions that were there before the problem:
+// forces, gaps and slips that satisfy all conditions are chosen, and h so that
+// they solve it. Q may have six eigenvalues up to 1e8 times the others, as that
+// of a body that is held weakly; bounds may be given, zero, Coulomb's, or of
+// each kind at some nodes. What it hands back is feasible, and the gradient
+// belongs to it. It says so when it may not go on.
+
+#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/interior_point.h>
+#include <stiction/qp/slip_bound.h>
+
+#include "qp_tests.h"
+
+using namespace stiction::qp;
+using namespace qp_tests;
+
+namespace
+{
+  const auto silent = [](unsigned int, double) {};
+
+  // Q of a body on a soft layer: six soft modes.
+  MatrixXd
+  weakly_held(Random &random, const Index n, const double ratio)
+  {
+    MatrixXd Q = random.spd(n, 30.);
+    for (unsigned int k = 0; k < 6; ++k)
+      {
+        const VectorXd v = random.vector(n);
+        Q += ratio * v * v.transpose() / v.squaredNorm();
+      }
+    return Q;
+  }
+
+  // Forces x, and r for them, that satisfy all conditions: a third of the nodes
+  // are open, the others stick or slip.
+  void
+  choose_solution(Random &random,
+                  const SlipBound &bound,
+                  VectorXd &x,
+                  VectorXd &r)
+  {
+    const Index m         = bound.n_nodes();
+    x                     = VectorXd::Zero(3 * m);
+    r                     = VectorXd::Zero(3 * m);
+    const VectorXd amount = random.vector(3 * m, 0.1, 1.);
+    for (Index i = 0; i < m; ++i)
+      (i % 3 == 0 ? r(i) : x(i)) = amount(i);
+    const VectorXd g     = bound.at(x);
+    const VectorXd angle = random.vector(m, 0., 6.28);
+    for (Index i = 0; i < m; ++i)
+      {
+        const bool slips = i % 2 == 0;
+        const double t   = slips ? g(i) : 0.9 * amount(i + m) * g(i);
+        x(i + m)         = t * std::cos(angle(i));
+        x(i + 2 * m)     = t * std::sin(angle(i));
+        if (slips)
+          {
+            r(i + m)     = -amount(i + 2 * m) * std::cos(angle(i));
+            r(i + 2 * m) = -amount(i + 2 * m) * std::sin(angle(i));
+          }
+      }
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  Random random(1);
+  const Index m = 24;
+  const Scaling scaling{VectorXd::Ones(m), 1.};
+  const VectorXd all = VectorXd::Ones(m), none = VectorXd::Zero(m);
+  VectorXd some = none, others = none;
+  for (Index i = 0; i < m; ++i)
+    (i % 4 == 1 ? some : others)(i) = i % 5 == 2 ? 0. : 1.;
+
+  const std::vector<std::pair<std::string, SlipBound>> laws = {
+    {"no friction", SlipBound::given(none)},
+    {"given friction", SlipBound::given(0.3 * all)},
+    {"F = 0.3", SlipBound::coulomb(0.3 * all)},
+    {"F = 1", SlipBound::coulomb(all)},
+    {"mixed", SlipBound::mixed(0.3 * some, 0.5 * others)}};
+  for (const auto &[law, bound] : laws)
+    for (const double ratio : {1., 1e4, 1e8})
+      {
+        Largest error, wrong_gradient, infeasible;
+        unsigned int not_converged = 0, most_steps = 0;
+        for (unsigned int problem = 0; problem < 20; ++problem)
+          {
+            const MatrixXd Q = weakly_held(random, 3 * m, ratio);
+            VectorXd solution, r;
+            choose_solution(random, bound, solution, r);
+            const VectorXd h = Q * solution - r;
+
+            VectorXd x = problem % 2 == 0 ? VectorXd(VectorXd::Zero(3 * m))
+                                          : random.vector(3 * m, -3., 3.);
+            VectorXd gradient = Q * x - h;
+            const auto run    = InteriorPoint(Q).solve(
+              x, gradient, bound, scaling, 1e-7, 100, silent);
+            not_converged += run.converged ? 0 : 1;
+            most_steps = std::max(most_steps, run.steps);
+            error.add((x - solution).norm() / solution.norm());
+            wrong_gradient.add((gradient - (Q * x - h)).norm() / ratio);
+            VectorXd projected = x;
+            project(projected, m, bound.at(x));
+            infeasible.add((projected - x).norm());
+          }
+        std::cout << law << ", " << ratio << " times softer" << std::endl;
+        print_count("Problems not solved", not_converged);
+        print_below("Distance from the solution", error, 1e-5);
+        print_below("Gradient handed back is wrong by", wrong_gradient, 1e-11);
+        print_below("Outside of the feasible set by", infeasible, 1e-13);
+        print("At most 40 steps", most_steps <= 40);
+      }
+
+  // neither one step nor all digits can do
+  const MatrixXd Q = weakly_held(random, 3 * m, 1e4);
+  VectorXd x = VectorXd::Zero(3 * m), r = random.vector(3 * m);
+  const auto bound = SlipBound::given(0.1 * all);
+  const auto one =
+    InteriorPoint(Q).solve(x, r, bound, scaling, 1e-12, 1, silent);
+  print("After one step it does not claim success",
+        !one.converged && one.steps == 1 && one.residual > 1e-12);
+  const auto exact =
+    InteriorPoint(Q).solve(x, r, bound, scaling, 0., 1000, silent);
+  print("It ends at rounding",
+        !exact.converged && exact.steps < 100 && exact.residual < 1e-9);
+  VectorXd nan = VectorXd::Constant(3 * m, NAN), rn = nan;
+  print("A NaN ends it",
+        !InteriorPoint(Q)
+           .solve(nan, rn, bound, scaling, 1e-12, 100, silent)
+           .converged);
+}
