@@ -11,21 +11,21 @@ namespace stiction
     add_parameter(
       "Method",
       method,
-      "gauss seidel: the paper's ALGORITHM GS, alternating between "
-      "the normal forces (half-lines) and the tangential forces "
-      "(discs, ALGORITHM QPQ). squares: the paper's predecessors "
-      "ALG_2 and ALG_4, discs replaced by 'Squares' rotated "
-      "squares; another problem, so never certified unless nothing "
-      "slips. mpgp: conjugate gradients with projections on "
-      "half-lines times discs at once. newton: semismooth Newton "
-      "on the dual problem, the fastest of the dual methods. admm: "
-      "alternating directions with dense factorisations of Q. newton "
-      "multigrid: semismooth Newton on the displacements, without Q, "
-      "for about the price of two elastic solves; the one for large "
-      "bodies.",
+      "newton: semismooth Newton on the dual problem, the fastest of the "
+      "dual methods; where it stands still, as with bodies that are held "
+      "weakly, an interior point method takes over. newton multigrid: "
+      "semismooth Newton on the displacements, without Q, for about the "
+      "price of two elastic solves; the one for large bodies. gauss "
+      "seidel: the paper's ALGORITHM GS, alternating between the normal "
+      "forces (half-lines) and the tangential forces (discs, ALGORITHM "
+      "QPQ). mpgp: conjugate gradients with projections on half-lines "
+      "times discs at once. admm: alternating directions with dense "
+      "factorisations of Q. squares: the paper's predecessors ALG_2 and "
+      "ALG_4, discs replaced by 'Squares' rotated squares; another "
+      "problem, so never certified unless nothing slips.",
       prm,
-      Patterns::Selection("gauss seidel|squares|mpgp|newton|admm|newton "
-                          "multigrid"));
+      Patterns::Selection("newton|newton multigrid|gauss seidel|mpgp|admm|"
+                          "squares"));
     add_parameter("Tolerance",
                   tolerance,
                   "What every error figure of the certificate has to reach; "

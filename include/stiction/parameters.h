@@ -172,7 +172,7 @@ namespace stiction
     bool
     is_primal() const;
 
-    std::string method              = "gauss seidel";
+    std::string method              = "newton";
     double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
     std::string disc_solver         = "newton";
