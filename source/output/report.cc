@@ -204,6 +204,7 @@ namespace stiction
     const double error = mesh_error["relative_energy_error"].get<double>();
     std::string text =
       error < 1e-4 ? std::string("Mesh: estimated error below 0.01 %")
+      : error > 1. ? std::string("Mesh: estimated error above 100 %")
                    : format("Mesh: estimated error %.2g %%", 100. * error);
     text += " of the energy norm";
     if (mesh_error["sampled"].get<bool>())

@@ -1,0 +1,29 @@
+// benchmark_search FIRST LAST: the random problems of these numbers by all
+// methods, a line of JSON for each ('./run benchmark search').
+
+#include "../random_problem.h"
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (argc != 3)
+    {
+      std::cerr << "benchmark_search FIRST LAST" << std::endl;
+      return 1;
+    }
+  for (unsigned int number = std::stoul(argv[1]); number <= std::stoul(argv[2]);
+       ++number)
+    {
+      const RandomProblem problem(number);
+      nlohmann::json line = {{"number", number},
+                             {"description", problem.description}};
+      for (const auto &outcome : solve_by_all_methods(problem))
+        line["methods"].push_back({{"method", outcome.method},
+                                   {"certified", outcome.certified},
+                                   {"distance", outcome.distance},
+                                   {"seconds", outcome.seconds},
+                                   {"reason", outcome.reason}});
+      std::cout << line << std::endl;
+    }
+}

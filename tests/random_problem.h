@@ -1,0 +1,239 @@
+#ifndef stiction_tests_random_problem_h
+#define stiction_tests_random_problem_h
+
+// Small contact problems of any kind, by number, the same everywhere: boxes and
+// half balls, one material or two whose moduli differ by up to 1e8, supports on
+// soft layers, Coulomb's law with F up to 5, given friction or none, obstacles
+// that are tilted, curved, far away in parts, or pressed on by a force.
+
+#include "tests.h"
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+struct RandomProblem
+{
+  explicit RandomProblem(const unsigned int number)
+    : engine(number)
+  {
+    settings = {"Output/Write solution=false",
+                "Refinement/Estimate error=false",
+                "Contact solver/Tolerance=1e-7",
+                "Material/Young's modulus=1",
+                "Material/Poisson ratio=" + exact(uniform(0., 0.45)),
+                "Boundary conditions/Obstacle displacement=0; 0; 0"};
+    if (uniform(0., 1.) < 0.75)
+      make_box();
+    else
+      make_half_ball();
+    choose_friction();
+  }
+
+  std::string file, description;
+  Settings settings;
+
+private:
+  double
+  uniform(const double a, const double b)
+  {
+    return a + (b - a) * (static_cast<double>(engine()) + 0.5) / 4294967296.;
+  }
+
+  // every order of magnitude is equally likely
+  double
+  log_uniform(const double a, const double b)
+  {
+    return std::exp(uniform(std::log(a), std::log(b)));
+  }
+
+  unsigned int
+  one_of(const unsigned int n)
+  {
+    return engine() % n;
+  }
+
+  void
+  add(const std::string &setting)
+  {
+    settings.push_back("Boundary conditions/" + setting);
+  }
+
+  // Stands on z = 0, is held at its top, or at its side if that is as stiff.
+  void
+  make_box()
+  {
+    file           = shipped("brick.prm");
+    const double a = log_uniform(0.5, 3.), b = log_uniform(0.5, 3.);
+    settings.push_back("Geometry/Table 1 level=0");
+    settings.push_back("Geometry/Lengths=" + exact(a) + "," + exact(b) + ",1");
+    settings.push_back(
+      "Geometry/Subdivisions=" + std::to_string(2 + one_of(4)) + "," +
+      std::to_string(2 + one_of(4)) + ",3");
+    settings.push_back("Geometry/Global refinement=" +
+                       std::to_string(one_of(2)));
+    description = "box";
+
+    double softest            = 1.;
+    const unsigned int layers = one_of(3); // one material, soft above, below
+    if (layers > 0)
+      {
+        softest = 1. / log_uniform(1., 1e8);
+        settings.push_back(std::string("Material/Material ids=if(z ") +
+                           (layers == 1 ? ">" : "<") + " 0.5, 1, 0)");
+        settings.push_back("Material/Materials=1 : isotropic; " +
+                           exact(softest) + "; 0.3");
+        description += (layers == 1 ? ", above " : ", below ") + exact(softest);
+      }
+
+    const double strain = log_uniform(1e-5, 1e-2);
+    const double aside  = log_uniform(1e-2, 10.) * strain;
+    const bool at_side  = layers == 0 && one_of(2) == 0;
+    if (one_of(2) == 0)
+      {
+        add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") +
+            ":" + three(aside, uniform(-1., 1.) * aside, -strain));
+        add("Traction=3:0;0;" + exact(-0.1 * softest * strain));
+        description += ", moved";
+      }
+    else
+      {
+        add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") +
+            ":0;0;0");
+        add("Traction=1:" + three(aside * 0.3, 0., -strain) +
+            " | 3:" + three(0., uniform(-1., 1.) * aside * 0.3, -strain));
+        description += ", loaded";
+      }
+
+    const double size = std::max(a, b);
+    switch (one_of(4))
+      {
+        case 0:
+          add("Initial gap=0");
+          break;
+        case 1:
+          add("Obstacle=plane:0;0;0;" +
+              three(log_uniform(1e-5, 0.1), uniform(0., 0.01), 1.));
+          description += ", tilted";
+          break;
+        case 2:
+          add("Obstacle=sphere:" + exact(a / 2) + ";" + exact(b / 2) + ";-" +
+              exact(20 * size) + ";" + exact(20 * size));
+          description += ", sphere";
+          break;
+        default:
+          add("Initial gap=" + exact(log_uniform(1e-4, 100.)) + "*x^2");
+          description += ", far gaps";
+      }
+    press(softest);
+  }
+
+  void
+  make_half_ball()
+  {
+    file = shipped("half_ball.prm");
+    settings.push_back("Geometry/Global refinement=" +
+                       std::to_string(1 + one_of(2)));
+    add("Initial gap=0");
+    add("Obstacle=plane:0;0;0;" + three(uniform(-0.2, 0.2), 0., 1.));
+    const double depth = log_uniform(1e-5, 3e-2);
+    add("Prescribed displacement=flat:" +
+        three(log_uniform(1e-2, 1.) * depth, 0., -depth));
+    description = "half ball";
+    press(1.);
+  }
+
+  // A force that the body bears without large strains.
+  void
+  press(const double softest)
+  {
+    if (one_of(8) > 0)
+      return;
+    add("Obstacle force=0;0;" + exact(softest * log_uniform(1e-6, 1e-3)));
+    description += ", pressed";
+  }
+
+  void
+  choose_friction()
+  {
+    const unsigned int law = one_of(5);
+    const auto say         = [&](const std::string &text) {
+      settings.push_back("Friction/" + text);
+    };
+    if (law == 0)
+      {
+        say("Law=given");
+        const double stress = log_uniform(1e-7, 1e-2);
+        say("Slip stress=" + exact(stress));
+        description += ", slip stress " + exact(stress);
+      }
+    else if (law == 1 && one_of(2) == 0)
+      {
+        say("Law=frictionless");
+        description += ", frictionless";
+      }
+    else
+      {
+        const double F = one_of(3) == 0 ? uniform(1., 5.) : uniform(0., 1.);
+        say("Law=coulomb");
+        say("Coefficient=" + exact(F));
+        description += ", F " + exact(F);
+      }
+  }
+
+  std::mt19937 engine;
+};
+
+
+
+// What a method made of a problem: certified or not, how far its contact forces
+// are from those of the first method that is certified, and why not.
+struct Outcome
+{
+  std::string method;
+  bool certified  = false;
+  double distance = 0., seconds = 0.;
+  std::string reason;
+};
+
+inline std::vector<Outcome>
+solve_by_all_methods(const RandomProblem &problem)
+{
+  std::vector<Outcome> outcomes;
+  Eigen::VectorXd forces;
+  for (const auto &method : all_methods())
+    {
+      if (method.name == "by solves" || method.name == "newton multigrid, amg")
+        continue;
+      const auto start = std::chrono::steady_clock::now();
+      Outcome outcome;
+      outcome.method = method.name;
+      try
+        {
+          const Run run(problem.file, problem.settings + method.settings);
+          outcome.certified = run.converged;
+          if (run.converged)
+            {
+              const Eigen::VectorXd &lambda = run.problem->solution().lambda;
+              if (forces.size() == 0)
+                forces = lambda;
+              const double size = forces.norm();
+              outcome.distance =
+                size > 0. ? (lambda - forces).norm() / size : lambda.norm();
+            }
+          else
+            outcome.reason = run.problem->solution().reason;
+        }
+      catch (const std::exception &e)
+        {
+          outcome.reason = e.what();
+        }
+      outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+      outcomes.push_back(outcome);
+    }
+  return outcomes;
+}
+
+#endif
