@@ -187,11 +187,13 @@ namespace stiction
   {
     if (solution.converged)
       return {};
+    const std::string out_of_reach = conditions.why_out_of_reach(tolerance);
     return format("%s, the tolerance is %g; ",
                   conditions.worst().c_str(),
                   tolerance) +
-           (solution.interrupted ? "the answer is not certified"
-                                 : solution.reason);
+           (solution.interrupted    ? "the answer is not certified"
+            : !out_of_reach.empty() ? out_of_reach
+                                    : solution.reason);
   }
 
 

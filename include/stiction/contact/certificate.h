@@ -41,8 +41,12 @@ namespace stiction
     struct BodyFigures
     {
       /// Σ‖(f − Bᵀλ − Ku)_j‖/S over the free unknowns: equilibrium at every
-      /// node.
+      /// node, where it is more than the rounding of Ku there, else that.
       double equilibrium_residual = 0.;
+      /// Σ ε‖diag(K_jj) u_j‖/S, ε = 2⁻⁵³: what rounding u alone changes the
+      /// forces inside the body by. Where it is above the tolerance no
+      /// displacement can be told to be the solution.
+      double rounding = 0.;
       /// ‖Σ(loads + contact forces + reactions)‖/S.
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
@@ -89,6 +93,9 @@ namespace stiction
     bool
     is_solved(double tolerance) const override;
 
+    std::string
+    why_out_of_reach(double tolerance) const override;
+
     /// S, N.
     double
     force_scale() const
@@ -126,12 +133,6 @@ namespace stiction
   private:
     void
     compute_body_figures(const LA::Vector &u);
-
-    /// S of a body that nothing but its supports move and nothing touches: if
-    /// it is only the rounding of K u, which is estimated unknown by unknown,
-    /// what the displacement would take if it strained the body. Collective.
-    double
-    force_if_rounding(const LA::Vector &u, double S) const;
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

@@ -78,6 +78,14 @@ namespace stiction
       return converged(tolerance);
     }
 
+    /// Why no answer can be told to be within the tolerance, and what to
+    /// change; empty if one can.
+    virtual std::string
+    why_out_of_reach(double /*tolerance*/) const
+    {
+      return {};
+    }
+
     /// "kkt_residual is 3e-4": the largest of them.
     std::string
     worst() const;
