@@ -72,6 +72,8 @@ namespace stiction
   ContactProblem::finish_step(const ContactStep &step)
   {
     history_->add(step);
+    if (!step.remark.empty())
+      log_->line(step.remark);
     stop_if_interrupted(communicator_);
   }
 

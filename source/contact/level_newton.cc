@@ -2,6 +2,7 @@
 #include <stiction/contact/contact_level.h>
 #include <stiction/contact/level_newton.h>
 #include <stiction/contact/nodal_blocks.h>
+#include <stiction/elasticity/stiffness_preconditioner.h>
 #include <stiction/qp/slip_bound.h>
 
 #include <algorithm>
@@ -36,6 +37,10 @@ namespace stiction
 
     // Where the residual stands still below this one, it is rounding.
     constexpr double rounding_residual = 1e-9;
+
+    // So many systems left unfinished, and they are solved by factorisation,
+    // or if they are too large, the method ends where it comes no closer.
+    constexpr unsigned int max_unfinished = 3;
 
     constexpr unsigned int max_fallbacks      = 8;
     constexpr unsigned int max_fallback_steps = 60;
@@ -117,10 +122,8 @@ namespace stiction
         ++statistics_.rho_changes;
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
-        if (statistics_.fallbacks == max_fallbacks)
-          return "neither Newton steps nor the method of multipliers come "
-                 "closer, " +
-                 advice();
+        if (statistics_.fallbacks == max_fallbacks || has_hard_systems())
+          return why_no_closer();
         fall_back(state,
                   residual.value(),
                   tolerance,
@@ -133,16 +136,29 @@ namespace stiction
 
 
 
+  bool
+  LevelNewton::has_hard_systems() const
+  {
+    return !preconditioner_.is_direct(level_) &&
+           unfinished_systems_ >= max_unfinished &&
+           2 * unfinished_systems_ >= statistics_.newton_steps;
+  }
+
+
+
   std::string
-  LevelNewton::advice() const
+  LevelNewton::why_no_closer() const
   {
     const std::string newton = "choose 'Contact solver/Method = newton'";
-    if (2 * unfinished_systems_ < statistics_.newton_steps)
-      return newton + advice_on_friction(problem_.slip_bound());
+    if (!has_hard_systems())
+      return "neither Newton steps nor the method of multipliers come "
+             "closer, " +
+             newton + advice_on_friction(problem_.slip_bound());
     // the coarsest level has an algebraic multigrid already
     return "most linear systems were not solved in " +
            std::to_string(SupportedSystem::max_directions) +
-           " iterations each (are cells flat, is a Poisson ratio near 0.5?), " +
+           " iterations each (are cells flat, is a Poisson ratio near 0.5?), "
+           "and the mesh is too large to factorise one in each step, " +
            newton + (level_ > 0 ? " or 'Stiffness solver/Type = amg'" : "");
   }
 
@@ -175,8 +191,14 @@ namespace stiction
     const unsigned int iterations =
       system_.solve(state, linearization, is_enough);
     statistics_.krylov_iterations += iterations;
-    unfinished_systems_ += iterations == SupportedSystem::max_directions;
     ++statistics_.newton_steps;
+    unfinished_systems_ += iterations == SupportedSystem::max_directions;
+    if (unfinished_systems_ >= max_unfinished &&
+        preconditioner_.factorize(level_))
+      {
+        statistics_.factorized_from = statistics_.newton_steps + 1;
+        unfinished_systems_         = 0;
+      }
   }
 
 

@@ -81,6 +81,13 @@ namespace stiction
             row.residual > 0. ? residual.value() / row.residual : 0.;
           row.residual     = residual.value();
           row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
+          row.remark =
+            statistics.factorized_from == statistics.newton_steps + 1
+              ? "Linear systems take too many iterations (are cells flat, is a "
+                "Poisson ratio near 0.5?): with " +
+                  std::to_string(row.unknowns) +
+                  " unknowns they are factorised from here on."
+              : "";
           observer(row);
         };
         try

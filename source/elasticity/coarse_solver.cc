@@ -52,11 +52,14 @@ namespace stiction
   CoarseSolver::CoarseSolver(const LinearElasticity &elasticity,
                              const MeshLevel &level,
                              const LA::Vector &fixed,
-                             const Indices &supported_nodes)
+                             const Indices &supported_nodes,
+                             const NodalSupports &supports,
+                             const bool is_direct)
     : elasticity_(elasticity)
     , level_(level)
     , fixed_(std::make_unique<LA::Vector>(fixed))
     , supported_nodes_(supported_nodes)
+    , always_direct_(is_direct)
     , host_(std::make_unique<HostVector>(fixed))
   {
     fixed_->update_ghost_values();
@@ -72,7 +75,7 @@ namespace stiction
         *elasticity.stiffness().matrix(), fixed, supported_nodes);
     else if (level_.n_dofs() > max_dense)
       make_pattern();
-    set_supports(NodalSupports(supported_nodes.size()));
+    set_supports(supports);
   }
 
 
@@ -132,7 +135,7 @@ namespace stiction
   CoarseSolver::factorize(const LA::SparseMatrix &matrix,
                           const NodalSupports &supports)
   {
-    if (level_.n_dofs() <= max_direct)
+    if (always_direct_ || level_.n_dofs() <= max_direct)
       direct_ = std::make_unique<MumpsFactorization>(matrix, 3);
     else
       amg_ = std::make_unique<AmgPreconditioner>(matrix, held_modes(supports));

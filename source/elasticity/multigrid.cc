@@ -22,6 +22,10 @@ namespace stiction
     // is estimated up to this size.
     constexpr types::global_dof_index max_estimated = 300000;
 
+    // Up to this many unknowns a factorisation takes seconds, and a gigabyte or
+    // two.
+    constexpr types::global_dof_index max_factorized = 100000;
+
     template<typename To, typename From>
     void
     copy(To &to, const From &from, const double factor = 1.)
@@ -60,17 +64,19 @@ namespace stiction
     Coarse(const LinearElasticity &elasticity,
            const MeshLevel &mesh,
            const LA::Vector &fixed,
-           const std::vector<types::global_dof_index> &first_dofs)
-      : solver(elasticity, mesh, fixed, first_dofs)
+           const std::vector<types::global_dof_index> &first_dofs,
+           const NodalSupports &supports,
+           const bool is_direct)
+      : solver(elasticity, mesh, fixed, first_dofs, supports, is_direct)
       , fixed(fixed)
       , b(fixed)
       , x(fixed)
       , transferred(mesh.zero_vector<float>())
+      , supports(supports)
     {
       for (std::size_t i = 0; i < first_dofs.size(); ++i)
         if (mesh.partitioner()->in_local_range(first_dofs[i]))
           nodes.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
-      supports.resize(first_dofs.size()); // those of a new solver
     }
 
     void
@@ -118,35 +124,27 @@ namespace stiction
                        const TraceHierarchy &supported_nodes)
     : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
+    , elasticity_(elasticity)
     , hierarchy_(hierarchy)
     , supported_nodes_(supported_nodes)
     , levels_(hierarchy.n_levels() - 1)
+    , coarse_(hierarchy.n_levels())
+    , is_factorized_(hierarchy.n_levels(), false)
   {
-    LA::Vector fixed = elasticity.zero_vector();
-    for (const auto dof : fixed.locally_owned_elements())
-      if (elasticity.constraints().is_constrained(dof))
-        fixed(dof) = 1.;
-    for (unsigned int l = hierarchy.n_levels() - 1; l > 0; --l)
-      {
-        levels_[l - 1]    = std::make_unique<Level>(elasticity,
-                                                 hierarchy.level(l),
-                                                 unit_,
-                                                 fixed,
-                                                 supported_nodes.first_dofs(l));
-        LA::Vector coarse = hierarchy.level(l - 1).zero_vector<double>();
-        hierarchy.transfer(l).inject(coarse, fixed);
-        fixed = coarse;
-      }
-    coarse_ = std::make_unique<Coarse>(
-      elasticity, hierarchy.level(0), fixed, supported_nodes.first_dofs(0));
-
     float eigenvalue = 0.f;
     for (unsigned int l = 1; l < hierarchy.n_levels(); ++l)
       {
+        levels_[l - 1] = std::make_unique<Level>(elasticity,
+                                                 hierarchy.level(l),
+                                                 unit_,
+                                                 fixed_on(l),
+                                                 supported_nodes.first_dofs(l));
         if (l == 1 || hierarchy.level(l).n_dofs() <= max_estimated)
           eigenvalue = levels_[l - 1]->estimate_largest_eigenvalue();
         levels_[l - 1]->set_largest_eigenvalue(eigenvalue);
       }
+    coarse_[0] = make_coarse(
+      0, NodalSupports(supported_nodes.first_dofs(0).size()), false);
   }
 
 
@@ -155,15 +153,69 @@ namespace stiction
 
 
 
+  std::unique_ptr<Multigrid::Coarse>
+  Multigrid::make_coarse(const unsigned int level,
+                         const NodalSupports &supports,
+                         const bool is_direct) const
+  {
+    return std::make_unique<Coarse>(elasticity_,
+                                    hierarchy_.level(level),
+                                    fixed_on(level),
+                                    supported_nodes_.first_dofs(level),
+                                    supports,
+                                    is_direct);
+  }
+
+
+
+  LA::Vector
+  Multigrid::fixed_on(const unsigned int level) const
+  {
+    LA::Vector fixed = elasticity_.zero_vector();
+    for (const auto dof : fixed.locally_owned_elements())
+      if (elasticity_.constraints().is_constrained(dof))
+        fixed(dof) = 1.;
+    for (unsigned int l = hierarchy_.n_levels() - 1; l > level; --l)
+      {
+        LA::Vector coarse = hierarchy_.level(l - 1).zero_vector<double>();
+        hierarchy_.transfer(l).inject(coarse, fixed);
+        fixed = coarse;
+      }
+    return fixed;
+  }
+
+
+
+  bool
+  Multigrid::is_direct(const unsigned int level) const
+  {
+    return coarse_[level] && coarse_[level]->solver.is_direct();
+  }
+
+
+
+  bool
+  Multigrid::factorize(const unsigned int level)
+  {
+    if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized)
+      return false;
+    is_factorized_[level] = true;
+    return true;
+  }
+
+
+
   void
   Multigrid::set_supports(const unsigned int level,
                           const NodalSupports &supports)
   {
-    if (level == 0)
-      {
-        coarse_->set_supports(supports);
-        return;
-      }
+    auto &coarse_solver = coarse_[level];
+    if (is_factorized_[level] && !is_direct(level))
+      coarse_solver = make_coarse(level, supports, true);
+    else if (coarse_solver)
+      coarse_solver->set_supports(supports);
+    if (coarse_solver)
+      return;
     levels_[level - 1]->set_supports(supports);
 
     const auto &on_finer = supported_nodes_.on_finer_level(level - 1);
@@ -190,11 +242,12 @@ namespace stiction
                    const LA::Vector &src)
   {
     const double scale = power_of_two(src.linfty_norm());
-    if (level == 0)
+    if (coarse_[level])
       {
-        copy(coarse_->b, src, 1. / scale);
-        coarse_->solve();
-        copy(dst, coarse_->x, unit_);
+        Coarse &coarse = *coarse_[level];
+        copy(coarse.b, src, 1. / scale);
+        coarse.solve();
+        copy(dst, coarse.x, unit_);
       }
     else
       {
@@ -218,21 +271,22 @@ namespace stiction
     Level::Vector &r = fine.scratch();
     fine.residual(r, fine.x, fine.b);
     const LevelTransfer &transfer = hierarchy_.transfer(level);
-    if (level > 1)
+    if (coarse_[level - 1])
+      {
+        Coarse &coarse = *coarse_[level - 1];
+        transfer.restrict_to(coarse.transferred, r);
+        copy(coarse.b, coarse.transferred);
+        coarse.solve();
+        copy(coarse.transferred, coarse.x, unit_);
+        transfer.prolongate_add(fine.x, coarse.transferred);
+      }
+    else
       {
         Level &coarse = *levels_[level - 2];
         transfer.restrict_to(coarse.b, r);
         coarse.project(coarse.b);
         cycle(level - 1);
         transfer.prolongate_add(fine.x, coarse.x);
-      }
-    else
-      {
-        transfer.restrict_to(coarse_->transferred, r);
-        copy(coarse_->b, coarse_->transferred);
-        coarse_->solve();
-        copy(coarse_->transferred, coarse_->x, unit_);
-        transfer.prolongate_add(fine.x, coarse_->transferred);
       }
     fine.project(fine.x);
     fine.smooth(fine.x, fine.b);

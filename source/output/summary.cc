@@ -179,9 +179,13 @@ namespace stiction
     for (unsigned int l = 0; l < newton.statistics().size(); ++l)
       {
         const LevelNewton::Statistics &level = newton.statistics()[l];
-        levels.push_back({{"dofs", newton.n_dofs(l)},
-                          {"newton_steps", level.newton_steps},
-                          {"krylov_iterations", level.krylov_iterations}});
+        levels.push_back(
+          {{"dofs", newton.n_dofs(l)},
+           {"newton_steps", level.newton_steps},
+           {"krylov_iterations", level.krylov_iterations},
+           {"factorized_from_step",
+            level.factorized_from > 0 ? json(level.factorized_from)
+                                      : json(nullptr)}});
         rho_changes += level.rho_changes;
         fallbacks += level.fallbacks;
         if (l != newton.finest_level())

@@ -24,6 +24,7 @@ namespace stiction
     double change           = 0.; ///< relative change of λ in the step
     double contraction      = 0.; ///< residual over the one before
     double normal_force     = 0.; ///< Σλ_ν in N
+    std::string remark;           ///< what else happened in it
   };
 
 

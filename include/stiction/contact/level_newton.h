@@ -43,6 +43,9 @@ namespace stiction
       unsigned int krylov_iterations = 0;
       unsigned int rho_changes       = 0;
       unsigned int fallbacks         = 0;
+      /// The step from which on its systems are solved by factorisation, 0 if
+      /// none.
+      unsigned int factorized_from = 0;
     };
 
     /// A step of either method: its Krylov iterations, the residual after it.
@@ -76,9 +79,14 @@ namespace stiction
     }
 
   private:
-    /// What may help where nothing comes closer to a solution.
+    /// Whether most linear systems take more iterations than they are given.
+    bool
+    has_hard_systems() const;
+
+    /// What it says where nothing comes closer to a solution, and what may
+    /// help.
     std::string
-    advice() const;
+    why_no_closer() const;
 
     /// One Newton step with the present ρ.
     void
@@ -100,7 +108,9 @@ namespace stiction
     const Options options_;
     SupportedSystem system_;
     double c_;
-    unsigned int unfinished_systems_ = 0; ///< left at the cap on iterations
+    /// Linear systems left at the cap on iterations, of those that are not
+    /// factorised.
+    unsigned int unfinished_systems_ = 0;
     Statistics statistics_;
   };
 } // namespace stiction

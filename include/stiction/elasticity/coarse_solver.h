@@ -27,25 +27,35 @@ namespace stiction
   /// mesh with its supports, assembled cell by cell or made from the matrix of
   /// a body that is not simple. A tiny one is factorised by every rank as a
   /// dense matrix, a small one by MUMPS; for a larger one there is a V-cycle of
-  /// algebraic multigrid.
+  /// algebraic multigrid, unless a factorisation is asked for.
   class CoarseSolver
   {
   public:
     /// @param fixed one at unknowns with prescribed displacement, zero
     ///   elsewhere.
     /// @param supported_nodes the first unknowns, on this level, of the nodes
-    ///   that supports may hold; the same on all ranks. Collective.
+    ///   that supports may hold; the same on all ranks.
+    /// @param is_direct whether to factorise whatever the size. Collective.
     CoarseSolver(
       const LinearElasticity &elasticity,
       const MeshLevel &level,
       const LA::Vector &fixed,
-      const std::vector<dealii::types::global_dof_index> &supported_nodes);
+      const std::vector<dealii::types::global_dof_index> &supported_nodes,
+      const NodalSupports &supports,
+      bool is_direct);
     ~CoarseSolver();
 
     /// Takes supports for the nodes of the list, the same on all ranks.
     /// Collective.
     void
     set_supports(const NodalSupports &supports);
+
+    /// Whether vmult() solves exactly.
+    bool
+    is_direct() const
+    {
+      return amg_ == nullptr;
+    }
 
     /// An approximation of dst = K⁻¹ src, symmetric; src and dst are zero in
     /// the directions that are held. Collective.
@@ -78,6 +88,7 @@ namespace stiction
     const MeshLevel &level_;
     std::unique_ptr<LA::Vector> fixed_;
     std::vector<dealii::types::global_dof_index> supported_nodes_;
+    const bool always_direct_;
     /// Place in the list by local node.
     std::unordered_map<unsigned int, std::size_t> support_of_;
     std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;

@@ -40,6 +40,12 @@ namespace stiction
     void
     set_supports(unsigned int level, const NodalSupports &supports) override;
 
+    bool
+    is_direct(unsigned int level) const override;
+
+    bool
+    factorize(unsigned int level) override;
+
     double
     vmult(unsigned int level,
           LA::VectorOf<float> &dst,
@@ -47,6 +53,17 @@ namespace stiction
 
   private:
     class Level;
+    struct Coarse;
+
+    /// The solver at the end of the cycles of a level.
+    std::unique_ptr<Coarse>
+    make_coarse(unsigned int level,
+                const NodalSupports &supports,
+                bool is_direct) const;
+
+    /// One at the unknowns of a level whose displacement is prescribed.
+    LA::Vector
+    fixed_on(unsigned int level) const;
 
     /// x of the level becomes one V-cycle for b of the level.
     void
@@ -54,11 +71,13 @@ namespace stiction
 
     /// A power of two near the size of the entries of K, N/m.
     const double unit_;
+    const LinearElasticity &elasticity_;
     const MeshHierarchy &hierarchy_;
     const TraceHierarchy &supported_nodes_;
     std::vector<std::unique_ptr<Level>> levels_; ///< without the coarsest
-    struct Coarse;
-    std::unique_ptr<Coarse> coarse_;
+    /// That of the coarsest level, and of those that are factorised.
+    std::vector<std::unique_ptr<Coarse>> coarse_;
+    std::vector<bool> is_factorized_; ///< from the next supports on
   };
 } // namespace stiction
 
