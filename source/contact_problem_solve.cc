@@ -1,5 +1,6 @@
 // How a problem is solved and certified on one mesh.
 
+#include <stiction/contact/advice.h>
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/dual_method_factory.h>
@@ -79,6 +80,15 @@ namespace stiction
 
 
 
+  std::string
+  ContactProblem::other_method() const
+  {
+    return advice_on_method(
+      parameters_, surface_->slip_bound().is_coulomb(), true);
+  }
+
+
+
   void
   ContactProblem::set_up_multigrid()
   {
@@ -86,8 +96,10 @@ namespace stiction
     if (parameters_.output.print_progress)
       log_->line("Newton method in displacements: " +
                  parameters_.stiffness_solver_type());
-    newton_ = std::make_unique<NewtonMultigrid>(
-      *elasticity_, *surface_, parameters_.is_matrix_free());
+    LevelNewton::Options options;
+    options.other_method = other_method();
+    newton_              = std::make_unique<NewtonMultigrid>(
+      *elasticity_, *surface_, parameters_.is_matrix_free(), options);
   }
 
 
@@ -124,6 +136,7 @@ namespace stiction
         *judge_,
         accuracy,
         parameters_.contact_solver.maximum_iterations,
+        other_method(),
         [&](const ContactStep &step) { finish_step(step); },
         from));
     };

@@ -1,3 +1,4 @@
+#include <stiction/contact/advice.h>
 #include <stiction/contact/dual_method_factory.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/judge.h>
@@ -130,17 +131,18 @@ namespace stiction
       parameters_.contact_solver, *Q_, problem_.slip_bound.is_coulomb());
     judge_ = std::make_unique<DualProblemJudge>(
       *Q_, problem_.slip_bound, problem_.areas);
-    solution_ = std::make_unique<ContactSolution>(
-      certified_solve(*method_,
-                      *Q_,
-                      problem_.slip_bound,
-                      *judge_,
-                      parameters_.contact_solver.tolerance,
-                      parameters_.contact_solver.maximum_iterations,
-                      [&](const ContactStep &step) {
-                        history_->add(step);
-                        stop_if_interrupted(communicator_);
-                      }));
+    solution_   = std::make_unique<ContactSolution>(certified_solve(
+      *method_,
+      *Q_,
+      problem_.slip_bound,
+      *judge_,
+      parameters_.contact_solver.tolerance,
+      parameters_.contact_solver.maximum_iterations,
+      advice_on_method(parameters_, problem_.slip_bound.is_coulomb(), false),
+      [&](const ContactStep &step) {
+        history_->add(step);
+        stop_if_interrupted(communicator_);
+      }));
     conditions_ = &judge_->judge(solution_->lambda);
   }
 

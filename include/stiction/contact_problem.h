@@ -12,6 +12,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <string>
 
 namespace stiction
 {
@@ -131,6 +132,9 @@ namespace stiction
     set_up_dual_operator();
     void
     solve_for_contact_forces();
+    /// What to choose where the method comes no closer.
+    std::string
+    other_method() const;
     void
     set_up_multigrid();
     void

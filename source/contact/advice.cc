@@ -1,6 +1,9 @@
 #include <stiction/contact/advice.h>
+#include <stiction/parameters.h>
 #include <stiction/qp/slip_bound.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace stiction
@@ -10,7 +13,59 @@ namespace stiction
     // Solutions are proved to exist and to be unique for small coefficients
     // only; examples of none or several are known from about 1 on.
     constexpr double large_coefficient = 1.;
+
+    // Rounding grows on its way to the residual by what linear systems are
+    // conditioned: on bodies of one material by some thousands.
+    constexpr double growth_of_rounding = 1e4;
+
+    // Fewer steps show no pace, and more iterations are none.
+    constexpr std::size_t min_rows         = 4;
+    constexpr double max_more_iterations   = 1e5;
+    constexpr double required_fall_in_half = 0.9;
+
+    bool
+    is_refused(const std::string &method,
+               const Parameters &parameters,
+               const bool has_body)
+    {
+      if (method == "admm")
+        return parameters.dual_operator.form != "assembled";
+      return method == "newton multigrid" &&
+             (!has_body || !parameters.output.export_directory.empty() ||
+              parameters.stiffness_solver.type == "mumps" ||
+              parameters.contact_solver.coulomb_iteration != "direct" ||
+              parameters.performance.measure_factorizations);
+    }
   } // namespace
+
+
+
+  std::string
+  advice_on_method(const Parameters &parameters,
+                   const bool is_coulomb,
+                   const bool has_body)
+  {
+    const ContactSolverParameters &chosen = parameters.contact_solver;
+    const std::string &method             = chosen.method;
+    if (method == "gauss seidel" && chosen.disc_solver != "newton" &&
+        chosen.disc_solver != "spectral")
+      return "choose 'Contact solver/Disc solver = spectral'";
+    const bool approximates =
+      is_coulomb && chosen.coulomb_iteration == "fixed point";
+    if (approximates && method != "mpgp")
+      return "choose 'Contact solver/Coulomb iteration = direct'";
+
+    std::vector<std::string> others;
+    for (const char *const other :
+         {"newton", "newton multigrid", "admm", "gauss seidel"})
+      if (other != method && !is_refused(other, parameters, has_body))
+        others.push_back(std::string("'") +
+                         (others.empty() ? "Contact solver/Method = " : "") +
+                         other + "'");
+    return "choose " + others[0] +
+           (approximates ? " with 'Coulomb iteration = direct'"
+                         : " or " + others[1]);
+  }
 
 
 
@@ -23,6 +78,56 @@ namespace stiction
     std::ostringstream out;
     out << ", or lower 'Friction/Coefficient': with " << coefficient
         << " there may be no solution or several";
+    return out.str();
+  }
+
+
+
+  bool
+  is_rounding(const double residual, const double rounding)
+  {
+    return residual <= growth_of_rounding * rounding;
+  }
+
+
+
+  void
+  Pace::add(const unsigned int iterations, const double residual)
+  {
+    rows_.emplace_back(iterations, residual);
+  }
+
+
+
+  std::string
+  Pace::advice(const double tolerance, const std::string &otherwise) const
+  {
+    const std::string raise = "raise 'Contact solver/Maximum iterations'";
+    if (rows_.size() < min_rows)
+      return raise;
+
+    // many methods do not fall in every step
+    const auto middle   = rows_.begin() + rows_.size() / 2;
+    const auto smallest = [](const auto begin, const auto end) {
+      return std::min_element(
+               begin,
+               end,
+               [](const auto &a, const auto &b) { return a.second < b.second; })
+        ->second;
+    };
+    const double before = smallest(rows_.begin(), middle);
+    const double after  = smallest(middle, rows_.end());
+    const double steps  = rows_.back().first - (middle - 1)->first;
+    const double more =
+      steps * std::log(after / tolerance) / std::log(before / after);
+    if (!(after <= required_fall_in_half * before) ||
+        !(more <= max_more_iterations))
+      return "the residual hardly falls any more, " + otherwise;
+
+    const double unit =
+      std::pow(10., std::floor(std::log10(std::max(more, 1.))));
+    std::ostringstream out;
+    out << raise << " by about " << std::ceil(std::max(more, 1.) / unit) * unit;
     return out.str();
   }
 } // namespace stiction

@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace stiction
 {
@@ -139,7 +138,6 @@ namespace stiction
     const double size  = corners.first.distance(corners.second);
 
     body_figures_.equilibrium_residual = sums[imbalance] / S;
-    body_figures_.rounding             = sums[rounding] / S;
     body_figures_.force_balance =
       std::hypot(sums[force], sums[force + 1], sums[force + 2]) / S;
     body_figures_.moment_balance =
@@ -148,6 +146,7 @@ namespace stiction
       body_figures_.obstacle_force = largest_relative_error(
         -surface_.motion().directions().transpose() * lambda_,
         surface_.pressing_forces());
+    rounding_      = sums[rounding] / S;
     force_scale_   = S;
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];
@@ -240,23 +239,5 @@ namespace stiction
     return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
       return figure.first == "obstacle_force" || figure.second <= tolerance;
     });
-  }
-
-
-
-  std::string
-  Certificate::why_out_of_reach(const double tolerance) const
-  {
-    if (body_figures_.rounding <= tolerance)
-      return {};
-    std::ostringstream out;
-    out.precision(2);
-    out << "the digits of the displacement do not carry that far, the rounding "
-           "of the forces inside the body alone is "
-        << body_figures_.rounding
-        << " of all forces, since stiff parts of it are moved by much more "
-           "than they are strained: hold them better, or raise 'Contact "
-           "solver/Tolerance' above that";
-    return out.str();
   }
 } // namespace stiction

@@ -20,9 +20,6 @@ namespace stiction
     // judge measures in scales of the next iterate.
     constexpr double safety = 0.5;
 
-    // Where a method stops at a residual below this one, it is rounding.
-    constexpr double rounding_residual = 1e-6;
-
     // The relative overlap up to which no contact forces at all are the answer.
     constexpr double rest_tolerance = 1e-9;
 
@@ -77,6 +74,7 @@ namespace stiction
                   Judge &judge,
                   const double tolerance,
                   const unsigned int max_iterations,
+                  const std::string &other_method,
                   const std::function<void(const ContactStep &)> &observer,
                   Eigen::VectorXd lambda)
   {
@@ -89,6 +87,7 @@ namespace stiction
     DualIterate iterate{solution.lambda, conditions->gradient()};
 
     ContactStep row;
+    Pace pace;
     row.residual = conditions->contact_figures().kkt_residual;
 
     double target = std::max(
@@ -128,6 +127,7 @@ namespace stiction
           row.residual        = step.residual;
           row.change          = step.change;
           row.normal_force    = iterate.lambda.head(Q.n_nodes()).sum();
+          pace.add(row.iterations, row.residual);
           observer(row);
         };
         DualMethodResult result;
@@ -156,21 +156,21 @@ namespace stiction
         const double goal     = safety * accuracy() * share_of_kkt(*conditions);
         if (result.converged && target <= goal && !method.limitation().empty())
           solution.reason = method.limitation();
-        else if (!result.reason.empty())
-          solution.reason = result.reason;
         else if (iterations >= max_iterations)
           solution.reason =
             "the cap of " + std::to_string(max_iterations) +
-            " iterations was met, raise 'Contact solver/Maximum iterations'";
+            " iterations was met, " +
+            pace.advice(tolerance,
+                        other_method + advice_on_friction(slip_bound));
         else if (result.stagnated || idle >= max_idle_judgements ||
                  !std::isfinite(residual))
           solution.reason =
-            residual < rounding_residual
-              ? "rounding or the accuracy of the linear solver prevents a "
-                "smaller one, raise 'Contact solver/Tolerance'"
-              : "the method makes no further progress, " +
-                  method.advice(judge.has_body()) +
-                  advice_on_friction(slip_bound);
+            is_rounding(residual, conditions->rounding())
+              ? "rounding prevents a smaller one, raise 'Contact "
+                "solver/Tolerance' above that"
+              : (result.reason.empty() ? "the method makes no further progress"
+                                       : result.reason) +
+                  ", " + other_method + advice_on_friction(slip_bound);
         if (!solution.reason.empty())
           return solution;
 

@@ -142,6 +142,21 @@ namespace stiction
 
 
 
+  std::string
+  ContactConditions::why_out_of_reach(const double tolerance) const
+  {
+    if (rounding_ <= tolerance)
+      return {};
+    std::ostringstream out;
+    out.precision(2);
+    out << "double precision does not carry that far: where something moves by "
+           "much more than it is strained, rounding alone makes about "
+        << rounding_ << ", raise 'Contact solver/Tolerance' above that";
+    return out.str();
+  }
+
+
+
   NodeStatus
   ContactConditions::status(const Eigen::Index node) const
   {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stiction
@@ -396,6 +397,20 @@ namespace stiction
       largest = std::max(
         largest, stiffness_of_cells_.youngs_moduli(i) * at_node(u, i).norm());
     return force_scale < rounding * std::sqrt(boundary_area_) * largest;
+  }
+
+
+
+  double
+  ContactLevel::rounding_of_forces(const LA::Vector &u) const
+  {
+    constexpr double unit_roundoff =
+      std::numeric_limits<double>::epsilon() / 2.;
+    const std::vector<double> blocks = stiffness().diagonal_blocks();
+    LA::Vector forces                = u;
+    for (std::size_t k = 0; k < forces.locally_owned_size(); ++k)
+      forces.begin()[k] *= unit_roundoff * blocks[9 * (k / 3) + 4 * (k % 3)];
+    return sum_of_norms(forces, [](std::size_t) { return all_components; });
   }
 
 

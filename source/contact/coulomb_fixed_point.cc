@@ -111,12 +111,8 @@ namespace stiction
         else if (idle_steps >= max_idle_steps)
           {
             result.stagnated = true;
-            // at a residual as small as this it is rounding
-            if (result.residual > 1e-6)
-              result.reason =
-                "the successive approximations of Coulomb friction do not "
-                "contract, lower the friction coefficient or choose 'Contact "
-                "solver/Method = newton' with 'Coulomb iteration = direct'";
+            result.reason    = "the successive approximations of Coulomb "
+                               "friction do not contract";
           }
       }
     return result;

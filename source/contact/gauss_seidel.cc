@@ -100,10 +100,9 @@ namespace stiction
           (idle_sweeps >= max_idle_sweeps || !std::isfinite(result.residual));
       }
     if (result.stagnated && !inner_converged_)
-      result.reason =
-        "the quadratic programs on discs were not solved in " +
-        std::to_string(max_inner_multiplications) +
-        " products each, choose another 'Contact solver/Disc solver'";
+      result.reason = "the quadratic programs on discs were not solved in " +
+                      std::to_string(max_inner_multiplications) +
+                      " products each";
     return result;
   }
 

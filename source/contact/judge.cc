@@ -7,6 +7,8 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <limits>
+
 namespace stiction
 {
   BodyJudge::BodyJudge(const LinearElasticity &elasticity,
@@ -86,6 +88,10 @@ namespace stiction
 
     conditions_ = std::make_unique<ContactConditions>(
       lambda, Q_lambda - Q_.right_hand_side(), slip_bound_.at(lambda), scaling);
+    if (const Eigen::MatrixXd *const Q = Q_.matrix())
+      conditions_->set_rounding((Q->cwiseAbs() * lambda.cwiseAbs()).maxCoeff() *
+                                (std::numeric_limits<double>::epsilon() / 2.) /
+                                scaling.displacement);
     return *conditions_;
   }
 } // namespace stiction

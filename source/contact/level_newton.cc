@@ -35,9 +35,6 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
-    // Where the residual stands still below this one, it is rounding.
-    constexpr double rounding_residual = 1e-9;
-
     // So many systems left unfinished, and they are solved by factorisation,
     // or if they are too large, the method ends where it comes no closer.
     constexpr unsigned int max_unfinished = 3;
@@ -73,6 +70,7 @@ namespace stiction
   {
     ContactResidual residual(problem_, state, problem_.slip_bound());
     std::deque<double> history;
+    Pace pace;
     unsigned int stalls = 0;
 
     // Never less than a step: without contact forces there may be no scales,
@@ -88,8 +86,8 @@ namespace stiction
               return {};
           }
         if (statistics_.newton_steps >= max_steps)
-          return "the cap on Newton steps was met, raise 'Contact "
-                 "solver/Maximum iterations'";
+          return "the cap on Newton steps was met, " +
+                 pace.advice(tolerance, options_.other_method);
         if (!options_.only_fallback)
           {
             step(state, lambda, residual, tolerance);
@@ -97,6 +95,7 @@ namespace stiction
             lambda   = state.lambda;
             observer(statistics_, residual);
             history.push_back(residual.value());
+            pace.add(statistics_.newton_steps, residual.value());
           }
         if (!std::isfinite(residual.value()))
           return "the iteration broke down: the displacement is no number";
@@ -107,9 +106,11 @@ namespace stiction
         if (falls && !options_.only_fallback)
           continue;
 
-        if (residual.value() < rounding_residual)
-          return "rounding or the accuracy of the linear solver prevents a "
-                 "smaller one, raise 'Contact solver/Tolerance'";
+        if (is_rounding(residual.value(),
+                        problem_.rounding_of_forces(state.u) /
+                          residual.force_scale))
+          return "rounding prevents a smaller one, raise 'Contact "
+                 "solver/Tolerance' above that";
         if (problem_.carries_rounding_only(state, residual.force_scale))
           return "there is neither load nor strain, and the forces are "
                  "rounding: "
@@ -149,17 +150,15 @@ namespace stiction
   std::string
   LevelNewton::why_no_closer() const
   {
-    const std::string newton = "choose 'Contact solver/Method = newton'";
     if (!has_hard_systems())
       return "neither Newton steps nor the method of multipliers come "
              "closer, " +
-             newton + advice_on_friction(problem_.slip_bound());
-    // the coarsest level has an algebraic multigrid already
+             options_.other_method + advice_on_friction(problem_.slip_bound());
     return "most linear systems were not solved in " +
            std::to_string(SupportedSystem::max_directions) +
            " iterations each (are cells flat, is a Poisson ratio near 0.5?), "
-           "and the mesh is too large to factorise one in each step, " +
-           newton + (level_ > 0 ? " or 'Stiffness solver/Type = amg'" : "");
+           "and are too large to be factorised in every step, " +
+           options_.other_method;
   }
 
 

@@ -94,7 +94,7 @@ namespace stiction
                            {"complementarity", figures.complementarity},
                            {"cone_violation", figures.cone_violation},
                            {"slip_angle", figures.slip_angle},
-                           {"rounding", nullptr},
+                           {"rounding", conditions.rounding()},
                            {"force_balance", nullptr},
                            {"moment_balance", nullptr},
                            {"obstacle_force", nullptr},
@@ -104,7 +104,6 @@ namespace stiction
       {
         const auto &body               = certificate->body_figures();
         result["equilibrium_residual"] = body.equilibrium_residual;
-        result["rounding"]             = body.rounding;
         result["force_balance"]        = body.force_balance;
         result["moment_balance"]       = body.moment_balance;
         if (body.obstacle_force >= 0.)

@@ -3,6 +3,7 @@
 #include <stiction/qp/slip_bound.h>
 #include <stiction/qp/symmetric_operator.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction::qp
@@ -123,11 +124,16 @@ namespace stiction::qp
 
         if (++waited >= wait)
           {
-            // relative, in the norms of energies
+            // Relative, in the norms of energies. Displacements are measured
+            // by Qx, how far the forces bend the body, where the gradient is
+            // larger: it has the slip in it, which of a body that is drawn
+            // along may be any distance and says nothing of the forces.
             const Eigen::VectorXd root = D.cwiseSqrt();
-            const double ratio         = root.cwiseProduct(x - z).norm() /
-                                 root.cwiseProduct(x).norm() *
-                                 gradient.cwiseQuotient(root).norm() /
+            const double displacement =
+              std::min(gradient.cwiseQuotient(root).norm(),
+                       (gradient + h).cwiseQuotient(root).norm());
+            const double ratio = root.cwiseProduct(x - z).norm() /
+                                 root.cwiseProduct(x).norm() * displacement /
                                  root.cwiseProduct(z - z_before).norm();
             if (std::isfinite(ratio) && (ratio > adaptation_threshold ||
                                          ratio < 1. / adaptation_threshold))

@@ -48,7 +48,7 @@ main(int argc, char *argv[])
   const auto solve = [&](DualMethod &method, const qp::SlipBound &bound) {
     DualProblemJudge judge(*Q, bound, surface.areas());
     return certified_solve(
-      method, *Q, bound, judge, 1e-9, 1000, [](const ContactStep &) {});
+      method, *Q, bound, judge, 1e-9, 1000, "", [](const ContactStep &) {});
   };
 
   for (const auto &bound : {given, coulomb})
@@ -143,6 +143,7 @@ main(int argc, char *argv[])
                                              judge,
                                              1e-9,
                                              1000,
+                                             "",
                                              [](const ContactStep &) {});
           out() << path << ": " << yes(found.converged) << ", same forces "
                 << yes((found.lambda - expected.lambda).norm() <

@@ -2,19 +2,58 @@
 #define stiction_contact_advice_h
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stiction
 {
+  class Parameters;
   namespace qp
   {
     class SlipBound;
   }
+
+  /// What to choose where what is in use comes no closer, of what is neither in
+  /// use nor refused beside the other entries: "choose 'Contact solver/Method =
+  /// newton' or 'newton multigrid'".
+  ///
+  /// @param is_coulomb whether there is Coulomb friction. @param has_body
+  ///   whether there is a body, not Q and h alone.
+  std::string
+  advice_on_method(const Parameters &parameters,
+                   bool is_coulomb,
+                   bool has_body);
 
   /// What there is to say of the friction of a problem that no method comes
   /// closer to solving: ", or lower ..." where the coefficient is so large that
   /// there may be no solution or several, otherwise nothing.
   std::string
   advice_on_friction(const qp::SlipBound &slip_bound);
+
+  /// Whether a residual of this size is a matter of rounding, not of the
+  /// method.
+  ///
+  /// @param rounding what rounding alone makes of it, an estimate.
+  bool
+  is_rounding(double residual, double rounding);
+
+  /// How the residual falls, for those who meet the cap on iterations.
+  class Pace
+  {
+  public:
+    /// @param iterations so far, of those that the cap counts.
+    void
+    add(unsigned int iterations, double residual);
+
+    /// "raise 'Contact solver/Maximum iterations' by about 40" if the residual
+    /// was still falling, without a number if there were too few steps to tell;
+    /// otherwise what else to do.
+    std::string
+    advice(double tolerance, const std::string &otherwise) const;
+
+  private:
+    std::vector<std::pair<unsigned int, double>> rows_;
+  };
 } // namespace stiction
 
 #endif

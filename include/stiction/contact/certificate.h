@@ -31,6 +31,9 @@ namespace stiction
   /// face is stiffer than other parts of the body (contact_scaling()). With
   /// π = λ_i/(A_i p0) and w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
   ///
+  /// rounding() is Σ ε‖diag(K_jj) u_j‖/S, ε = 2⁻⁵³: what rounding the
+  /// displacement of each node alone changes the forces inside the body by.
+  ///
   /// With orthotropic friction λ and the slip are the contact variables of
   /// ContactFrame, in which the ellipse is a disc: the slip angle is 0 where
   /// the slip is normal to the ellipse.
@@ -43,10 +46,6 @@ namespace stiction
       /// Σ‖(f − Bᵀλ − Ku)_j‖/S over the free unknowns: equilibrium at every
       /// node, where it is more than the rounding of Ku there, else that.
       double equilibrium_residual = 0.;
-      /// Σ ε‖diag(K_jj) u_j‖/S, ε = 2⁻⁵³: what rounding u alone changes the
-      /// forces inside the body by. Where it is above the tolerance no
-      /// displacement can be told to be the solution.
-      double rounding = 0.;
       /// ‖Σ(loads + contact forces + reactions)‖/S.
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
@@ -92,9 +91,6 @@ namespace stiction
 
     bool
     is_solved(double tolerance) const override;
-
-    std::string
-    why_out_of_reach(double tolerance) const override;
 
     /// S, N.
     double

@@ -48,6 +48,8 @@ namespace stiction
   ///
   /// @param tolerance of the judge.
   /// @param max_iterations of the method, in all.
+  /// @param other_method what to choose where this method comes no closer, a
+  ///   part of a sentence.
   /// @param observer called after every step. If it throws Interrupted, on all
   ///   ranks, the iterate of that step is judged and handed back.
   /// @param lambda where to start, 3m contact forces; empty: zero.
@@ -58,6 +60,7 @@ namespace stiction
                   Judge &judge,
                   double tolerance,
                   unsigned int max_iterations,
+                  const std::string &other_method,
                   const std::function<void(const ContactStep &)> &observer,
                   Eigen::VectorXd lambda = {});
 } // namespace stiction

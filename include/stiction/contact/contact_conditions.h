@@ -78,13 +78,22 @@ namespace stiction
       return converged(tolerance);
     }
 
-    /// Why no answer can be told to be within the tolerance, and what to
-    /// change; empty if one can.
-    virtual std::string
-    why_out_of_reach(double /*tolerance*/) const
+    /// What rounding alone makes of the figures, an estimate.
+    double
+    rounding() const
     {
-      return {};
+      return rounding_;
     }
+    void
+    set_rounding(const double rounding)
+    {
+      rounding_ = rounding;
+    }
+
+    /// Why no answer can be told to be within the tolerance, and what to
+    /// change: rounding is above it; empty if it is not.
+    std::string
+    why_out_of_reach(double tolerance) const;
 
     /// "kkt_residual is 3e-4": the largest of them.
     std::string
@@ -135,6 +144,7 @@ namespace stiction
 
     Eigen::VectorXd lambda_, slip_bound_, gradient_;
     qp::Scaling scaling_;
+    double rounding_ = 0.;
 
   private:
     /// w and π at a node: (π_ν − w_ν; π_t − w_t).

@@ -161,6 +161,11 @@ namespace stiction
            const LA::Vector &R,
            const Eigen::VectorXd &lambda) const;
 
+    /// Σ ε‖diag(K_jj) u_j‖ over all nodes, ε = 2⁻⁵³: what rounding u alone
+    /// changes the forces inside the body by, N. Collective.
+    double
+    rounding_of_forces(const LA::Vector &u) const;
+
     /// Whether forces of this size are rounding: far less than the displacement
     /// of the contact nodes would take if it strained the cells behind them.
     /// Collective.

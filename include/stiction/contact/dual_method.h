@@ -34,8 +34,7 @@ namespace stiction
     double change           = 0.; ///< last relative change of λ
     bool converged          = false;
     bool stagnated          = false; ///< no further progress was possible
-    /// If it stagnated for another reason than rounding: which, and what to
-    /// change.
+    /// If it stagnated and knows why: that.
     std::string reason;
   };
 
@@ -101,16 +100,6 @@ namespace stiction
     limitation() const
     {
       return {};
-    }
-
-    /// Which other method may help where this one stands still.
-    ///
-    /// @param has_body whether methods in displacements can be chosen.
-    virtual std::string
-    advice(const bool has_body) const
-    {
-      return std::string("choose 'Contact solver/Method = newton'") +
-             (has_body ? " or 'newton multigrid'" : "");
     }
 
     /// Sums over all runs so far.

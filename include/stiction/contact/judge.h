@@ -27,10 +27,6 @@ namespace stiction
     /// next call. Collective.
     virtual const ContactConditions &
     judge(const Eigen::VectorXd &lambda) = 0;
-
-    /// Whether there is a body, not Q and h alone.
-    virtual bool
-    has_body() const = 0;
   };
 
 
@@ -48,12 +44,6 @@ namespace stiction
 
     const ContactConditions &
     judge(const Eigen::VectorXd &lambda) override;
-
-    bool
-    has_body() const override
-    {
-      return true;
-    }
 
     /// The same for a displacement that a method brings along. Collective.
     const ContactConditions &
@@ -95,12 +85,6 @@ namespace stiction
     /// Scales: S = Σ‖λ_i‖ shared out by areas, u0 = λᵀQλ/S.
     const ContactConditions &
     judge(const Eigen::VectorXd &lambda) override;
-
-    bool
-    has_body() const override
-    {
-      return false;
-    }
 
   private:
     const DualOperator &Q_;

@@ -34,6 +34,9 @@ namespace stiction
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
       bool only_fallback = false;
+      /// What to choose where this method comes no closer, a part of a
+      /// sentence.
+      std::string other_method = "choose another 'Contact solver/Method'";
     };
 
     /// What was done so far.

@@ -8,7 +8,6 @@
 #include <stiction/qp/semismooth_newton.h>
 
 #include <memory>
-#include <string>
 
 namespace stiction
 {
@@ -44,13 +43,6 @@ namespace stiction
     solves_coulomb() const override
     {
       return true;
-    }
-
-    std::string
-    advice(const bool has_body) const override
-    {
-      return std::string("choose 'Contact solver/Method = ") +
-             (has_body ? "newton multigrid'" : "admm'");
     }
 
     DualMethodStatistics

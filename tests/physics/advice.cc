@@ -1,0 +1,150 @@
+// Problems that do not converge, and what the program advises: never what is in
+// use already, and whoever follows the advice has an answer that is certified.
+
+#include "tests.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+  // What follows a text up to a quote, or nothing.
+  std::string
+  after(const std::string &sentence, const std::string &text)
+  {
+    const auto begin = sentence.find(text);
+    if (begin == std::string::npos)
+      return {};
+    const auto from = begin + text.size();
+    return sentence.substr(from, sentence.find('\'', from) - from);
+  }
+
+  // Whether a sentence names an entry with the value that it has already.
+  bool
+  names(const std::string &sentence, const std::string &value)
+  {
+    return sentence.find("= " + value + "'") != std::string::npos ||
+           sentence.find("'" + value + "'") != std::string::npos;
+  }
+
+  // The entries that the sentence wants changed, as they are to be.
+  Settings
+  follow(const std::string &advice, const Run &run)
+  {
+    Settings changes;
+    const auto choose = [&](const std::string &entry) {
+      const std::string value = after(advice, "'" + entry + " = ");
+      if (!value.empty())
+        changes.push_back(entry + "=" + value);
+    };
+    choose("Contact solver/Method");
+    choose("Contact solver/Disc solver");
+    choose("Contact solver/Coulomb iteration");
+    const std::string more =
+      after(advice, "raise 'Contact solver/Maximum iterations' by about ");
+    if (!more.empty())
+      changes.push_back(
+        "Contact solver/Maximum iterations=" +
+        std::to_string(run.parameters.contact_solver.maximum_iterations +
+                       static_cast<unsigned int>(2. * std::stod(more)) + 2));
+    if (advice.find("raise 'Contact solver/Tolerance' above that") !=
+        std::string::npos)
+      {
+        double worst = 0.;
+        for (const auto &figure : run.problem->certificate().deciding_figures())
+          worst = std::max(worst, figure.second);
+        changes.push_back("Contact solver/Tolerance=" + exact(3. * worst));
+      }
+    return changes;
+  }
+
+  struct Case
+  {
+    std::string name;
+    Settings settings;
+  };
+
+  // A stiff block on a layer that is softer, dragged along and turned.
+  Settings
+  weakly_held(const std::string &soft)
+  {
+    return {"Geometry/Table 1 level=0",
+            "Geometry/Lengths=2,2,1",
+            "Geometry/Subdivisions=6,6,4",
+            "Geometry/Global refinement=0",
+            "Material/Poisson ratio=0.3",
+            "Material/Young's modulus=2e11",
+            "Material/Material ids=if(z < 0.25, 1, 0)",
+            "Material/Materials=1 : isotropic; " + soft + "; 0.3",
+            "Boundary conditions/Prescribed displacement=4 : 0; 0; 0",
+            "Boundary conditions/Traction=1 : 2e6; 0; 5e6 | 0 : 0; 1e6; 3e6",
+            "Boundary conditions/Contact boundary=5",
+            "Friction/Coefficient=0.5",
+            "Contact solver/Maximum iterations=300"};
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Settings small = {"Geometry/Table 1 level=1"};
+  std::vector<Case> cases = {
+    {"fixed point, F = 5",
+     small + Settings{"Friction/Coefficient=5",
+                      "Contact solver/Method=newton",
+                      "Contact solver/Coulomb iteration=fixed point"}},
+    {"mpgp, F = 5",
+     small +
+       Settings{"Friction/Coefficient=5", "Contact solver/Method=mpgp"}},
+    {"QPQ as printed",
+     {"Geometry/Table 1 level=3",
+      "Friction/Law=given",
+      "Friction/Slip stress=1.5e7",
+      "Contact solver/Method=gauss seidel",
+      "Contact solver/Disc solver=as printed"}},
+    {"beyond double precision",
+     weakly_held("0.2") + Settings{"Contact solver/Method=newton"}}};
+  for (const std::string method :
+       {"newton", "gauss seidel", "mpgp", "admm", "newton multigrid"})
+    {
+      const Settings chosen = {"Contact solver/Method=" + method};
+      cases.push_back({method + ", few iterations",
+                       small + chosen +
+                         Settings{"Contact solver/Maximum iterations=5",
+                                  "Contact solver/Tolerance=1e-10"}});
+      if (method != "newton")
+        cases.push_back({method + ", weakly held", weakly_held("2e8") + chosen});
+    }
+
+  for (const Case &c : cases)
+    {
+      const Run run(shipped("brick.prm"), c.settings);
+      out() << c.name << ": ";
+      if (run.converged)
+        {
+          out() << "certified" << std::endl;
+          continue;
+        }
+      const std::string advice =
+        stiction::explain(run.problem->solution(),
+                          run.problem->certificate(),
+                          run.parameters.contact_solver.tolerance);
+      const auto &chosen = run.parameters.contact_solver;
+      const Settings changes = follow(advice, run);
+      std::string changed;
+      for (const std::string &change : changes)
+        changed += " " + change.substr(0, change.find('='));
+      const bool is_certified =
+        !changes.empty() &&
+        Run(shipped("brick.prm"), c.settings + changes).converged;
+      out() << "names what is in use "
+            << (names(advice, chosen.method) ||
+                    names(advice, chosen.coulomb_iteration) ||
+                    names(advice, chosen.disc_solver)
+                  ? "YES"
+                  : "no")
+            << ", certified with another" << changed << " "
+            << yes(is_certified) << std::endl;
+    }
+}
