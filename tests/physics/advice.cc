@@ -3,6 +3,8 @@
 
 #include "tests.h"
 
+#include <stiction/output/report.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,15 +90,14 @@ int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const Settings small = {"Geometry/Table 1 level=1"};
+  const Settings small    = {"Geometry/Table 1 level=1"};
   std::vector<Case> cases = {
     {"fixed point, F = 5",
      small + Settings{"Friction/Coefficient=5",
                       "Contact solver/Method=newton",
                       "Contact solver/Coulomb iteration=fixed point"}},
     {"mpgp, F = 5",
-     small +
-       Settings{"Friction/Coefficient=5", "Contact solver/Method=mpgp"}},
+     small + Settings{"Friction/Coefficient=5", "Contact solver/Method=mpgp"}},
     {"QPQ as printed",
      {"Geometry/Table 1 level=3",
       "Friction/Law=given",
@@ -114,7 +115,8 @@ main(int argc, char *argv[])
                          Settings{"Contact solver/Maximum iterations=5",
                                   "Contact solver/Tolerance=1e-10"}});
       if (method != "newton")
-        cases.push_back({method + ", weakly held", weakly_held("2e8") + chosen});
+        cases.push_back(
+          {method + ", weakly held", weakly_held("2e8") + chosen});
     }
 
   for (const Case &c : cases)
@@ -130,7 +132,7 @@ main(int argc, char *argv[])
         stiction::explain(run.problem->solution(),
                           run.problem->certificate(),
                           run.parameters.contact_solver.tolerance);
-      const auto &chosen = run.parameters.contact_solver;
+      const auto &chosen     = run.parameters.contact_solver;
       const Settings changes = follow(advice, run);
       std::string changed;
       for (const std::string &change : changes)
@@ -144,7 +146,7 @@ main(int argc, char *argv[])
                     names(advice, chosen.disc_solver)
                   ? "YES"
                   : "no")
-            << ", certified with another" << changed << " "
-            << yes(is_certified) << std::endl;
+            << ", certified with another" << changed << " " << yes(is_certified)
+            << std::endl;
     }
 }
