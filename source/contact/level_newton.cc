@@ -35,10 +35,6 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
-    // So many systems left unfinished, and they are solved by factorisation,
-    // or if they are too large, the method ends where it comes no closer.
-    constexpr unsigned int max_unfinished = 3;
-
     constexpr unsigned int max_fallbacks      = 8;
     constexpr unsigned int max_fallback_steps = 60;
     constexpr unsigned int max_approximations = 4;
@@ -140,9 +136,8 @@ namespace stiction
   bool
   LevelNewton::has_hard_systems() const
   {
-    return !preconditioner_.is_direct(level_) &&
-           unfinished_systems_ >= max_unfinished &&
-           2 * unfinished_systems_ >= statistics_.newton_steps;
+    return system_.n_unfinished() > 0 && !preconditioner_.is_direct(level_) &&
+           2 * system_.n_unfinished() >= statistics_.newton_steps;
   }
 
 
@@ -191,13 +186,16 @@ namespace stiction
       system_.solve(state, linearization, is_enough);
     statistics_.krylov_iterations += iterations;
     ++statistics_.newton_steps;
-    unfinished_systems_ += iterations == SupportedSystem::max_directions;
-    if (unfinished_systems_ >= max_unfinished &&
-        preconditioner_.factorize(level_))
-      {
-        statistics_.factorized_from = statistics_.newton_steps + 1;
-        unfinished_systems_         = 0;
-      }
+    note_factorization();
+  }
+
+
+
+  void
+  LevelNewton::note_factorization()
+  {
+    if (system_.is_factorized() && statistics_.factorized_from == 0)
+      statistics_.factorized_from = statistics_.newton_steps + 1;
   }
 
 
@@ -211,7 +209,7 @@ namespace stiction
     // one digit more each time, so that given friction gets there by this alone
     ++statistics_.fallbacks;
     const double target = std::max(0.5 * tolerance, 0.1 * residual);
-    MethodOfMultipliers multipliers(problem_, level_, preconditioner_);
+    MethodOfMultipliers multipliers(problem_, system_);
     unsigned int steps = 0;
     for (unsigned int k = 0; k < max_approximations && steps < max_steps; ++k)
       {
@@ -228,5 +226,6 @@ namespace stiction
             target)
           break;
       }
+    note_factorization();
   }
 } // namespace stiction

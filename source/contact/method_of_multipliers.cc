@@ -23,12 +23,10 @@ namespace stiction
 
 
 
-  MethodOfMultipliers::MethodOfMultipliers(
-    const ContactLevel &problem,
-    const unsigned int level,
-    StiffnessPreconditioner &preconditioner)
+  MethodOfMultipliers::MethodOfMultipliers(const ContactLevel &problem,
+                                           SupportedSystem &system)
     : problem_(problem)
-    , system_(problem, level, preconditioner)
+    , system_(system)
     , rho_(relative_rho * problem.nodal_stiffness())
   {
   }

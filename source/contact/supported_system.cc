@@ -18,6 +18,9 @@ namespace stiction
     // to be done with a piece is done at once.
     constexpr std::size_t block_size = 1536;
 
+    // So many systems left unfinished, and the next are factorised.
+    constexpr unsigned int max_unfinished = 3;
+
     using Piece      = Eigen::Map<Eigen::VectorXd>;
     using ConstPiece = Eigen::Map<const Eigen::VectorXd>;
 
@@ -176,8 +179,9 @@ namespace stiction
       Eigen::MatrixXd::Identity(max_directions, max_directions);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(max_directions);
     std::vector<const double *> images;
-    unsigned int n = 0;
-    while (n < max_directions && square > 0.)
+    unsigned int n   = 0;
+    bool is_finished = square == 0.;
+    while (n < max_directions && !is_finished)
       {
         Direction &d = new_direction(n);
         d.factor     = preconditioner_.vmult(level_, d.z, r);
@@ -222,13 +226,19 @@ namespace stiction
         problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
         images.push_back(d.v.begin());
         ++n;
-        if (stop({n,
-                  norms[1],
-                  contact_r,
-                  state.lambda,
-                  state.w,
-                  std::sqrt(square) / start}))
-          break;
+        is_finished = stop({n,
+                            norms[1],
+                            contact_r,
+                            state.lambda,
+                            state.w,
+                            std::sqrt(square) / start}) ||
+                      square == 0.;
+      }
+    if (!is_finished && ++n_unfinished_ >= max_unfinished &&
+        preconditioner_.factorize(level_))
+      {
+        is_factorized_ = true;
+        n_unfinished_  = 0;
       }
 
     // u is moved along the preconditioned vectors, R is the residual wherever

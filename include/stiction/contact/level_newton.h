@@ -82,6 +82,10 @@ namespace stiction
     }
 
   private:
+    /// Enters into the statistics that systems are factorised from now on.
+    void
+    note_factorization();
+
     /// Whether most linear systems take more iterations than they are given.
     bool
     has_hard_systems() const;
@@ -111,9 +115,6 @@ namespace stiction
     const Options options_;
     SupportedSystem system_;
     double c_;
-    /// Linear systems left at the cap on iterations, of those that are not
-    /// factorised.
-    unsigned int unfinished_systems_ = 0;
     Statistics statistics_;
   };
 } // namespace stiction

@@ -10,7 +10,6 @@
 namespace stiction
 {
   class ContactLevel;
-  class StiffnessPreconditioner;
 
   /// Contact with given friction by the method of multipliers, with a proof of
   /// convergence from any start and for any ρ (R. T. Rockafellar, Augmented
@@ -25,11 +24,8 @@ namespace stiction
   class MethodOfMultipliers
   {
   public:
-    /// @param level the number of the problem's level for the preconditioner.
-    ///   All arguments must outlive the object.
-    MethodOfMultipliers(const ContactLevel &problem,
-                        unsigned int level,
-                        StiffnessPreconditioner &preconditioner);
+    /// @param system of this problem. All arguments must outlive the object.
+    MethodOfMultipliers(const ContactLevel &problem, SupportedSystem &system);
 
     /// What it took.
     struct Effort
@@ -65,7 +61,7 @@ namespace stiction
     search(ContactState &state, const ContactState &before) const;
 
     const ContactLevel &problem_;
-    SupportedSystem system_;
+    SupportedSystem &system_;
     const Eigen::VectorXd rho_;
     Eigen::VectorXd multipliers_, slip_bound_;
   };

@@ -60,6 +60,22 @@ namespace stiction
           const PrimalLinearization &linearization,
           const std::function<bool(const Progress &)> &stop);
 
+    /// How many systems were left at max_directions. After a few of them the
+    /// preconditioner is asked to factorise the level; if it does, this is zero
+    /// again.
+    unsigned int
+    n_unfinished() const
+    {
+      return n_unfinished_;
+    }
+
+    /// Whether that was done.
+    bool
+    is_factorized() const
+    {
+      return is_factorized_;
+    }
+
   private:
     /// What an iteration adds: A d = v for the direction d, which is known as
     /// preconditioned vectors z and coefficients, and at the contact nodes. The
@@ -97,6 +113,8 @@ namespace stiction
     StiffnessPreconditioner &preconditioner_;
     std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
     LA::Vector residual_, step_;                         ///< scratch
+    unsigned int n_unfinished_ = 0;
+    bool is_factorized_        = false;
   };
 } // namespace stiction
 
