@@ -7,6 +7,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -27,7 +28,7 @@ namespace stiction
         Triangulation<3>::limit_level_difference_at_vertices,
         parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
     , fe_(FE_Q<3>(geometry.element_degree), 3)
-    , mapping_(geometry.element_degree)
+    , mapping_(std::make_unique<MappingQ<3>>(geometry.element_degree))
     , dof_handler_(triangulation_)
   {
     make_grid(geometry, check_size);
@@ -65,9 +66,35 @@ namespace stiction
     boundary_names_ = coarse.boundary_names();
     material_names_ = coarse.material_names();
     triangulation_.copy_triangulation(coarse.triangulation());
+    quadratic_cells_ = coarse.quadratic_cells();
     triangulation_.refine_global(geometry.global_refinement);
-    together(communicator(),
-             [&]() { require_valid_cells(triangulation_, geometry.location); });
+    shape_cells();
+    together(communicator(), [&]() {
+      require_valid_cells(triangulation_, quadratic_cells_, geometry.location);
+    });
+  }
+
+
+
+  void
+  Body::shape_cells()
+  {
+    if (quadratic_cells_.empty())
+      return;
+    quadratic_cells_.place_vertices(triangulation_);
+    if (fe_.degree == 1)
+      return;
+    const std::vector<Point<3>> &unit_points =
+      fe_.base_element(0).get_unit_support_points();
+    auto mapping = std::make_unique<MappingQCache<3>>(fe_.degree);
+    mapping->initialize(
+      triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
+        std::vector<Point<3>> points;
+        for (const Point<3> &p : unit_points)
+          points.push_back(quadratic_cells_.position(cell->id(), p));
+        return points;
+      });
+    mapping_ = std::move(mapping);
   }
 
 
@@ -121,6 +148,7 @@ namespace stiction
       if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
         cell->set_refine_flag();
     triangulation_.execute_coarsening_and_refinement();
+    shape_cells();
     distribute_dofs();
     collect_nodes();
   }
@@ -152,7 +180,7 @@ namespace stiction
     const IndexSet &owned = locally_owned_dofs();
     nodes_.resize(owned.n_elements() / 3);
     std::vector<types::global_dof_index> dofs(fe_.n_dofs_per_cell());
-    FEValues<3> values(mapping_,
+    FEValues<3> values(*mapping_,
                        fe_.base_element(0),
                        fe_.base_element(0).get_unit_support_points(),
                        update_quadrature_points);

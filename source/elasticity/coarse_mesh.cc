@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace stiction
@@ -34,7 +35,8 @@ namespace stiction
     // Vertices show a cell that is folded before Gauss points do, which are
     // what the stiffness needs.
     bool
-    is_valid(const Vertices &vertices)
+    is_valid(const Vertices &vertices,
+             const std::function<double(const Point<3> &)> &determinant)
     {
       const double gauss = .5 - .5 / std::sqrt(3.);
       double size        = 0.;
@@ -46,7 +48,7 @@ namespace stiction
             Point<3> p = GeometryInfo<3>::unit_cell_vertex(v);
             for (unsigned int c = 0; c < 3; ++c)
               p[c] = inset + (1. - 2. * inset) * p[c];
-            if (!(determinant_of_map(vertices, p) > 1e-14 * size * size * size))
+            if (!(determinant(p) > 1e-14 * size * size * size))
               return false;
           }
       return true;
@@ -96,8 +98,9 @@ namespace stiction
               read_mesh_file(geometry.mesh_file, geometry.location);
             triangulation_.create_triangulation(
               mesh.vertices, mesh.cells, mesh.faces);
-            boundaries = mesh.boundary_names;
-            materials  = mesh.material_names;
+            quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
+            boundaries       = mesh.boundary_names;
+            materials        = mesh.material_names;
           }
       }
     catch (const ExceptionBase &exception)
@@ -105,7 +108,7 @@ namespace stiction
         throw InputError(geometry.location +
                          ", makes no mesh: " + in_one_line(exception) + ".");
       }
-    require_valid_cells(triangulation_, geometry.location);
+    require_valid_cells(triangulation_, quadratic_cells_, geometry.location);
     set_names(boundaries, materials);
   }
 
@@ -196,6 +199,7 @@ namespace stiction
 
   void
   require_valid_cells(const Triangulation<3> &triangulation,
+                      const QuadraticCells &quadratic_cells,
                       const std::string &location)
   {
     for (const auto &cell : triangulation.cell_iterators())
@@ -205,7 +209,15 @@ namespace stiction
         Vertices vertices;
         for (unsigned int v = 0; v < 8; ++v)
           vertices[v] = cell->vertex(v);
-        if (is_valid(vertices))
+        const bool is_quadratic =
+          cell->level() == 0 && !quadratic_cells.empty();
+        if (is_valid(vertices,
+                     [&](const Point<3> &p) {
+                       return determinant_of_map(vertices, p);
+                     }) &&
+            (!is_quadratic || is_valid(vertices, [&](const Point<3> &p) {
+              return quadratic_cells.determinant(cell->index(), p);
+            })))
           continue;
         std::ostringstream message;
         message << location << ", ";
@@ -214,8 +226,9 @@ namespace stiction
         else
           message << "a refined cell";
         message << " with its centre at (" << cell->center()
-                << ") is inverted or degenerate, its corners must make a "
-                   "hexahedron that is not folded.";
+                << ") is inverted or degenerate, its "
+                << (is_quadratic ? "nodes" : "corners")
+                << " must make a hexahedron that is not folded.";
         throw InputError(message.str());
       }
   }

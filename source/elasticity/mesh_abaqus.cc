@@ -20,6 +20,21 @@ namespace stiction
                          });
     }
 
+    // 0 if it is none. Other letters, as for reduced integration, say nothing
+    // of the shape.
+    unsigned int
+    nodes_of_hexahedron(const std::string &type)
+    {
+      for (const unsigned int n : {8, 20, 27})
+        {
+          const std::string name = "C3D" + std::to_string(n);
+          if (type == name ||
+              begins_with_any(type, {name + 'R', name + 'I', name + 'H'}))
+            return n;
+        }
+      return 0;
+    }
+
     std::vector<std::string>
     split_at_commas(const std::string &line)
     {
@@ -161,18 +176,22 @@ namespace stiction
       read_element(const std::vector<std::string> &items)
       {
         const std::string type = upper(options_["TYPE"]);
-        if (type == "C3D8" ||
-            begins_with_any(type, {"C3D8R", "C3D8I", "C3D8H"}))
+        if (const unsigned int n_nodes = nodes_of_hexahedron(type))
           {
-            if (items.size() != 9)
-              text_.refuse("a hexahedron with its number and eight nodes "
-                           "should stand here");
+            if (items.size() != n_nodes + 1)
+              text_.refuse("a hexahedron with its number and " +
+                           std::to_string(n_nodes) +
+                           " nodes should stand here");
             const std::int64_t number = text_.to_integer(items[0]);
             if (!numbers_.emplace(number, hexahedra_.size()).second)
               text_.refuse("element " + items[0] +
                            " stands twice, must stand once");
             hexahedra_.push_back({{items.begin() + 1, items.end()}, 0});
-            add_element(5, 0, hexahedra_.back().nodes);
+            add_element(n_nodes == 8    ? 5
+                        : n_nodes == 20 ? 17
+                                        : 12,
+                        0,
+                        hexahedra_.back().nodes);
             add_to_set(options_["ELSET"], number);
             if (!options_["ELSET"].empty())
               element_sets_.insert(upper(options_["ELSET"]));
@@ -185,7 +204,7 @@ namespace stiction
           ++mesh_.mesh.other_elements["pyramids"];
         else if (begins_with_any(type, {"C3D"}))
           text_.refuse("has elements of type " + type +
-                       ", must be linear hexahedra (C3D8)");
+                       ", must be hexahedra (C3D8, C3D20 or C3D27)");
         else if (!begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
           // those are no part of a body, written for its edges
           ++mesh_.mesh.other_elements["elements of type " + type];
@@ -199,7 +218,11 @@ namespace stiction
         std::string line;
         for (const std::string &node : nodes)
           line += node + ' ';
-        mesh_.add_element(type, id, line, text_);
+        mesh_.add_element(type,
+                          id,
+                          // nodes inside: the centre, then faces S1 to S6
+                          in_gmsh_order(line, {{21, 23, 26, 24, 25, 22, 20}}),
+                          text_);
       }
 
       void

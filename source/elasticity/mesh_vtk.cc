@@ -179,22 +179,37 @@ namespace stiction
                        std::to_string(ids_.size()) +
                        " numbers 'MaterialID', must be as many of each");
         // what Gmsh numbers them; the others are of no use
-        static const std::map<std::int64_t, std::int64_t> types = {
-          {5, 2}, {9, 3}, {10, 4}, {12, 5}, {13, 6}, {14, 7}};
+        static const std::map<std::int64_t, std::int64_t> types = {{5, 2},
+                                                                   {9, 3},
+                                                                   {10, 4},
+                                                                   {12, 5},
+                                                                   {13, 6},
+                                                                   {14, 7},
+                                                                   {22, 9},
+                                                                   {23, 16},
+                                                                   {24, 11},
+                                                                   {25, 17},
+                                                                   {26, 18},
+                                                                   {27, 19},
+                                                                   {28, 10},
+                                                                   {29, 12},
+                                                                   {32, 13}};
         for (std::size_t i = 0; i < cells_.size(); ++i)
           {
             // deal.II writes -1 for what has no number
             const std::int64_t id = ids_.empty() ? 0 : ids_[i];
             if (types.count(types_[i]) == 1 && !(types_[i] == 9 && id == -1))
-              mesh_.add_element(types.at(types_[i]),
-                                to_id(id == -1 ? 0 : id, text_),
-                                cells_[i],
-                                text_);
-            else if (types_[i] < 1 || (types_[i] > 4 && types_[i] != 9))
+              mesh_.add_element(
+                types.at(types_[i]),
+                to_id(id == -1 ? 0 : id, text_),
+                in_gmsh_order(cells_[i], {{24, 22, 20, 21, 23, 25, 26}}),
+                text_);
+            else if (types_[i] < 1 ||
+                     (types_[i] > 4 && types_[i] != 9 && types_[i] != 21))
               text_.refuse("has cells of VTK's type " +
                            std::to_string(types_[i]) +
-                           ", must be linear hexahedra, which have type 12 "
-                           "and 8 points");
+                           ", must be hexahedra of type 12, 25 or 29 with 8, "
+                           "20 or 27 points");
           }
       }
 

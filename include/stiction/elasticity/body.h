@@ -2,6 +2,7 @@
 #define stiction_elasticity_body_h
 
 #include <stiction/elasticity/mesh_names.h>
+#include <stiction/elasticity/quadratic_cells.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria.h>
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace stiction
@@ -76,11 +78,12 @@ namespace stiction
     }
 
     /// The shape of the cells: of the degree of the elements, so that the
-    /// nodes inside of edges and faces lie on curved boundaries, too.
+    /// nodes inside of edges and faces lie on curved boundaries, too. On a mesh
+    /// of second order from a file all vertices and nodes lie in its cells.
     const dealii::Mapping<3> &
     mapping() const
     {
-      return mapping_;
+      return *mapping_;
     }
 
     const dealii::IndexSet &
@@ -172,6 +175,10 @@ namespace stiction
     make_grid(const GeometryParameters &geometry,
               const std::function<void(double n_cells)> &check_size);
 
+    // Gives cells that were refined the shape of the coarse ones.
+    void
+    shape_cells();
+
     void
     find_bounding_box();
 
@@ -183,7 +190,8 @@ namespace stiction
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;
-    dealii::MappingQ<3> mapping_;
+    QuadraticCells quadratic_cells_;
+    std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;
     dealii::IndexSet locally_relevant_dofs_;
     bool is_uniform_ = true;

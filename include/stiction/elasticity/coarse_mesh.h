@@ -2,6 +2,7 @@
 #define stiction_elasticity_coarse_mesh_h
 
 #include <stiction/elasticity/mesh_names.h>
+#include <stiction/elasticity/quadratic_cells.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -31,6 +32,13 @@ namespace stiction
       return triangulation_;
     }
 
+    /// Of a file with elements of second order, otherwise empty.
+    const QuadraticCells &
+    quadratic_cells() const
+    {
+      return quadratic_cells_;
+    }
+
     const MeshNames &
     boundary_names() const
     {
@@ -58,18 +66,20 @@ namespace stiction
               const std::map<std::string, MeshNames::Id> &materials);
 
     dealii::Triangulation<3> triangulation_;
+    QuadraticCells quadratic_cells_;
     MeshNames boundary_names_, material_names_;
   };
 
 
 
-  /// Throws InputError naming a cell whose map has a determinant that is not
-  /// positive at its vertices or Gauss points. Of cells of all levels that are
-  /// not artificial.
+  /// Throws InputError naming a cell whose map, the trilinear one or that of
+  /// second order, has a determinant that is not positive at its vertices or
+  /// Gauss points. Of cells of all levels that are not artificial.
   ///
   /// @param location the beginning of a sentence about the mesh.
   void
   require_valid_cells(const dealii::Triangulation<3> &triangulation,
+                      const QuadraticCells &quadratic_cells,
                       const std::string &location);
 } // namespace stiction
 

@@ -1,6 +1,8 @@
 #ifndef stiction_elasticity_mesh_data_h
 #define stiction_elasticity_mesh_data_h
 
+#include <stiction/elasticity/quadratic_cells.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria_description.h>
 
@@ -19,6 +21,8 @@ namespace stiction
     std::vector<dealii::CellData<3>> cells;
     /// Quadrilaterals with a boundary id, inner ones too.
     dealii::SubCellData faces;
+    /// Those of elements of second order.
+    QuadraticCells::InnerNodes inner_nodes;
     std::map<std::string, unsigned int> boundary_names;
     std::map<std::string, unsigned int> material_names;
 
