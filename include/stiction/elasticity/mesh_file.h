@@ -5,7 +5,7 @@
 
 namespace stiction
 {
-  /// Reads a mesh of linear hexahedra; the extension says what the file is:
+  /// Reads a mesh of hexahedra with 8, 20 or 27 nodes; the extension says which:
   /// .msh (Gmsh, 2.2 or 4.1), .inp (Abaqus), .vtk (legacy VTK), all as text.
   ///
   /// deal.II's GridIn reads nodes and elements. It gets them as a file of
@@ -18,7 +18,7 @@ namespace stiction
   /// @param location the beginning of a sentence about the file.
   ///
   /// Throws InputError if the file cannot be read, is none of these, has other
-  /// elements than linear hexahedra, contradicts itself, or if its hexahedra
+  /// elements than such hexahedra, contradicts itself, or if its hexahedra
   /// do not make one body.
   MeshData
   read_mesh_file(const std::string &file, const std::string &location);
