@@ -9,6 +9,7 @@
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
 #include <stiction/output/output_directory.h>
+#include <stiction/output/problem_check.h>
 #include <stiction/output/problem_files.h>
 #include <stiction/output/report.h>
 #include <stiction/output/summary.h>
@@ -70,6 +71,8 @@ namespace stiction
     , communicator_(communicator)
     , log_(std::make_unique<Log>(communicator))
   {
+    if (parameters.output.print_progress)
+      phases_.announce(*log_);
   }
 
 
@@ -99,8 +102,8 @@ namespace stiction
   void
   DualContactProblem::read_problem()
   {
-    const auto phase = phases_.scope("dual_operator");
-    problem_         = import_problem(path_);
+    const auto phase = phases_.scope("reading");
+    problem_ = import_problem(path_, parameters_.dual_operator.symmetric_part);
     parameters_.check_method(problem_.slip_bound.is_coulomb());
     if (parameters_.contact_solver.is_primal())
       throw InputError(
@@ -195,9 +198,11 @@ namespace stiction
     summary["interrupted"] = solution_->interrupted;
     summary["units"]       = units_to_json(parameters_.output.units);
     summary["input"]       = parameters_.source.given();
-    summary["problem"]     = {
-          {"file", path_}, {"contact_nodes", m}, {"dual_unknowns", 3 * m}};
-    summary["solver"] = solver_to_json(
+    summary["problem"]     = {{"file", path_},
+                              {"contact_nodes", m},
+                              {"dual_unknowns", 3 * m},
+                              {"asymmetry", problem_.asymmetry}};
+    summary["solver"]      = solver_to_json(
       parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
     summary["solver"]["tolerance"]     = parameters_.contact_solver.tolerance;
     summary["certificate"]             = certificate_to_json(*conditions_);
@@ -221,6 +226,12 @@ namespace stiction
       parameters_.contact_solver.tolerance,
       explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
       parameters_.performance.print_timing);
+    if (problem_.asymmetry > problem_check::symmetry)
+      log_->line(format("WARNING: Q is the symmetric part of that of the file, "
+                        "where entries across the diagonal differ by up to "
+                        "%.2g of it; of the problem of the file itself the "
+                        "certificate says nothing.",
+                        problem_.asymmetry));
     log_->line("There was no body to judge: the certificate is that of the "
                "contact conditions with Q and h as they are.");
     log_->line("The contact forces are in " + parameters_.output.directory +

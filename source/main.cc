@@ -210,9 +210,13 @@ main(int argc, char *argv[])
     }
   catch (const std::bad_alloc &)
     {
-      return abort("not enough memory for this problem, use a coarser mesh, "
-                   "'Dual operator/Form = by solves' or 'Contact solver/Method "
-                   "= newton multigrid'.");
+      return abort(
+        arguments.problem
+          ? "not enough memory for this problem, its Q must fit into memory "
+            "several times."
+          : "not enough memory for this problem, use a coarser mesh, 'Dual "
+            "operator/Form = by solves' or 'Contact solver/Method = newton "
+            "multigrid'.");
     }
   catch (const std::exception &error)
     {

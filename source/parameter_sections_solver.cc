@@ -115,6 +115,15 @@ namespace stiction
                   "solve a product, no storage.",
                   prm,
                   Patterns::Selection("assembled|by solves"));
+    add_parameter("Symmetric part",
+                  symmetric_part,
+                  "Of a problem from a file (--problem) alone, whose Q is "
+                  "refused where it is not symmetric to 1e-8 of its diagonal. "
+                  "true: its symmetric part, (Q + Q^T)/2, is taken in its "
+                  "place, which is another problem; how far Q is from it is "
+                  "said with the certificate.",
+                  prm,
+                  Patterns::Bool());
   }
 
 
@@ -156,6 +165,15 @@ namespace stiction
                   "material and body as well, for twice the size and time.",
                   prm,
                   Patterns::Selection("basic|all"));
+    add_parameter("Double precision",
+                  double_precision,
+                  "Whether displacement.csv, the displacement and the reaction "
+                  "of every node of the body, and contact.csv, what "
+                  "happens at every contact node, are written besides, as text "
+                  "with 17 digits. The .vtu files have the 7 digits of "
+                  "single precision.",
+                  prm,
+                  Patterns::Bool());
     add_parameter("Print progress",
                   print_progress,
                   "Whether a line is printed for each step of the solver.");

@@ -191,7 +191,8 @@ namespace stiction
   {
     DualOperatorParameters();
 
-    std::string form = "assembled";
+    std::string form    = "assembled";
+    bool symmetric_part = false; ///< of a problem from a file
   };
 
   struct OutputParameters : dealii::ParameterAcceptor
@@ -210,6 +211,7 @@ namespace stiction
     std::string units            = "none";
     bool write_solution          = true;
     std::string fields           = "all";
+    bool double_precision        = false;
     bool print_progress          = true;
   };
 

@@ -76,7 +76,7 @@ namespace stiction
     if (coefficient < large_coefficient)
       return {};
     std::ostringstream out;
-    out << ", or lower 'Friction/Coefficient': with " << coefficient
+    out << ", or lower the coefficient of friction: with " << coefficient
         << " there may be no solution or several";
     return out.str();
   }

@@ -354,7 +354,7 @@ namespace stiction
 
 
   DualProblem
-  read_fclib(const std::string &path)
+  read_fclib(const std::string &path, const bool symmetric_part)
   {
     const Silence silence;
     const Reader reader(path);
@@ -420,14 +420,15 @@ namespace stiction
           problem.positions(k / 3, k % 3) = by_rows(k);
       }
 
-    problem.Q = W.read();
-    problem_check::make_symmetric(problem.Q, [&](const Index i, const Index j) {
-      const auto interleaved_index = [m](const Index k) {
-        return std::to_string(k % m * 3 + k / m);
-      };
-      return path + ": group " + matrix + ", row " + interleaved_index(i) +
-             ", column " + interleaved_index(j) + " (from 0)";
-    });
+    problem.Q         = W.read();
+    problem.asymmetry = problem_check::make_symmetric(
+      problem.Q, symmetric_part, [&](const Index i, const Index j) {
+        const auto interleaved_index = [m](const Index k) {
+          return std::to_string(k % m * 3 + k / m);
+        };
+        return path + ": group " + matrix + ", row " + interleaved_index(i) +
+               ", column " + interleaved_index(j) + " (from 0)";
+      });
     return problem;
   }
 } // namespace stiction

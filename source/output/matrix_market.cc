@@ -430,7 +430,7 @@ namespace stiction
 
 
   DualProblem
-  read_matrix_market(const std::string &path)
+  read_matrix_market(const std::string &path, const bool symmetric_part)
   {
     std::error_code error;
     const bool is_directory = fs::is_directory(path, error);
@@ -453,18 +453,19 @@ namespace stiction
 
     File Q =
       read(Q_name, 0, 0, Allowed::number, "three rows for each contact node");
-    problem_check::make_symmetric(Q.matrix, [&](const Index i, const Index j) {
-      return Q_name +
-             (i == j && Q.diagonal_lines[i] > 0
-                ? ", line " + std::to_string(Q.diagonal_lines[i])
-                : "") +
-             ": the entry in row " + std::to_string(i + 1) + ", column " +
-             std::to_string(j + 1);
-    });
+    DualProblem problem;
+    problem.asymmetry = problem_check::make_symmetric(
+      Q.matrix, symmetric_part, [&](const Index i, const Index j) {
+        return Q_name +
+               (i == j && Q.diagonal_lines[i] > 0
+                  ? ", line " + std::to_string(Q.diagonal_lines[i])
+                  : "") +
+               ": the entry in row " + std::to_string(i + 1) + ", column " +
+               std::to_string(j + 1);
+      });
     const Index m              = Q.matrix.rows() / 3;
     const std::string per_node = "one row for each contact node";
 
-    DualProblem problem;
     problem.h =
       read_vector(in("h.mtx"), 3 * m, Allowed::number, "as many rows as Q.mtx");
     problem.slip_bound =

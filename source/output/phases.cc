@@ -100,7 +100,8 @@ namespace stiction
   Phases::to_json() const
   {
     // those that no other one is around
-    static const std::vector<std::string> outermost = {"mesh",
+    static const std::vector<std::string> outermost = {"reading",
+                                                       "mesh",
                                                        "assembly",
                                                        "contact_solve",
                                                        "certificate",
@@ -108,7 +109,8 @@ namespace stiction
                                                        "yardsticks",
                                                        "output"};
     nlohmann::json section;
-    for (const char *phase : {"mesh",
+    for (const char *phase : {"reading",
+                              "mesh",
                               "assembly",
                               "stiffness_setup",
                               "dual_operator",

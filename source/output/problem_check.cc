@@ -66,13 +66,12 @@ namespace stiction::problem_check
 
 
 
-  void
+  double
   make_symmetric(
     Eigen::MatrixXd &Q,
+    const bool symmetric_part,
     const std::function<std::string(Eigen::Index, Eigen::Index)> &place)
   {
-    constexpr double tolerance = 1e-8;
-
     const Eigen::Index n = Q.rows();
     for (Eigen::Index i = 0; i < n; ++i)
       require(Q(i, i), Allowed::positive, [&]() { return place(i, i); });
@@ -92,16 +91,19 @@ namespace stiction::problem_check
               column = j;
             }
         }
-    if (!(worst <= tolerance))
+    if (!(worst <= symmetry || symmetric_part))
       throw InputError(place(row, column) + " is " + text(Q(row, column)) +
                        ", the entry across the diagonal " +
                        text(Q(column, row)) +
                        ", must be equal, the matrix being symmetric, to 1e-8 "
                        "of the diagonal; of all pairs these differ most, by " +
-                       text(worst) + " of it.");
+                       text(worst) +
+                       " of it, 'Dual operator/Symmetric part = true' takes "
+                       "the symmetric part.");
     for (Eigen::Index j = 0; j < n; ++j)
       for (Eigen::Index i = j + 1; i < n; ++i)
         Q(i, j) = Q(j, i) = 0.5 * (Q(i, j) + Q(j, i));
+    return worst;
   }
 
 

@@ -132,7 +132,7 @@ namespace stiction
 
 
   DualProblem
-  import_problem(const std::string &path)
+  import_problem(const std::string &path, const bool symmetric_part)
   {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -140,18 +140,18 @@ namespace stiction
       {
         const fs::path hdf5 = fs::path(path) / hdf5_name;
         if (fs::exists(fs::path(path) / "Q.mtx", error))
-          return read_matrix_market(path);
+          return read_matrix_market(path, symmetric_part);
         if (fs::exists(hdf5, error))
-          return read_fclib(hdf5.string());
+          return read_fclib(hdf5.string(), symmetric_part);
         throw InputError(path + ": holds no problem, must be a directory with "
                                 "Q.mtx or problem.hdf5.");
       }
 
     const std::string extension = fs::path(path).extension().string();
     if (extension == ".mtx")
-      return read_matrix_market(path);
+      return read_matrix_market(path, symmetric_part);
     if (extension == ".hdf5" || extension == ".h5")
-      return read_fclib(path);
+      return read_fclib(path, symmetric_part);
     throw InputError(
       path +
       (fs::exists(path, error) ? ": is no problem file" : ": does not exist") +

@@ -18,6 +18,10 @@ namespace stiction
     qp::SlipBound slip_bound;
     Eigen::VectorXd areas;     ///< nodal areas, m², length m; empty: unknown
     Eigen::MatrixXd positions; ///< nodes, m × 3, m; empty: unknown
+
+    /// The largest |Q_ij − Q_ji| of the file that Q is the symmetric part of,
+    /// over sqrt(Q_ii Q_jj).
+    double asymmetry = 0.;
   };
 } // namespace stiction
 

@@ -40,8 +40,10 @@ namespace stiction
   /// s), with sizes that fit, numbers that are numbers, friction that is not
   /// negative, areas that are positive, and W symmetric to 1e-8 with a
   /// positive diagonal.
+  ///
+  /// @param symmetric_part of any W its symmetric part is taken.
   DualProblem
-  read_fclib(const std::string &path);
+  read_fclib(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
 
 #endif

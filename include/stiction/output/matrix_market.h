@@ -37,8 +37,10 @@ namespace stiction
   /// unless exactly one of the two laws of friction is there, sizes fit,
   /// numbers are numbers, friction is not negative, areas are positive, and Q
   /// is symmetric to 1e-8 with a positive diagonal.
+  ///
+  /// @param symmetric_part of any Q its symmetric part is taken.
   DualProblem
-  read_matrix_market(const std::string &path);
+  read_matrix_market(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
 
 #endif

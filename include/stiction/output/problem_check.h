@@ -43,13 +43,22 @@ namespace stiction
     void
     require_memory(double order, const std::string &place);
 
-    /// Throws InputError unless the diagonal of the matrix is positive and
-    /// |Q_ij − Q_ji| ≤ 1e-8 sqrt(Q_ii Q_jj); then makes Q_ij and Q_ji equal to
-    /// their mean. A symmetric matrix keeps every bit. Whether the matrix is
-    /// positive definite is left to those who solve with it.
-    void
+    /// Rounding of a symmetric matrix, relative to its diagonal.
+    constexpr double symmetry = 1e-8;
+
+    /// Makes Q_ij and Q_ji equal to their mean and returns the largest
+    /// |Q_ij − Q_ji| / sqrt(Q_ii Q_jj) there was. A symmetric matrix keeps
+    /// every bit. Whether the matrix is positive definite is left to those who
+    /// solve with it.
+    ///
+    /// Throws InputError unless the diagonal is positive and that number at
+    /// most the constant symmetry.
+    ///
+    /// @param symmetric_part any such number will do.
+    double
     make_symmetric(
       Eigen::MatrixXd &Q,
+      bool symmetric_part,
       const std::function<std::string(Eigen::Index, Eigen::Index)> &place);
 
     /// For writers: throws InputError, beginning with @p place, if the problem

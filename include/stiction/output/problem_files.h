@@ -32,8 +32,10 @@ namespace stiction
   ///
   /// Throws InputError, one sentence that names the file and the place in it,
   /// if the files do not make a problem.
+  ///
+  /// @param symmetric_part of any Q its symmetric part is taken.
   DualProblem
-  import_problem(const std::string &path);
+  import_problem(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
 
 #endif
