@@ -37,6 +37,14 @@
 
 namespace stiction
 {
+  namespace
+  {
+    // Fewer are made in a second or two.
+    constexpr double cells_worth_a_word = 2e5;
+  } // namespace
+
+
+
   ContactProblem::ContactProblem(const Parameters &parameters,
                                  MPI_Comm communicator)
     : parameters_(parameters)
@@ -177,8 +185,12 @@ namespace stiction
   {
     const auto phase = phases_.scope("mesh");
     describe_machine();
+    bool is_said          = false; // the size of a file is known later
     const auto check_size = [&](const double n_cells) {
       require_memory_for_mesh(parameters_, n_cells, communicator_);
+      if (n_cells > cells_worth_a_word && !is_said)
+        log_->line(format("Making a mesh of about %.3g cells", n_cells));
+      is_said = is_said || n_cells > cells_worth_a_word;
     };
     check_size(parameters_.geometry.n_cells());
     body_ =
@@ -199,12 +211,15 @@ namespace stiction
         parameters_.has_mean_dilatation())
       log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
                         parameters_.material.largest_poisson_ratio()));
-    if (parameters_.contact_solver.is_primal() && !parameters_.is_matrix_free())
+    if (parameters_.contact_solver.is_primal() &&
+        parameters_.stiffness_solver.type == "automatic" &&
+        !parameters_.is_matrix_free())
       {
         const std::string why = parameters_.why_not_simple();
-        log_->line("Algebraic multigrid, which takes many times as long for an "
-                   "unknown as geometric multigrid: that is not there with " +
-                   (why.empty() ? std::string("'Global refinement' 0") : why));
+        log_->line(
+          "Algebraic multigrid, which takes some 40 times as long for "
+          "an unknown as geometric multigrid: that is not there with " +
+          (why.empty() ? std::string("'Global refinement' 0") : why));
       }
   }
 

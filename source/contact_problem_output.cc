@@ -18,6 +18,7 @@
 #include <stiction/output/convergence_history.h>
 #include <stiction/output/files.h>
 #include <stiction/output/log.h>
+#include <stiction/output/nodal_values.h>
 #include <stiction/output/output_directory.h>
 #include <stiction/output/problem_files.h>
 #include <stiction/output/report.h>
@@ -54,6 +55,12 @@ namespace stiction
                                  : dealii::Vector<double>(),
                      output);
     write_contact(*elasticity_, u, *surface_, certificate, output);
+    if (output.double_precision)
+      {
+        write_nodal_displacement(
+          output.directory, *body_, u, reactions_->nodal());
+        write_contact_nodes(output.directory, *surface_, certificate);
+      }
     write_obstacles(output.directory, *elasticity_, *surface_);
     write_history(*history_, output.directory, communicator_);
   }
@@ -115,9 +122,9 @@ namespace stiction
                                            *method_,
                                            *schur_);
     if (!newton_)
-      summary["solver"].update(
-        json({{"stiffness_solves", stiffness_solver_->n_solves()},
-              {"krylov_iterations", stiffness_solver_->n_iterations()}}));
+      summary["solver"].update(json(
+        {{"stiffness_solves", stiffness_solver_->n_solves()},
+         {"stiffness_krylov_iterations", stiffness_solver_->n_iterations()}}));
     summary["solver"].update(
       json({{"law", parameters_.friction.name()},
             {"tolerance", parameters_.contact_solver.tolerance},

@@ -32,7 +32,8 @@ namespace stiction
     {
       static const std::regex names(
         "(solution|contact|obstacle)(\\.[0-9]{4,})?\\.(vtu|pvtu|pvd)"
-        "|summary\\.json|convergence\\.csv|forces\\.csv|picture\\.png");
+        "|summary\\.json|(convergence|forces|displacement|contact)\\.csv"
+        "|picture\\.png");
       return std::regex_match(name, names);
     }
 

@@ -136,7 +136,7 @@ namespace stiction
            {std::make_pair("coulomb_iterations", "Coulomb steps"),
             std::make_pair("gauss_seidel_iterations", "Gauss-Seidel sweeps"),
             std::make_pair("newton_steps", "Newton steps"),
-            std::make_pair("dual_krylov_iterations", "Krylov iterations"),
+            std::make_pair("krylov_iterations", "Krylov iterations"),
             std::make_pair("interior_point_steps", "interior point steps"),
             std::make_pair("conjugate_gradient_steps", "CG steps"),
             std::make_pair("expansion_steps", "expansions"),
@@ -323,19 +323,19 @@ namespace stiction
         log.line("  " + format("%-24s ", "iterations") + iterations(solver));
         if (solver.contains("levels"))
           log.line(
-            format("  %-24s %u, and %u on coarser meshes",
-                   "Krylov iterations",
-                   solver["krylov_iterations"].get<unsigned int>(),
+            format("  %-24s %u Krylov iterations",
+                   "on coarser meshes",
                    solver["coarse_krylov_iterations"].get<unsigned int>()));
         else
-          log.line(format("  %-24s %.1f",
+          log.line(format("  %-24s %lu",
                           "products with Q",
-                          solver["dual_multiplications"].get<double>()));
+                          solver["dual_multiplications"].get<unsigned long>()));
         if (solver.contains("stiffness_solves") && !solver.contains("levels"))
-          log.line(format("  %-24s %u (%u Krylov iterations)",
-                          "solves with K",
-                          solver["stiffness_solves"].get<unsigned int>(),
-                          solver["krylov_iterations"].get<unsigned int>()));
+          log.line(
+            format("  %-24s %u (%u Krylov iterations)",
+                   "solves with K",
+                   solver["stiffness_solves"].get<unsigned int>(),
+                   solver["stiffness_krylov_iterations"].get<unsigned int>()));
         if (solver.contains("elastic_solve_equivalents"))
           log.line("  " + format("%-24s ", "elastic solves' worth") +
                    number(solver["elastic_solve_equivalents"]));

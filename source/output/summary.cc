@@ -151,7 +151,7 @@ namespace stiction
             {"coulomb_iterations", statistics.coulomb_iterations},
             {"gauss_seidel_iterations", statistics.gauss_seidel_iterations},
             {"newton_steps", statistics.newton_steps},
-            {"dual_krylov_iterations", statistics.krylov_iterations},
+            {"krylov_iterations", statistics.krylov_iterations},
             {"interior_point_steps", statistics.interior_point_steps},
             {"conjugate_gradient_steps", statistics.conjugate_gradient_steps},
             {"expansion_steps", statistics.expansion_steps},
@@ -162,7 +162,9 @@ namespace stiction
             {"contraction",
              statistics.coulomb_iterations > 0 ? json(statistics.contraction)
                                                : json(nullptr)},
-            {"dual_multiplications", Q.n_multiplications()}};
+            // parts of products make up whole ones
+            {"dual_multiplications",
+             static_cast<unsigned long>(std::ceil(Q.n_multiplications()))}};
   }
 
 
@@ -199,7 +201,6 @@ namespace stiction
             {"coarse_krylov_iterations", coarse_krylov},
             {"levels", levels},
             {"rho_changes", rho_changes},
-            {"dual_krylov_iterations", 0},
             {"interior_point_steps", 0},
             {"conjugate_gradient_steps", 0},
             {"expansion_steps", 0},
@@ -209,7 +210,7 @@ namespace stiction
             {"fallbacks", fallbacks},
             {"contraction", nullptr},
             {"stiffness_solves", 0},
-            {"dual_multiplications", 0.}};
+            {"dual_multiplications", 0}};
   }
 
 
