@@ -189,7 +189,10 @@ namespace stiction
     const auto check_size = [&](const double n_cells) {
       require_memory_for_mesh(parameters_, n_cells, communicator_);
       if (n_cells > cells_worth_a_word && !is_said)
-        log_->line(format("Making a mesh of about %.3g cells", n_cells));
+        log_->line(format("Making a mesh of about %.3g cells; the run will "
+                          "take some %.2g GB of memory",
+                          n_cells,
+                          memory_for_mesh(parameters_, n_cells) / 1e9));
       is_said = is_said || n_cells > cells_worth_a_word;
     };
     check_size(parameters_.geometry.n_cells());

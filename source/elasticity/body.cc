@@ -28,6 +28,7 @@ namespace stiction
         Triangulation<3>::limit_level_difference_at_vertices,
         parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
     , fe_(FE_Q<3>(geometry.element_degree), 3)
+    , location_(geometry.location)
     , mapping_(std::make_unique<MappingQ<3>>(geometry.element_degree))
     , dof_handler_(triangulation_)
   {
@@ -70,7 +71,7 @@ namespace stiction
     triangulation_.refine_global(geometry.global_refinement);
     shape_cells();
     together(communicator(), [&]() {
-      require_valid_cells(triangulation_, quadratic_cells_, geometry.location);
+      require_valid_cells(triangulation_, quadratic_cells_, location_);
     });
   }
 
@@ -91,7 +92,7 @@ namespace stiction
       triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
         std::vector<Point<3>> points;
         for (const Point<3> &p : unit_points)
-          points.push_back(quadratic_cells_.position(cell->id(), p));
+          points.push_back(quadratic_cells_.position(cell, p));
         return points;
       });
     mapping_ = std::move(mapping);
@@ -149,6 +150,10 @@ namespace stiction
         cell->set_refine_flag();
     triangulation_.execute_coarsening_and_refinement();
     shape_cells();
+    if (!quadratic_cells_.empty())
+      together(communicator(), [&]() {
+        require_valid_cells(triangulation_, quadratic_cells_, location_);
+      });
     distribute_dofs();
     collect_nodes();
   }

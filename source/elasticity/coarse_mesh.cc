@@ -4,13 +4,13 @@
 #include <stiction/parameters.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 namespace stiction
@@ -35,22 +35,32 @@ namespace stiction
     // Vertices show a cell that is folded before Gauss points do, which are
     // what the stiffness needs.
     bool
-    is_valid(const Vertices &vertices,
-             const std::function<double(const Point<3> &)> &determinant)
+    is_valid(const Vertices &vertices, const double smallest)
     {
       const double gauss = .5 - .5 / std::sqrt(3.);
-      double size        = 0.;
-      for (const Point<3> &vertex : vertices)
-        size = std::max(size, vertex.distance(vertices[0]));
       for (const double inset : {0., gauss})
         for (unsigned int v = 0; v < 8; ++v)
           {
             Point<3> p = GeometryInfo<3>::unit_cell_vertex(v);
             for (unsigned int c = 0; c < 3; ++c)
               p[c] = inset + (1. - 2. * inset) * p[c];
-            if (!(determinant(p) > 1e-14 * size * size * size))
+            if (!(determinant_of_map(vertices, p) > smallest))
               return false;
           }
+      return true;
+    }
+
+    // The vertices of a cell with several faces on a sphere are flat if it is a
+    // good cell, with edges along the sphere: Gauss points alone count.
+    bool
+    is_valid(const QuadraticCells &cells,
+             const QuadraticCells::Cell &cell,
+             const double smallest)
+    {
+      static const QGauss<3> quadrature(3);
+      for (const Point<3> &p : quadrature.get_points())
+        if (!cells.empty() && !(cells.determinant(cell, p) > smallest))
+          return false;
       return true;
     }
 
@@ -209,15 +219,12 @@ namespace stiction
         Vertices vertices;
         for (unsigned int v = 0; v < 8; ++v)
           vertices[v] = cell->vertex(v);
-        const bool is_quadratic =
-          cell->level() == 0 && !quadratic_cells.empty();
-        if (is_valid(vertices,
-                     [&](const Point<3> &p) {
-                       return determinant_of_map(vertices, p);
-                     }) &&
-            (!is_quadratic || is_valid(vertices, [&](const Point<3> &p) {
-              return quadratic_cells.determinant(cell->index(), p);
-            })))
+        double size = 0.;
+        for (const Point<3> &vertex : vertices)
+          size = std::max(size, vertex.distance(vertices[0]));
+        const double smallest  = 1e-14 * size * size * size;
+        const bool has_corners = is_valid(vertices, smallest);
+        if (has_corners && is_valid(quadratic_cells, cell, smallest))
           continue;
         std::ostringstream message;
         message << location << ", ";
@@ -227,7 +234,7 @@ namespace stiction
           message << "a refined cell";
         message << " with its centre at (" << cell->center()
                 << ") is inverted or degenerate, its "
-                << (is_quadratic ? "nodes" : "corners")
+                << (has_corners ? "nodes" : "corners")
                 << " must make a hexahedron that is not folded.";
         throw InputError(message.str());
       }

@@ -3,6 +3,8 @@
 #include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace stiction
 {
@@ -40,6 +42,22 @@ namespace stiction
     values(const double x)
     {
       return {{(1. - x) * (1. - 2. * x), 4. * x * (1. - x), x * (2. * x - 1.)}};
+    }
+
+    // The index of the coarse cell that a cell comes of, and where the point is
+    // there. (The number of the coarse cell in a CellId is that of p4est.)
+    std::pair<unsigned int, Point<3>>
+    in_coarse_cell(QuadraticCells::Cell cell, Point<3> unit_point)
+    {
+      const CellId id     = cell->id();
+      const auto children = id.get_child_indices();
+      for (auto child = children.end(); child != children.begin();)
+        {
+          unit_point =
+            GeometryInfo<3>::child_to_cell_coordinates(unit_point, *--child);
+          cell = cell->parent();
+        }
+      return {cell->index(), unit_point};
     }
 
     std::array<double, 3>
@@ -103,12 +121,9 @@ namespace stiction
 
 
   Point<3>
-  QuadraticCells::position(const CellId &cell, const Point<3> &unit_point) const
+  QuadraticCells::position(const Cell &cell, const Point<3> &unit_point) const
   {
-    Point<3> p          = unit_point;
-    const auto children = cell.get_child_indices();
-    for (auto child = children.end(); child != children.begin();)
-      p = GeometryInfo<3>::child_to_cell_coordinates(p, *--child);
+    const auto [coarse_cell, p] = in_coarse_cell(cell, unit_point);
 
     const auto x = values(p[0]), y = values(p[1]), z = values(p[2]);
     std::array<std::array<double, 3>, 27> terms;
@@ -119,7 +134,7 @@ namespace stiction
         const double weight = x[node[0]] * y[node[1]] * z[node[2]];
         if (weight == 0.)
           continue;
-        const Point<3> &at = nodes_[cell.get_coarse_cell_id()][i];
+        const Point<3> &at = nodes_[coarse_cell][i];
         terms[n++]         = {{weight * at[0], weight * at[1], weight * at[2]}};
       }
     // Neighbours have them in another order.
@@ -143,21 +158,22 @@ namespace stiction
           {
             is_placed[cell->vertex_index(v)] = true;
             cell->vertex(v) =
-              position(cell->id(), GeometryInfo<3>::unit_cell_vertex(v));
+              position(cell, GeometryInfo<3>::unit_cell_vertex(v));
           }
   }
 
 
 
   double
-  QuadraticCells::determinant(const unsigned int coarse_cell,
+  QuadraticCells::determinant(const Cell &cell,
                               const Point<3> &unit_point) const
   {
+    const auto [coarse_cell, p] = in_coarse_cell(cell, unit_point);
     std::array<std::array<double, 3>, 3> value, slope;
     for (unsigned int d = 0; d < 3; ++d)
       {
-        value[d] = values(unit_point[d]);
-        slope[d] = slopes(unit_point[d]);
+        value[d] = values(p[d]);
+        slope[d] = slopes(p[d]);
       }
     Tensor<2, 3> jacobian;
     for (unsigned int i = 0; i < 27; ++i)
@@ -173,6 +189,7 @@ namespace stiction
         jacobian +=
           outer_product(Tensor<1, 3>(nodes_[coarse_cell][i]), gradient);
       }
-    return dealii::determinant(jacobian);
+    const double n_cells = std::pow(8., cell->level());
+    return dealii::determinant(jacobian) / n_cells;
   }
 } // namespace stiction

@@ -14,6 +14,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace stiction
@@ -45,6 +46,9 @@ namespace stiction
     /// Cuts cells into eight, and those that p4est's balance wants besides;
     /// moves cells between the ranks and numbers the unknowns anew. Whatever
     /// was made from the body before is void. Collective.
+    ///
+    /// Throws InputError if cells of second order are folded where they are
+    /// cut.
     ///
     /// @param is_cut one flag for each active cell by its active_cell_index();
     ///   those of cells that this rank does not own are ignored.
@@ -191,6 +195,7 @@ namespace stiction
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;
     QuadraticCells quadratic_cells_;
+    std::string location_; // of the entry that says what the body is
     std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;
     dealii::IndexSet locally_relevant_dofs_;

@@ -72,9 +72,10 @@ namespace stiction
 
 
 
-  /// Throws InputError naming a cell whose map, the trilinear one or that of
-  /// second order, has a determinant that is not positive at its vertices or
-  /// Gauss points. Of cells of all levels that are not artificial.
+  /// Throws InputError naming a cell whose trilinear map has a determinant that
+  /// is not positive at its vertices or Gauss points, or whose map of second
+  /// order has one at its Gauss points. Of cells of all levels that are not
+  /// artificial.
   ///
   /// @param location the beginning of a sentence about the mesh.
   void

@@ -21,6 +21,8 @@ namespace stiction
     /// edge, the face or the cell.
     using InnerNodes = std::map<std::vector<unsigned int>, dealii::Point<3>>;
 
+    using Cell = dealii::Triangulation<3>::cell_iterator;
+
     /// None: a mesh of first order.
     QuadraticCells() = default;
 
@@ -38,17 +40,15 @@ namespace stiction
     /// Where a point of a cell is, of any level, in m. The same to the last
     /// digit from all cells around the point, whichever rank asks.
     dealii::Point<3>
-    position(const dealii::CellId &cell,
-             const dealii::Point<3> &unit_point) const;
+    position(const Cell &cell, const dealii::Point<3> &unit_point) const;
 
     /// Moves the vertices of all cells of all levels to where they belong.
     void
     place_vertices(dealii::Triangulation<3> &triangulation) const;
 
-    /// The determinant of the map of a coarse cell, in m³.
+    /// The determinant of the map of a cell of any level, in m³.
     double
-    determinant(unsigned int coarse_cell,
-                const dealii::Point<3> &unit_point) const;
+    determinant(const Cell &cell, const dealii::Point<3> &unit_point) const;
 
   private:
     // with x first, then y, z
