@@ -26,7 +26,8 @@ PICTURES = {
     "pressed down where y > 1.5 and pulled at its back, it slips at the back, "
     "sticks in a band and is open near the clamped end.",
     "brick_given_friction": "The same with given friction: the bound is the "
-    "same everywhere, so nodes with hardly any pressure stick as well.",
+    "same everywhere, so nodes with hardly any pressure, and open ones (hatched), "
+    "stick as well.",
     "brick_frictionless": "The same without friction: no arrows, no node "
     "sticks.",
     "sphere": "A rigid sphere in a block; its gap is exaggerated as much as "
@@ -123,7 +124,7 @@ def write_page():
              "with its von Mises stress, grey", "lines where it was before, and "
              "the obstacle, all gaps exaggerated as much as the", "displacement. "
              "On the right each contact boundary: the status of its nodes with",
-             "arrows of friction, and the pressure.", ""]
+             "arrows of friction (hatched: open), and the pressure.", ""]
     for name, sentence in PICTURES.items():
         lines += [f"## {name}", "", sentence, "",
                   f"![{name}]({picture_of(name)})", ""]

@@ -12,11 +12,13 @@ screen.
 Left: the deformed body, exaggerated, with the von Mises stress (the values of
 all cells at a node averaged), its outline before loading, and the obstacle
 with gaps exaggerated as much. Right: each contact boundary, seen along its
-mean normal or, if it is the side of a cylinder, unrolled; of one that touches
+mean normal or, if it is the side of a cylinder, unrolled; where forces act
 only in a small part, this part. The first map shows the status: every node
 colours the part of the boundary nearest to it, so that no status is ever
-interpolated; arrows of friction start at their nodes, on fine meshes at some
-of them. The second one shows the pressure.
+interpolated. The colour tells what friction does, white lines over it that the
+node is open all the same (given friction), white dots that rounding would
+decide whether it is; arrows of friction start at their nodes, on fine meshes at
+some of them. The second one shows the pressure.
 """
 
 import io

@@ -8,6 +8,7 @@
 #include <stiction/contact/force_control.h>
 #include <stiction/contact/judge.h>
 #include <stiction/contact/newton_multigrid.h>
+#include <stiction/contact/node_status.h>
 #include <stiction/contact/schur_complement.h>
 #include <stiction/contact_problem.h>
 #include <stiction/elasticity/body.h>
@@ -36,6 +37,21 @@ namespace stiction
 {
   using nlohmann::json;
 
+  std::vector<NodeStatus>
+  ContactProblem::node_statuses() const
+  {
+    // that of a patch of a half-space
+    const Eigen::VectorXd stiffness =
+      surface_->stiffness().youngs_moduli.cwiseProduct(
+        surface_->areas().cwiseSqrt());
+    return stiction::node_statuses(judge_->certificate(),
+                                   surface_->slip_bound(),
+                                   stiffness,
+                                   parameters_.contact_solver.tolerance);
+  }
+
+
+
   void
   ContactProblem::output_results()
   {
@@ -54,7 +70,8 @@ namespace stiction
                      refinement_ ? refinement_->indicators()
                                  : dealii::Vector<double>(),
                      output);
-    write_contact(*elasticity_, u, *surface_, certificate, output);
+    write_contact(
+      *elasticity_, u, *surface_, certificate, node_statuses(), output);
     if (output.double_precision)
       {
         write_nodal_displacement(
@@ -136,8 +153,8 @@ namespace stiction
                              phases_.seconds("elastic_solve"))
                       : json(nullptr)}}));
     summary["certificate"] = certificate_to_json(certificate);
-    summary["contact"]     = contact_to_json(
-      *surface_, certificate, parameters_.contact_solver.tolerance);
+    summary["contact"] =
+      contact_to_json(*surface_, certificate, node_statuses());
     summary["reactions"] =
       reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =

@@ -2,6 +2,7 @@
 #include <stiction/contact/dual_method_factory.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/judge.h>
+#include <stiction/contact/node_status.h>
 #include <stiction/dual_contact_problem.h>
 #include <stiction/errors.h>
 #include <stiction/interrupt.h>
@@ -151,12 +152,24 @@ namespace stiction
 
 
 
+  std::vector<NodeStatus>
+  DualContactProblem::node_statuses() const
+  {
+    return stiction::node_statuses(*conditions_,
+                                   problem_.slip_bound,
+                                   Q_->nodal_compliance().cwiseInverse(),
+                                   parameters_.contact_solver.tolerance);
+  }
+
+
+
   void
   DualContactProblem::output_results()
   {
     const auto phase             = phases_.scope("output");
     const std::string &directory = parameters_.output.directory;
     write_history(*history_, directory, communicator_);
+    const std::vector<NodeStatus> statuses = node_statuses();
     together(communicator_, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
         return;
@@ -165,12 +178,14 @@ namespace stiction
         const auto &lambda   = conditions_->lambda();
         const auto &r        = conditions_->gradient();
         out.precision(17);
-        out << "node,lambda_n,lambda_t1,lambda_t2,gap,slip_t1,slip_t2,status\n";
+        out << "node,lambda_n,lambda_t1,lambda_t2,gap,slip_t1,slip_t2,"
+               "normal_status,tangential_status\n";
         for (Eigen::Index i = 0; i < m; ++i)
           out << i << ',' << lambda(i) << ',' << lambda(i + m) << ','
               << lambda(i + 2 * m) << ',' << r(i) << ',' << 0. - r(i + m) << ','
               << 0. - r(i + 2 * m) << ','
-              << static_cast<int>(conditions_->status(i)) << '\n';
+              << static_cast<int>(statuses[i].normal) << ','
+              << static_cast<int>(statuses[i].tangential) << '\n';
       });
       if (!parameters_.output.export_directory.empty())
         {
@@ -207,8 +222,7 @@ namespace stiction
     summary["solver"]["tolerance"]     = parameters_.contact_solver.tolerance;
     summary["certificate"]             = certificate_to_json(*conditions_);
     summary["certificate"]["has_body"] = false;
-    summary["contact"] =
-      counts_to_json(*conditions_, parameters_.contact_solver.tolerance);
+    summary["contact"]                 = counts_to_json(node_statuses());
     summary["contact"]["normal_force"] = solution_->lambda.head(m).sum();
     summary["seconds"]                 = phases_.to_json();
     summary["peak_memory_MB"]          = peak_memory(communicator_);

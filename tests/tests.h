@@ -7,6 +7,7 @@
 #include <stiction/blas_choice.h>
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
+#include <stiction/contact/node_status.h>
 #include <stiction/contact_problem.h>
 #include <stiction/parameters.h>
 

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -26,6 +27,7 @@ namespace stiction
   class LinearElasticity;
   class Log;
   class NewtonMultigrid;
+  struct NodeStatus;
   class Parameters;
   class StiffnessSolver;
   class SupportReactions;
@@ -91,6 +93,10 @@ namespace stiction
     {
       return judge_->certificate();
     }
+
+    /// What the contact nodes do.
+    std::vector<NodeStatus>
+    node_statuses() const;
 
     /// The reactions of the supports.
     const SupportReactions &

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -20,6 +21,7 @@ namespace stiction
   class DualOperator;
   class DualProblemJudge;
   class Log;
+  struct NodeStatus;
   class Parameters;
 
   /// A contact problem from a file with Q, h and the friction data, without a
@@ -59,6 +61,9 @@ namespace stiction
     }
 
   private:
+    std::vector<NodeStatus>
+    node_statuses() const;
+
     void
     read_problem();
     void

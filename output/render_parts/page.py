@@ -16,23 +16,35 @@ from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from . import panels as contact_panels
-from .panels import CLAMPED, OPEN, SLIP, STICK
 
 WIDTH, MARGIN, HEADER = 12.8, 0.3, 0.95
 LEFT, RIGHT, ROOM = 0.3, 6.55, 6.05  # two columns and their width
 BODY = 5.7  # width
 COLUMN, TICKS, BETWEEN = 2.55, 0.62, 0.28  # of maps side by side
 TITLE, LEGEND, AXIS, KEY, BAR, GAP = 0.38, 0.34, 0.52, 0.3, 0.62, 0.2
+LEGEND_ROW = 0.17  # the second row of a legend and those after it
 THICK = 0.13  # a colour bar
 STRETCH = 16  # the largest ratio of the sides of a map
 LONGEST_TITLE = 40  # letters, then it is cut
 
 SMALL, NORMAL, LARGE = 8.5, 10, 15
 TEXT, RED = "#212121", "#B00020"
-# colours differ in lightness as well as in hue: in grey 0.9, 0.75, 0.5
-STATUS = {OPEN: ("open", "#D3E9F7", None), SLIP: ("slip", "#F2B13C", None),
-          STICK: ("stick", "#3F8FC6", None),
-          CLAMPED: ("clamped or facing away", "#C4C4C4", "////")}
+# The colour is what friction does, in grey 0.9, 0.65, 0.75, 0.5, and lines or
+# dots over it tell that the node is open, or may be.
+OPEN, CLOSED, SLIP, STICK = "#D3E9F7", "#6FBFA5", "#F2B13C", "#3F8FC6"
+KINDS = {contact_panels.OPEN: ("open", OPEN, None, None),
+         contact_panels.CLOSED: ("closed", CLOSED, None, None),
+         contact_panels.SLIP: ("slip", SLIP, None, None),
+         contact_panels.STICK: ("stick", STICK, None, None),
+         contact_panels.OPEN_SLIP: ("open, slip", SLIP, "////", "white"),
+         contact_panels.OPEN_STICK: ("open, stick", STICK, "////", "white"),
+         contact_panels.MAYBE_SLIP: ("open or closed, slip", SLIP, "....",
+                                     "white"),
+         contact_panels.MAYBE_STICK: ("open or closed, stick", STICK, "....",
+                                      "white"),
+         contact_panels.UNDECIDED: ("undecided", "white", "....", "#707070"),
+         contact_panels.CLAMPED: ("clamped or facing away", "#C4C4C4", "////",
+                                  "#707070")}
 STRESS, PRESSURE = colormaps["viridis"], colormaps["magma_r"]
 
 
@@ -119,6 +131,11 @@ class Slot:
 
     def __init__(self, panel):
         self.panel = panel
+        self.counts = contact_panels.counts(panel)
+        # four to a row, or three where there are long names
+        self.columns = 4 if len(self.counts) <= 4 else 3
+        self.legend = LEGEND + LEGEND_ROW * (
+            math.ceil(len(self.counts) / self.columns) - 1)
         low, high = panel.window
         ratio = (high[0] - low[0]) / (high[1] - low[1])
         shown = min(max(ratio, 1 / STRETCH), STRETCH)
@@ -132,7 +149,7 @@ class Slot:
         self.choose_arrows()
         self.size *= min(1, (self.column - 2 * self.reach) / width)
         self.map_height = self.size[1] + 2 * self.reach + AXIS
-        self.height = TITLE + LEGEND + self.map_height + BAR + GAP
+        self.height = TITLE + self.legend + self.map_height + BAR + GAP
         if self.stacked:
             self.height += self.map_height + KEY
 
@@ -157,7 +174,7 @@ class Slot:
         """What is seen."""
         parts = [self.panel.seen]
         if self.panel.enlarged:
-            parts.append("only the part that touches")
+            parts.append("only where forces act")
         if self.stretched:
             parts.append("sides not to scale")
         name = f"Contact boundary {name}"
@@ -183,7 +200,7 @@ def draw(run, panels, body_picture):
     below = LEFT in {column for column, _ in places}
     page = Page(max(tops.values() if below else
                     (tops[RIGHT], HEADER + body_height)) + MARGIN)
-    draw_header(page, run, panels)
+    draw_header(page, run)
     draw_body(page, run, body_picture, body_height)
     names = names_of(run)
     largest = max(panel.pressure.max() for panel in panels)
@@ -203,21 +220,22 @@ def names_of(run):
     return {i: named.get(i, str(i)) for i in ids}
 
 
-def draw_header(page, run, panels):
+def draw_header(page, run):
     """Title and the numbers that matter."""
     page.text(LEFT, 0.16, plain(run.name), LARGE, fontweight="bold")
     if run.summary.get("interrupted") or not run.summary["converged"]:
         page.text(RIGHT, 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
                   color=RED)
     contact = run.summary["contact"]
-    total = {s: sum(contact_panels.counts(p)[s] for p in panels) for s in STATUS}
     page.text(LEFT, 0.53, "   ".join([
         "largest pressure "
         + quantity(run.units["stress"], contact["max_pressure"]),
         "contact force on the body "
         + quantity(run.units["force"], *contact["force_on_body"]),
-        "nodes: " + ", ".join(f"{STATUS[s][0]} {total[s]}"
-                              for s in (OPEN, SLIP, STICK))]))
+        "nodes: " + ", ".join(
+            f"{status} {contact[status]}" for status in
+            ("open", "closed", "slip", "stick", "undecided")
+            if contact[status])]))
 
 
 def draw_body(page, run, body_picture, height):
@@ -266,8 +284,8 @@ def draw_slot(page, slot, place, name, units, largest):
     title, seen = slot.title(name)
     page.text(left, top, title, fontweight="bold")
     page.text(left, top + 0.2, seen, SMALL)
-    draw_legend(page, slot.panel, left, top + TITLE + 0.1)
-    top += TITLE + LEGEND
+    draw_legend(page, slot, left, top + TITLE + 0.1)
+    top += TITLE + slot.legend
     inset = TICKS + (slot.column - width) / 2
     status = page.axes(left + inset, top + slot.reach, width, height)
     draw_status(status, slot.panel)
@@ -285,14 +303,15 @@ def draw_slot(page, slot, place, name, units, largest):
                    largest, "pressure", units["stress"])
 
 
-def draw_legend(page, panel, left, top):
+def draw_legend(page, slot, left, top):
     """The colours of the status with the numbers of nodes."""
-    count = contact_panels.counts(panel)
-    patches = [Patch(facecolor=color, hatch=hatch, edgecolor=TEXT, linewidth=0.4,
-                     label=f"{name} {count[s]}")
-               for s, (name, color, hatch) in STATUS.items()
-               if s != CLAMPED or count[s]]
-    page.figure.legend(handles=patches, loc="upper left", ncol=4, borderpad=0,
+    patches = []
+    for kind, count in slot.counts.items():
+        name, color, hatch, lines = KINDS[kind]
+        patches.append(Patch(facecolor=color, hatch=hatch, linewidth=0.4,
+                             edgecolor=lines or TEXT, label=f"{name} {count}"))
+    page.figure.legend(handles=patches, loc="upper left", ncol=slot.columns,
+                       borderpad=0,
                        bbox_to_anchor=(left / WIDTH, 1 - top / page.height),
                        frameon=False, fontsize=SMALL, columnspacing=1.2,
                        handlelength=1.4, handletextpad=0.5, borderaxespad=0,
@@ -345,12 +364,12 @@ def draw_outline(axes, panel):
 def draw_status(axes, panel):
     """Every node colours the part of the faces that is nearest to it."""
     draw_outline(axes, panel)
-    for status, (_, color, hatch) in STATUS.items():
-        parts = contact_panels.quarters(panel, status)
+    for kind, (_, color, hatch, lines) in KINDS.items():
+        parts = contact_panels.quarters(panel, kind)
         if len(parts):
             axes.add_artist(PathPatch(polygons(parts), facecolor=color,
                                       linewidth=0, hatch=hatch,
-                                      edgecolor="#707070" if hatch else None))
+                                      edgecolor=lines))
 
 
 def draw_pressure(axes, panel, largest):
@@ -371,7 +390,7 @@ def draw_arrows(page, axes, slot, corner, unit):
     """Arrows of friction, and what one of them is worth at a corner."""
     left, top = corner
     if slot.usual == 0:
-        touches = contact_panels.touching(slot.panel).any()
+        touches = contact_panels.loaded(slot.panel).any()
         page.text(left, top, "no friction" if touches else "nothing touches",
                   SMALL)
         return

@@ -10,7 +10,12 @@ import numpy as np
 
 from . import meshes
 
-OPEN, SLIP, STICK, CLAMPED = 0, 1, 2, -1
+# what a node is drawn as, by its normal and its tangential status
+(OPEN, CLOSED, SLIP, STICK, OPEN_SLIP, OPEN_STICK, MAYBE_SLIP, MAYBE_STICK,
+ UNDECIDED, CLAMPED) = range(10)
+KIND = {(0, 0): OPEN, (1, 0): CLOSED, (1, 1): SLIP, (1, 2): STICK,
+        (0, 1): OPEN_SLIP, (0, 2): OPEN_STICK, (3, 1): MAYBE_SLIP,
+        (3, 2): MAYBE_STICK, (-1, -1): CLAMPED}  # all others are undecided
 AXES = "xyz"
 
 
@@ -27,9 +32,18 @@ def panels_of(contact, points):
             panel = SimpleNamespace(boundary=boundary, **{
                 name: values[faces] for name, values in vars(contact).items()
                 if name != "boundary"})
+            panel.kind = kinds(panel.normal_status, panel.tangential_status)
             lay_flat(panel, corners[faces], normals[faces])
             panel.window = window_of(panel)
             result.append(panel)
+    return result
+
+
+def kinds(normal, tangential):
+    """What nodes are drawn as."""
+    result = np.full(normal.shape, UNDECIDED)
+    for status, kind in KIND.items():
+        result[(normal == status[0]) & (tangential == status[1])] = kind
     return result
 
 
@@ -152,19 +166,19 @@ def name_of(direction, signed=False):
     return "(" + ", ".join(f"{c + 0:.2g}" for c in direction) + ")"
 
 
-def touching(panel):
-    """Which corners slip or stick."""
-    return (panel.status == SLIP) | (panel.status == STICK)
+def loaded(panel):
+    """At which corners there may be contact forces."""
+    return (panel.kind != OPEN) & (panel.kind != CLAMPED)
 
 
 def window_of(panel):
     """What of the plane is shown: its lower left and upper right corner.
 
-    All of the boundary, or a small part that touches with some room around.
+    All of the boundary, or a small part where forces act with some room around.
     Marks the faces that are then seen.
     """
     low, high = (f(panel.places.reshape(-1, 2), axis=0) for f in (np.min, np.max))
-    near = panel.places[touching(panel).any(axis=1)].reshape(-1, 2)
+    near = panel.places[loaded(panel).any(axis=1)].reshape(-1, 2)
     panel.enlarged = False
     if len(near):
         room = 0.15 * np.ptp(near, axis=0).max()
@@ -179,25 +193,25 @@ def window_of(panel):
 
 
 def counts(panel):
-    """How many nodes are open, slip, stick, or are clamped.
+    """How many nodes are of each kind that there is.
 
     Hanging nodes, which have no area, are no contact nodes of their own.
     """
-    own = (panel.area > 0) | (panel.status == CLAMPED)
-    nodes, first = np.unique(panel.faces[own], return_index=True)
-    status = panel.status[own][first]
-    return {s: int((status == s).sum()) for s in (OPEN, SLIP, STICK, CLAMPED)}
+    own = (panel.area > 0) | (panel.kind == CLAMPED)
+    _, first = np.unique(panel.faces[own], return_index=True)
+    found, count = np.unique(panel.kind[own][first], return_counts=True)
+    return dict(zip(found.tolist(), count.tolist()))
 
 
-def quarters(panel, status):
-    """The parts of faces nearest to corners of a status, (n, 4, 2)."""
+def quarters(panel, kind):
+    """The parts of faces nearest to corners of a kind, (n, 4, 2)."""
     places = panel.places[panel.shown]
     middle = places.mean(axis=1, keepdims=True)
     after = (places + np.roll(places, -1, axis=1)) / 2
     before = (places + np.roll(places, 1, axis=1)) / 2
     parts = np.stack([places, after, np.broadcast_to(middle, places.shape),
                       before], axis=2)
-    return parts[panel.status[panel.shown] == status]
+    return parts[panel.kind[panel.shown] == kind]
 
 
 def subdivided(panel, pieces):
@@ -211,13 +225,13 @@ def subdivided(panel, pieces):
 
 
 def some_arrows(panel, scale, apart):
-    """Places and friction of touching nodes, not too many, and their distance.
+    """Places and friction of loaded nodes, not too many, and their distance.
 
     scale: inches a unit of length to the right and upwards; apart: the least
     distance in inches.
     """
     low, high = panel.window
-    near = touching(panel) & ((panel.places >= low)
+    near = loaded(panel) & ((panel.places >= low)
                               & (panel.places <= high)).all(axis=-1)
     _, first = np.unique(panel.faces[near], return_index=True)
     places, friction, areas = (values[near][first] for values in

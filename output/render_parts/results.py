@@ -82,8 +82,9 @@ def read(directory):
                          8, ["displacement"],
                          ("von_Mises_stress_averaged", "von_Mises_stress"))
     contact = read_mesh(os.path.join(directory, "contact.pvtu"), QUADRILATERAL,
-                        4, ["pressure", "tangential_traction", "status",
-                            "area", "boundary"])
+                        4, ["pressure", "tangential_traction",
+                            "normal_status", "tangential_status", "area",
+                            "boundary"])
     summary = read_summary(directory)
     units = summary.get("units", {})
     n = len(solution.points)
@@ -129,7 +130,7 @@ def contact_of(contact, number, outer, n_points):
               if name not in ("points", "cells")}
     fields["boundary"] = fields["boundary"][:, 0].astype(int)
     # where there is no contact node, the pressure of the others of the face
-    known = fields["status"] >= 0
+    known = fields["normal_status"] >= 0
     mean = (known * fields["pressure"]).sum(axis=1) / np.maximum(
         known.sum(axis=1), 1)
     fields["pressure"] = np.where(known, fields["pressure"], mean[:, None])

@@ -44,29 +44,6 @@ namespace stiction
 
 
 
-  Eigen::Vector3d
-  ContactConditions::trial(const Eigen::Index node) const
-  {
-    Eigen::Vector3d a;
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        const Eigen::Index k = node + c * slip_bound_.size();
-        a(c)                 = lambda_(k) / scaling_.force(node) -
-               gradient_(k) / scaling_.displacement_at(node);
-      }
-    return a;
-  }
-
-
-
-  double
-  ContactConditions::relative_slip_bound(const Eigen::Index node) const
-  {
-    return slip_bound_(node) / scaling_.force(node);
-  }
-
-
-
   void
   ContactConditions::compute_contact_figures()
   {
@@ -127,16 +104,25 @@ namespace stiction
 
 
 
-  std::string
-  ContactConditions::worst() const
+  std::pair<std::string, double>
+  ContactConditions::worst_figure() const
   {
     std::pair<std::string, double> worst{"", -1.};
     for (const auto &figure : deciding_figures())
       if (!std::isnan(worst.second) && !(figure.second <= worst.second))
         worst = figure;
+    return worst;
+  }
+
+
+
+  std::string
+  ContactConditions::worst() const
+  {
+    const auto figure = worst_figure();
     std::ostringstream out;
     out.precision(3);
-    out << worst.first << " is " << worst.second;
+    out << figure.first << " is " << figure.second;
     return out.str();
   }
 
@@ -153,32 +139,5 @@ namespace stiction
            "much more than it is strained, rounding alone makes about "
         << rounding_ << ", raise 'Contact solver/Tolerance' above that";
     return out.str();
-  }
-
-
-
-  NodeStatus
-  ContactConditions::status(const Eigen::Index node) const
-  {
-    const Eigen::Vector3d a = trial(node);
-    const double gamma      = relative_slip_bound(node);
-    if (a(0) <= 0.)
-      return NodeStatus::open;
-    if (gamma == 0. || a.tail<2>().norm() > gamma)
-      return NodeStatus::slip;
-    return NodeStatus::stick;
-  }
-
-
-
-  bool
-  ContactConditions::is_undecided(const Eigen::Index node,
-                                  const double tolerance) const
-  {
-    const Eigen::Vector3d a = trial(node);
-    const double gamma      = relative_slip_bound(node);
-    return std::abs(a(0)) <= tolerance ||
-           (a(0) > 0. && gamma > 0. &&
-            std::abs(a.tail<2>().norm() - gamma) <= tolerance);
   }
 } // namespace stiction

@@ -5,6 +5,7 @@
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/nodal_blocks.h>
+#include <stiction/contact/node_status.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/output/units.h>
@@ -18,6 +19,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace stiction
 {
@@ -30,16 +32,17 @@ namespace stiction
     {
       pressure_row,
       traction_row,
-      slip_row       = traction_row + 3,
-      gap_row        = slip_row + 3,
-      status_row     = gap_row + 1,
-      area_row       = status_row + 1,
-      slip_bound_row = area_row + 1,
-      boundary_row   = slip_bound_row + 1,
-      moved_row      = boundary_row + 1,
-      normal_row     = moved_row + 3,
-      tangential_row = normal_row + 3,
-      n_contact_rows = tangential_row + 3
+      slip_row              = traction_row + 3,
+      gap_row               = slip_row + 3,
+      normal_status_row     = gap_row + 1,
+      tangential_status_row = normal_status_row + 1,
+      area_row              = tangential_status_row + 1,
+      slip_bound_row        = area_row + 1,
+      boundary_row          = slip_bound_row + 1,
+      moved_row             = boundary_row + 1,
+      normal_row            = moved_row + 3,
+      tangential_row        = normal_row + 3,
+      n_contact_rows        = tangential_row + 3
     };
 
     std::vector<Field>
@@ -49,7 +52,8 @@ namespace stiction
               {"traction", 3, units.stress},
               {"slip", 3, units.length},
               {"gap", 1, units.length},
-              {"status", 1, ""},
+              {"normal_status", 1, ""},
+              {"tangential_status", 1, ""},
               {"area", 1, units.area},
               {"slip_bound", 1, units.stress},
               {"boundary", 1, ""},
@@ -68,11 +72,13 @@ namespace stiction
                     const LA::Vector &u,
                     const ContactSurface &surface,
                     const Certificate &certificate,
+                    const std::vector<NodeStatus> &statuses,
                     const Units &units)
         : FieldOutput<2>(contact_fields(units))
         , body_(elasticity.body())
         , surface_(surface)
         , certificate_(certificate)
+        , statuses_(statuses)
       {
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();
         // points of a patch are in the order of a table, unknowns first those
@@ -137,7 +143,8 @@ namespace stiction
               values_at_node(surface_.node_of(master->first));
             for (unsigned int k = 0; k < n_contact_rows; ++k)
               sum[k] += master->second * values[k];
-            sum[status_row] = values[status_row];
+            for (const auto row : {normal_status_row, tangential_status_row})
+              sum[row] = values[row];
           }
         sum[area_row] = 0.; // it has none of its own
         const double length =
@@ -153,7 +160,7 @@ namespace stiction
         Values values{};
         if (i < 0) // clamped or facing away: not a contact node
           {
-            values[status_row] = -1.;
+            values[normal_status_row] = values[tangential_status_row] = -1.;
             return values;
           }
         const Eigen::Index m    = surface_.n_nodes();
@@ -166,11 +173,13 @@ namespace stiction
         const Eigen::Vector3d slip_vector =
           node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
-        values[pressure_row]   = lambda(i) / node.area;
-        values[gap_row]        = r(i);
-        values[area_row]       = node.area;
-        values[slip_bound_row] = certificate_.slip_bound()(i) / node.area;
-        values[status_row]     = static_cast<double>(certificate_.status(i));
+        values[pressure_row]      = lambda(i) / node.area;
+        values[gap_row]           = r(i);
+        values[area_row]          = node.area;
+        values[slip_bound_row]    = certificate_.slip_bound()(i) / node.area;
+        values[normal_status_row] = static_cast<double>(statuses_[i].normal);
+        values[tangential_status_row] =
+          static_cast<double>(statuses_[i].tangential);
         for (unsigned int c = 0; c < 3; ++c)
           {
             values[traction_row + c] = -force[c] / node.area;
@@ -185,6 +194,7 @@ namespace stiction
       const Body &body_;
       const ContactSurface &surface_;
       const Certificate &certificate_;
+      const std::vector<NodeStatus> &statuses_;
     };
   } // namespace
 
@@ -195,6 +205,7 @@ namespace stiction
                 const LA::Vector &u,
                 const ContactSurface &surface,
                 const Certificate &certificate,
+                const std::vector<NodeStatus> &statuses,
                 const OutputParameters &parameters)
   {
     const Body &body = elasticity.body();
@@ -207,6 +218,7 @@ namespace stiction
                       with_ghosts,
                       surface,
                       certificate,
+                      statuses,
                       Units::named(parameters.units));
     out.write(parameters.directory, "contact", body.communicator());
   }

@@ -87,6 +87,30 @@ namespace stiction
                  resultant(point["force"], force));
     }
 
+    // "open 25, closed 155 (undecided 0)"
+    std::string
+    normal_counts(const json &contact)
+    {
+      return format("open %u, closed %u (undecided %u)",
+                    contact["open"].get<unsigned int>(),
+                    contact["closed"].get<unsigned int>(),
+                    contact["undecided_normal"].get<unsigned int>());
+    }
+
+    // "slip 120, stick 35 (undecided 0)", nothing where no friction can act
+    std::string
+    tangential_counts(const json &contact)
+    {
+      const auto slip  = contact["slip"].get<unsigned int>(),
+                 stick = contact["stick"].get<unsigned int>(),
+                 undecided =
+                   contact["undecided_tangential"].get<unsigned int>();
+      return slip + stick + undecided == 0
+               ? std::string()
+               : format(
+                   "slip %u, stick %u (undecided %u)", slip, stick, undecided);
+    }
+
     // The parts of several contact boundaries.
     void
     print_contact_boundaries(Log &log, const json &summary)
@@ -104,11 +128,10 @@ namespace stiction
       };
       for (const json &boundary : contact["boundaries"])
         {
-          log.line(format("  %s: open %u, slip %u, stick %u",
-                          boundary["name"].get<std::string>().c_str(),
-                          boundary["open"].get<unsigned int>(),
-                          boundary["slip"].get<unsigned int>(),
-                          boundary["stick"].get<unsigned int>()));
+          const std::string friction = tangential_counts(boundary);
+          log.line("  " + boundary["name"].get<std::string>() + ": " +
+                   normal_counts(boundary) +
+                   (friction.empty() ? "" : "; " + friction));
           line(label("force on the body", units["force"]),
                resultant(boundary["force_on_body"], force));
           line(label("tangential", units["force"]),
@@ -237,12 +260,10 @@ namespace stiction
     const json &contact = summary["contact"];
     log.line();
     log.line("Contact");
-    log.line(format("  %-24s open %u, slip %u, stick %u (undecided %u)",
-                    "nodes",
-                    contact["open"].get<unsigned int>(),
-                    contact["slip"].get<unsigned int>(),
-                    contact["stick"].get<unsigned int>(),
-                    contact["undecided"].get<unsigned int>()));
+    log.line(format("  %-24s ", "nodes") + normal_counts(contact));
+    if (const std::string friction = tangential_counts(contact);
+        !friction.empty())
+      log.line(format("  %-24s ", "nodes with friction") + friction);
     if (contact.contains("force_on_body"))
       {
         const json &units = summary["units"];

@@ -4,8 +4,9 @@
 #include <stiction/contact/error_estimator.h>
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
-#include <stiction/contact/nodal_blocks.h>
 #include <stiction/contact/newton_multigrid.h>
+#include <stiction/contact/nodal_blocks.h>
+#include <stiction/contact/node_status.h>
 #include <stiction/elasticity/body.h>
 #include <stiction/elasticity/linear_elasticity.h>
 #include <stiction/elasticity/mesh_names.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace stiction
 {
@@ -35,17 +37,61 @@ namespace stiction
       return {v[0], v[1], v[2]};
     }
 
+    // How many nodes do what.
+    class StatusCounts
+    {
+    public:
+      void
+      add(const NodeStatus status)
+      {
+        ++normal_[static_cast<unsigned int>(status.normal)];
+        ++tangential_[static_cast<unsigned int>(status.tangential)];
+        undecided_ += status.is_undecided() ? 1 : 0;
+      }
+
+      json
+      to_json() const
+      {
+        return {{"open", at(NormalStatus::open)},
+                {"closed", at(NormalStatus::closed)},
+                {"undecided_normal", at(NormalStatus::undecided)},
+                {"slip", at(TangentialStatus::slip)},
+                {"stick", at(TangentialStatus::stick)},
+                {"undecided_tangential", at(TangentialStatus::undecided)},
+                {"undecided", undecided_}};
+      }
+
+    private:
+      unsigned int
+      at(const NormalStatus status) const
+      {
+        return normal_[static_cast<unsigned int>(status)];
+      }
+
+      unsigned int
+      at(const TangentialStatus status) const
+      {
+        return tangential_[static_cast<unsigned int>(status)];
+      }
+
+      std::array<unsigned int, 4> normal_{}, tangential_{};
+      unsigned int undecided_ = 0;
+    };
+
+
+
     // What happens on a contact boundary, or on all of them.
     struct ContactPart
     {
       unsigned int nodes = 0;
-      std::array<unsigned int, 3> states{};
+      StatusCounts counts;
       double normal_force = 0., area = 0., max_pressure = 0.;
       dealii::Tensor<1, 3> force_on_body, tangential_force, moment;
 
       void
       add(const ContactSurface &surface,
           const Certificate &certificate,
+          const NodeStatus status,
           const Eigen::Index i)
       {
         const ContactNode &node  = surface.nodes()[i];
@@ -56,8 +102,8 @@ namespace stiction
           {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
 
         ++nodes;
-        ++states[static_cast<unsigned int>(certificate.status(i))];
-        if (certificate.status(i) != NodeStatus::open)
+        counts.add(status);
+        if (status.normal == NormalStatus::closed)
           area += node.area;
         normal_force += normal_part;
         max_pressure = std::max(max_pressure, normal_part / node.area);
@@ -69,15 +115,15 @@ namespace stiction
       json
       to_json() const
       {
-        return {{"open", states[0]},
-                {"slip", states[1]},
-                {"stick", states[2]},
-                {"normal_force", normal_force},
+        json result = counts.to_json();
+        result.update(
+          json({{"normal_force", normal_force},
                 {"tangential_force", stiction::to_json(tangential_force)},
                 {"force_on_body", stiction::to_json(force_on_body)},
                 {"moment", stiction::to_json(moment)},
                 {"max_pressure", max_pressure},
-                {"area", area}};
+                {"area", area}}));
+        return result;
       }
     };
   } // namespace
@@ -117,19 +163,12 @@ namespace stiction
 
 
   json
-  counts_to_json(const ContactConditions &conditions, const double tolerance)
+  counts_to_json(const std::vector<NodeStatus> &statuses)
   {
-    std::array<unsigned int, 3> count{};
-    unsigned int undecided = 0;
-    for (Eigen::Index i = 0; i < conditions.slip_bound().size(); ++i)
-      {
-        ++count[static_cast<unsigned int>(conditions.status(i))];
-        undecided += conditions.is_undecided(i, tolerance) ? 1 : 0;
-      }
-    return {{"open", count[0]},
-            {"slip", count[1]},
-            {"stick", count[2]},
-            {"undecided", undecided}};
+    StatusCounts counts;
+    for (const NodeStatus status : statuses)
+      counts.add(status);
+    return counts.to_json();
   }
 
 
@@ -218,18 +257,18 @@ namespace stiction
   json
   contact_to_json(const ContactSurface &surface,
                   const Certificate &certificate,
-                  const double tolerance)
+                  const std::vector<NodeStatus> &statuses)
   {
     ContactPart all;
     std::vector<ContactPart> parts(surface.boundaries().size());
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
-        all.add(surface, certificate, i);
-        parts[surface.nodes()[i].boundary].add(surface, certificate, i);
+        all.add(surface, certificate, statuses[i], i);
+        parts[surface.nodes()[i].boundary].add(
+          surface, certificate, statuses[i], i);
       }
 
     json result          = all.to_json();
-    result["undecided"]  = counts_to_json(certificate, tolerance)["undecided"];
     result["boundaries"] = json::array();
     for (std::size_t b = 0; b < parts.size(); ++b)
       {

@@ -41,13 +41,14 @@ main(int argc, char **argv)
       }
 
   // open nodes end, slipping nodes end
+  const auto statuses = run.problem->node_statuses();
   double open = 0., slip = 0.;
   for (Eigen::Index i = 0; i < m; ++i)
     {
       const double x = surface.nodes()[i].position[0];
-      if (certificate.status(i) == NodeStatus::open)
+      if (statuses[i].normal == NormalStatus::open)
         open = std::max(open, x);
-      if (certificate.status(i) == NodeStatus::slip)
+      if (statuses[i].tangential == TangentialStatus::slip)
         slip = std::max(slip, x);
     }
   out() << "open to 3.3 mm: " << yes(std::abs(open - 3.3e-3) < 1.01 * h) << '\n'

@@ -109,9 +109,11 @@ namespace
 
     unsigned int right_status = 0;
     const Eigen::Index m      = run.problem->contact_surface().n_nodes();
+    const auto statuses       = run.problem->node_statuses();
     for (Eigen::Index i = 0; i < m; ++i)
-      if (run.problem->certificate().status(i) ==
-          (sticks ? NodeStatus::stick : NodeStatus::slip))
+      if (statuses[i].normal == NormalStatus::closed &&
+          statuses[i].tangential ==
+            (sticks ? TangentialStatus::stick : TangentialStatus::slip))
         ++right_status;
     compare(
       file + ", " + method + ", all nodes " + (sticks ? "stick " : "slip ") +

@@ -208,6 +208,7 @@ namespace
             "Friction/Slip stress=1e99 | " + exact(slip_stress)}));
     const auto &surface  = run.problem->contact_surface();
     const auto &lambda   = run.problem->solution().lambda;
+    const auto statuses  = run.problem->node_statuses();
     const Eigen::Index m = surface.n_nodes();
     std::array<unsigned int, 2> slipping{};
     double error = 0.;
@@ -217,7 +218,7 @@ namespace
         const double friction   = std::hypot(lambda(i + m), lambda(i + 2 * m));
         const double bound =
           node.boundary == 0 ? mu * lambda(i) : slip_stress * node.area;
-        if (run.problem->certificate().status(i) != NodeStatus::slip)
+        if (statuses[i].tangential != TangentialStatus::slip)
           continue;
         ++slipping[node.boundary];
         error = std::max(error, std::abs(friction - bound) / (p * node.area));

@@ -111,6 +111,7 @@ namespace
     error = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
 
     const auto &surface     = run.problem->contact_surface();
+    const auto statuses     = run.problem->node_statuses();
     unsigned int n_statuses = 0;
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
@@ -120,10 +121,12 @@ namespace
           node.area;
         error =
           std::max(error, (force - Eigen::Vector3d(sxz, syz, -p)).norm() / p);
-        n_statuses += run.problem->certificate().status(i) ==
-                          (sticks ? NodeStatus::stick : NodeStatus::slip)
-                        ? 1
-                        : 0;
+        n_statuses +=
+          statuses[i].normal == NormalStatus::closed &&
+              statuses[i].tangential ==
+                (sticks ? TangentialStatus::stick : TangentialStatus::slip)
+            ? 1
+            : 0;
       }
 
     // the summary has the force on the body
@@ -150,10 +153,11 @@ namespace
   off_ellipse(const Run &run, const double F1, const double F2)
   {
     const auto &surface = run.problem->contact_surface();
+    const auto statuses = run.problem->node_statuses();
     double largest_slip = 0., error = 0., off_normal = 0.;
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
-        if (run.problem->certificate().status(i) != NodeStatus::slip)
+        if (statuses[i].tangential != TangentialStatus::slip)
           continue;
         const ContactNode &node = surface.nodes()[i];
         const Eigen::Vector3d force =

@@ -41,12 +41,13 @@ def side(points, faces, axis, place):
     return faces[np.isclose(points[faces][:, :, axis], place).all(axis=1)]
 
 
-def contact_on(faces, boundary, status=panels.SLIP, friction=(1, 0, 0)):
+def contact_on(faces, boundary, status=(1, 1), friction=(1, 0, 0)):
     """Contact faces with the same status, pressure 2 and friction all over."""
     shape = faces.shape
     return SimpleNamespace(
         faces=faces, boundary=np.full(shape[0], boundary),
-        status=np.full(shape, status), pressure=np.full(shape, 2.0),
+        normal_status=np.full(shape, status[0]),
+        tangential_status=np.full(shape, status[1]), pressure=np.full(shape, 2.0),
         area=np.ones(shape),
         tangential_traction=np.broadcast_to(np.array(friction, dtype=float),
                                             (*shape, 3)).copy())
@@ -129,7 +130,8 @@ class Panels(unittest.TestCase):
         around = points[faces].mean(axis=1)
         contact = contact_on(faces, 0, friction=(0, 0, 1))
         contact.pressure[around[:, 0] < 1.9] = 0
-        contact.status[around[:, 0] < 1.9] = panels.OPEN
+        contact.normal_status[around[:, 0] < 1.9] = 0
+        contact.tangential_status[around[:, 0] < 1.9] = 0
         panel, = panels.panels_of(contact, points)
         low, high = (f(panel.places.reshape(-1, 2), axis=0)
                      for f in (np.min, np.max))
@@ -143,8 +145,35 @@ class Panels(unittest.TestCase):
         contact = contact_on(side(self.points, self.faces, 2, 0), 4)
         contact.area[contact.faces == contact.faces[0, 0]] = 0
         panel, = panels.panels_of(contact, self.points)
-        count = panels.counts(panel)
-        self.assertEqual((count[panels.SLIP], count[panels.OPEN]), (19, 0))
+        self.assertEqual(panels.counts(panel), {panels.SLIP: 19})
+
+    def test_every_status_is_drawn_as_itself(self):
+        bottom = side(self.points, self.faces, 2, 0)
+        for status, kind in (((0, 0), panels.OPEN), ((1, 0), panels.CLOSED),
+                             ((1, 1), panels.SLIP), ((1, 2), panels.STICK),
+                             ((0, 1), panels.OPEN_SLIP),
+                             ((0, 2), panels.OPEN_STICK),
+                             ((3, 1), panels.MAYBE_SLIP),
+                             ((3, 2), panels.MAYBE_STICK),
+                             ((-1, -1), panels.CLAMPED),
+                             ((3, 0), panels.UNDECIDED),
+                             ((0, 3), panels.UNDECIDED),
+                             ((1, 3), panels.UNDECIDED),
+                             ((3, 3), panels.UNDECIDED)):
+            panel, = panels.panels_of(contact_on(bottom, 4, status), self.points)
+            self.assertEqual(panels.counts(panel), {kind: 20}, status)
+            self.assertEqual(len(panels.quarters(panel, kind)), 48)
+
+    def test_window_has_all_nodes_with_forces(self):
+        bottom = side(self.points, self.faces, 2, 0)
+        contact = contact_on(bottom, 4, (0, 0))
+        corner = (self.points[bottom][:, :, :2] < 0.5).all(axis=2)
+        for status in ((1, 0), (0, 2), (3, 3)):
+            contact.normal_status[corner], contact.tangential_status[corner] = \
+                status
+            panel, = panels.panels_of(contact, self.points)
+            self.assertTrue(panel.enlarged)
+            np.testing.assert_allclose(panel.window, [[0, 0], [1.15, 1.15]])
 
     def test_corners_share_out_a_face(self):
         panel, = panels.panels_of(contact_on(side(self.points, self.faces, 2, 0),
@@ -157,18 +186,23 @@ class Panels(unittest.TestCase):
 class Page(unittest.TestCase):
     """Nothing on the page is over anything else, whatever is shown."""
 
-    def texts_of(self, lengths, sides, friction, converged=True):
+    def texts_of(self, lengths, sides, friction, converged=True, status=None):
         """The boxes of all texts of the page of a brick with these sides."""
         points, faces = mesh_of(hexahedra((4, 4, 4), high=lengths))
         contact = joined(*[
             contact_on(side(points, faces, axis, place), i, friction=friction)
             for i, (axis, place) in enumerate(sides)])
+        if status is not None:
+            contact.normal_status, contact.tangential_status = (
+                np.resize(values, contact.faces.shape) for values in status)
         units = {"length": "mm", "force": "N", "stress": "MPa"}
         boundaries = [{"name": f"side {i}", "id": i} for i in range(len(sides))]
         run = SimpleNamespace(name="a brick", contact=contact, units=units,
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
-                                  "force_on_body": [1e8, -1e8, 1e-9]}})
+                                  "force_on_body": [1e8, -1e8, 1e-9],
+                                  "open": 112, "closed": 2000, "slip": 1234,
+                                  "stick": 0, "undecided": 321}})
         shown = panels.panels_of(contact, points)
         figure = page.draw(run, shown, lambda width, height: SimpleNamespace(
             image=np.zeros((100, 150, 3)), factor=700, highest=1.2e8,
@@ -197,6 +231,17 @@ class Page(unittest.TestCase):
         self.assertIn("Contact boundary side 0", words)
         self.assertIn("pressure [MPa]", words)
         self.assertFalse(any("NOT CERTIFIED" in line for line in words))
+        self.assertIn("slip 25", words)
+        self.assertTrue(any("nodes: open 112, closed 2000, slip 1234, "
+                            "undecided 321" in line for line in words))
+
+    def test_given_friction_tells_what_open_nodes_do(self):
+        words = self.check((4, 3, 1), [(2, 0)], (1, 0.5, 0), status=(
+            [0, 0, 0, 1, 1, 1, 3, 3, 3, -1], [0, 1, 2, 0, 1, 2, 1, 2, 3, -1]))
+        for name in ("open ", "closed ", "open, slip", "open, stick",
+                     "open or closed, slip", "open or closed, stick",
+                     "undecided", "clamped or facing away"):
+            self.assertTrue(any(line.startswith(name) for line in words), name)
 
     def test_long_flat_and_tall(self):
         for lengths in ((200, 10, 10), (1e-3, 2e-2, 1), (3, 3, 0.01),

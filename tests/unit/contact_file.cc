@@ -36,7 +36,7 @@ main(int argc, char *argv[])
       double pressure = 0., area = 0., bound_error = 0., open_slip = 0.;
       double parts_error = 0., moved_error = 0.;
       std::array<double, 3> traction{};
-      std::map<int, unsigned int> status;
+      std::map<int, unsigned int> normal, tangential;
       std::map<std::tuple<float, float, float>, bool> seen;
       const unsigned int n_ranks =
         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
@@ -44,7 +44,7 @@ main(int argc, char *argv[])
         {
           auto a = read_vtu("results/contact." +
                             dealii::Utilities::int_to_string(r, 4) + ".vtu");
-          for (std::size_t i = 0; i < a["status"].size(); ++i)
+          for (std::size_t i = 0; i < a["normal_status"].size(); ++i)
             {
               const auto place = std::make_tuple(a["points"][3 * i],
                                                  a["points"][3 * i + 1],
@@ -52,12 +52,13 @@ main(int argc, char *argv[])
               if (!seen.emplace(place, true).second)
                 continue; // a node is in the file once a face
               const float here = a["area"][i];
-              ++status[static_cast<int>(a["status"][i])];
+              ++normal[static_cast<int>(a["normal_status"][i])];
+              ++tangential[static_cast<int>(a["tangential_status"][i])];
               area += here;
               pressure += here * a["pressure"][i];
               for (unsigned int c = 0; c < 3; ++c)
                 traction[c] += here * a["traction"][3 * i + c];
-              if (a["status"][i] == 0.f)
+              if (a["normal_status"][i] == 0.f)
                 open_slip = std::max<double>(
                   open_slip,
                   std::hypot(a["slip"][3 * i], a["slip"][3 * i + 1]));
@@ -76,18 +77,18 @@ main(int argc, char *argv[])
                                               a["pressure"][i] * n - t) /
                                        1.5e7);
                 }
-              if (a["status"][i] >= 0.f)
+              if (a["normal_status"][i] >= 0.f)
                 parts_error = std::max<double>(
                   {parts_error,
                    std::abs(length - 1.),
                    std::abs(across) / 1.5e7,
                    std::abs(normal_part + a["pressure"][i]) / 1.5e7});
               // the foundation is at z = 0: the gap is what is left
-              if (a["status"][i] >= 0.f)
+              if (a["normal_status"][i] >= 0.f)
                 moved_error = std::max<double>(
                   moved_error,
                   std::abs(a["displacement"][3 * i + 2] - a["gap"][i]) / 1e-4);
-              if (a["status"][i] >= 0.f)
+              if (a["normal_status"][i] >= 0.f)
                 bound_error = std::max<double>(
                   bound_error,
                   std::abs(a["slip_bound"][i] - (law == "given"
@@ -104,14 +105,19 @@ main(int argc, char *argv[])
                                     contact["force_on_body"][c].get<double>()) <
                              1e-5 * contact["normal_force"].get<double>();
       out() << law << ": nodes in the file " << seen.size() << ", clamped "
-            << status[-1] << ", pressure sums to the force "
+            << normal[-1] << ", pressure sums to the force "
             << yes(std::abs(pressure - contact["normal_force"].get<double>()) <
                    1e-5 * pressure)
             << ", tractions to the resultant " << yes(forces)
             << ", states as counted "
-            << yes(status[0] == contact["open"] &&
-                   status[1] == contact["slip"] &&
-                   status[2] == contact["stick"])
+            << yes(normal[0] == contact["open"] &&
+                   normal[1] == contact["closed"] &&
+                   normal[3] == contact["undecided_normal"] &&
+                   tangential[1] == contact["slip"] &&
+                   tangential[2] == contact["stick"] &&
+                   tangential[3] == contact["undecided_tangential"] &&
+                   tangential[-1] == normal[-1] && normal[0] > 0 &&
+                   tangential[0] == (law == "given" ? 0 : normal[0]))
             // with given friction they are held at their bound, too
             << ", open nodes slip "
             << (law == "given" || open_slip > 1e-6 ? "yes" : "NO")

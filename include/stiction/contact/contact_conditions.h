@@ -12,16 +12,6 @@
 
 namespace stiction
 {
-  /// What a contact node does. The numbers are those of the output files.
-  enum class NodeStatus
-  {
-    open  = 0,
-    slip  = 1,
-    stick = 2
-  };
-
-
-
   /// How far contact forces λ (N) and r = (remaining gap; −slip) (m) are from
   /// satisfying the contact and friction conditions.
   ///
@@ -95,7 +85,11 @@ namespace stiction
     std::string
     why_out_of_reach(double tolerance) const;
 
-    /// "kkt_residual is 3e-4": the largest of them.
+    /// The largest of them; a NaN is larger than any number.
+    std::pair<std::string, double>
+    worst_figure() const;
+
+    /// "kkt_residual is 3e-4": the same in words.
     std::string
     worst() const;
 
@@ -125,15 +119,6 @@ namespace stiction
       return slip_bound_;
     }
 
-    /// open if π_ν − w_ν ≤ 0; otherwise slip if γ = 0 or ‖π_t − w_t‖ > γ;
-    /// otherwise stick.
-    NodeStatus
-    status(Eigen::Index node) const;
-
-    /// Whether the status changes within the tolerance.
-    bool
-    is_undecided(Eigen::Index node, double tolerance) const;
-
   protected:
     /// For a class that computes gradient and scales itself: sets λ and g, and
     /// leaves the rest to compute_contact_figures().
@@ -147,14 +132,6 @@ namespace stiction
     double rounding_ = 0.;
 
   private:
-    /// w and π at a node: (π_ν − w_ν; π_t − w_t).
-    Eigen::Vector3d
-    trial(Eigen::Index node) const;
-
-    /// γ_i.
-    double
-    relative_slip_bound(Eigen::Index node) const;
-
     ContactFigures contact_figures_;
   };
 } // namespace stiction

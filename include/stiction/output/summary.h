@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -21,16 +22,19 @@ namespace stiction
   class NewtonMultigrid;
   class SupportReactions;
   struct MeshError;
+  struct NodeStatus;
 
   /// The section "certificate" of summary.json; the figures that only a body
   /// has are null without one.
   nlohmann::json
   certificate_to_json(const ContactConditions &conditions);
 
-  /// The entries "open", "slip", "stick" and "undecided" of the section
-  /// "contact".
+  /// Entries of the section "contact": how many nodes are "open", "closed" and
+  /// "undecided_normal", which is all of them; how many "slip", "stick" and are
+  /// "undecided_tangential", which is all at which friction may act; and how
+  /// many are "undecided" in either.
   nlohmann::json
-  counts_to_json(const ContactConditions &conditions, double tolerance);
+  counts_to_json(const std::vector<NodeStatus> &statuses);
 
   /// What the section "solver" says of the dual method.
   nlohmann::json
@@ -47,12 +51,13 @@ namespace stiction
 
   /// The sections "contact" and "energy", from a certificate. Forces are those
   /// on the body, tangential_force the sum of the parts tangential to the
-  /// contact surface; moments are about the origin. Each contact boundary has
+  /// contact surface; moments are about the origin, area is that of the closed
+  /// nodes. Each contact boundary has
   /// an entry in "boundaries" with the same figures.
   nlohmann::json
   contact_to_json(const ContactSurface &surface,
                   const Certificate &certificate,
-                  double tolerance);
+                  const std::vector<NodeStatus> &statuses);
   nlohmann::json
   energy_to_json(const ContactSurface &surface, const Certificate &certificate);
 

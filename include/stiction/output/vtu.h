@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -18,6 +19,7 @@ namespace stiction
   class Certificate;
   class ContactSurface;
   class LinearElasticity;
+  struct NodeStatus;
   struct OutputParameters;
 
   /// Writes solution.pvtu (with its pieces and solution.pvd): displacement,
@@ -39,16 +41,17 @@ namespace stiction
 
   /// Writes contact.pvtu (with its pieces and contact.pvd): the contact
   /// boundary with pressure, traction on the body and its tangential part,
-  /// slip, gap, status, area, slip bound, displacement and the normal towards
-  /// the obstacle at every contact node. At nodes that are not contact nodes
-  /// because their displacement is prescribed, or because they face away from
-  /// the obstacle, status is −1 and the other fields but the displacement are
-  /// zero. Collective.
+  /// slip, gap, normal and tangential status, area, slip bound, displacement
+  /// and the normal towards the obstacle at every contact node. At nodes that
+  /// are not contact nodes because their displacement is prescribed, or because
+  /// they face away from the obstacle, both statuses are −1 and the other
+  /// fields but the displacement are zero. Collective.
   void
   write_contact(const LinearElasticity &elasticity,
                 const LA::Vector &u,
                 const ContactSurface &surface,
                 const Certificate &certificate,
+                const std::vector<NodeStatus> &statuses,
                 const OutputParameters &parameters);
 
   /// Writes obstacle.vtu, one file from rank 0: the surfaces of the obstacles
