@@ -76,7 +76,8 @@ namespace stiction
       {
         write_nodal_displacement(
           output.directory, *body_, u, reactions_->nodal());
-        write_contact_nodes(output.directory, *surface_, certificate);
+        write_contact_nodes(
+          output.directory, *surface_, certificate, node_statuses());
       }
     write_obstacles(output.directory, *elasticity_, *surface_);
     write_history(*history_, output.directory, communicator_);

@@ -81,7 +81,8 @@ namespace stiction
   void
   write_contact_nodes(const std::string &directory,
                       const ContactSurface &surface,
-                      const Certificate &certificate)
+                      const Certificate &certificate,
+                      const std::vector<NodeStatus> &statuses)
   {
     // every rank knows all nodes
     const bool is_first =
@@ -89,7 +90,8 @@ namespace stiction
     write_rows(
       directory + "/contact.csv",
       "x,y,z,normal_x,normal_y,normal_z,area,boundary,force_x,force_y,force_z,"
-      "normal_force,slip_bound,gap,slip_x,slip_y,slip_z,status",
+      "normal_force,slip_bound,gap,slip_x,slip_y,slip_z,"
+      "normal_status,tangential_status",
       MPI_COMM_WORLD,
       [&](std::ostream &out) {
         const Eigen::Index m     = surface.n_nodes();
@@ -111,7 +113,8 @@ namespace stiction
             write_three(out,
                         node.displacement_to_cartesian(
                           {0., 0. - r(i + m), 0. - r(i + 2 * m)}));
-            out << static_cast<int>(certificate.status(i)) << '\n';
+            out << static_cast<int>(statuses[i].normal) << ','
+                << static_cast<int>(statuses[i].tangential) << '\n';
           }
       });
   }

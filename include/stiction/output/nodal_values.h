@@ -1,9 +1,11 @@
 #ifndef stiction_output_nodal_values_h
 #define stiction_output_nodal_values_h
 
+#include <stiction/contact/node_status.h>
 #include <stiction/elasticity/linear_algebra.h>
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -28,12 +30,13 @@ namespace stiction
   /// Writes contact.csv, a row for each contact node: its place, its normal
   /// towards the obstacle, its area and the id of its boundary, the force on
   /// the body and its normal part (compression positive), the slip bound (a
-  /// force), the gap, the slip and the status, 0 open, 1 slip, 2 stick.
+  /// force), the gap, the slip and the two numbers of its NodeStatus.
   /// Collective.
   void
   write_contact_nodes(const std::string &directory,
                       const ContactSurface &surface,
-                      const Certificate &certificate);
+                      const Certificate &certificate,
+                      const std::vector<NodeStatus> &statuses);
 } // namespace stiction
 
 #endif
