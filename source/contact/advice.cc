@@ -55,6 +55,10 @@ namespace stiction
     if (approximates && method != "mpgp")
       return "choose 'Contact solver/Coulomb iteration = direct'";
 
+    // a matrix has factors, which find a way where products do not
+    if (method == "newton" && parameters.dual_operator.form != "assembled")
+      return "choose 'Dual operator/Form = assembled'";
+
     std::vector<std::string> others;
     for (const char *const other :
          {"newton", "newton multigrid", "admm", "gauss seidel"})
