@@ -33,6 +33,9 @@ def panels_of(contact, points):
                 name: values[faces] for name, values in vars(contact).items()
                 if name != "boundary"})
             panel.kind = kinds(panel.normal_status, panel.tangential_status)
+            # what may as well be open has a pressure of rounding alone
+            panel.pressure = np.where(panel.normal_status == 3, 0,
+                                      panel.pressure)
             lay_flat(panel, corners[faces], normals[faces])
             panel.window = window_of(panel)
             result.append(panel)

@@ -163,6 +163,7 @@ class Panels(unittest.TestCase):
             panel, = panels.panels_of(contact_on(bottom, 4, status), self.points)
             self.assertEqual(panels.counts(panel), {kind: 20}, status)
             self.assertEqual(len(panels.quarters(panel, kind)), 48)
+            self.assertEqual(panel.pressure.max(), 0 if status[0] == 3 else 2)
 
     def test_window_has_all_nodes_with_forces(self):
         bottom = side(self.points, self.faces, 2, 0)
