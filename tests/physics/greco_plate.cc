@@ -15,7 +15,6 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Run run(shipped("greco_plate.prm"), {});
   const ContactSurface &surface  = run.problem->contact_surface();
-  const Certificate &certificate = run.problem->certificate();
   const Eigen::Index m           = surface.n_nodes();
   const double h = 0.04 / 128, thickness = h;
 

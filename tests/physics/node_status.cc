@@ -92,7 +92,7 @@ namespace
   {
     return {"Geometry/Table 1 level=0",
             "Geometry/Lengths=1.5,1.2,1",
-            "Geometry/Subdivisions=3,2,2",
+            "Geometry/Subdivisions=2,1,1",
             "Geometry/Global refinement=1",
             "Material/Young's modulus=" + exact(E),
             "Material/Poisson ratio=" + exact(nu),

@@ -49,8 +49,8 @@ main(int argc, char *argv[])
           smallest    = std::min(smallest, std::hypot(t1, t2) / bound);
           worst_angle = std::max(worst_angle,
                                  std::abs(std::atan2(t2, t1) / degree - angle));
-          all_slip += run.summary()["contact"]["stick"] == 0 &&
-                          run.summary()["contact"]["open"] == 0
+          all_slip += run.summary()["contact"]["slip"] ==
+                          run.problem->contact_surface().n_nodes()
                         ? 1
                         : 0;
         }
