@@ -1,3 +1,4 @@
+#include <stiction/contact/advice.h>
 #include <stiction/contact/contact_conditions.h>
 
 #include <algorithm>
@@ -131,13 +132,17 @@ namespace stiction
   std::string
   ContactConditions::why_out_of_reach(const double tolerance) const
   {
-    if (rounding_ <= tolerance)
+    const auto figures = deciding_figures();
+    if (rounding_ <= tolerance ||
+        !std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
+          return is_rounding(figure.second, rounding_);
+        }))
       return {};
     std::ostringstream out;
     out.precision(2);
     out << "double precision does not carry that far: where something moves by "
            "much more than it is strained, rounding alone makes about "
-        << rounding_ << ", raise 'Contact solver/Tolerance' above that";
+        << rounding_ << ", raise 'Contact solver/Tolerance' above both";
     return out.str();
   }
 } // namespace stiction

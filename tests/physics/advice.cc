@@ -49,7 +49,7 @@ namespace
         "Contact solver/Maximum iterations=" +
         std::to_string(run.parameters.contact_solver.maximum_iterations +
                        static_cast<unsigned int>(2. * std::stod(more)) + 2));
-    if (advice.find("raise 'Contact solver/Tolerance' above that") !=
+    if (advice.find("raise 'Contact solver/Tolerance' above") !=
         std::string::npos)
       {
         double worst = 0.;
@@ -105,7 +105,7 @@ main(int argc, char *argv[])
       "Contact solver/Method=gauss seidel",
       "Contact solver/Disc solver=as printed"}},
     {"beyond double precision",
-     weakly_held("0.2") + Settings{"Contact solver/Method=newton"}}};
+     weakly_held("20") + Settings{"Contact solver/Method=newton"}}};
   for (const std::string method :
        {"newton", "gauss seidel", "mpgp", "admm", "newton multigrid"})
     {
@@ -121,32 +121,36 @@ main(int argc, char *argv[])
 
   for (const Case &c : cases)
     {
-      const Run run(shipped("brick.prm"), c.settings);
-      out() << c.name << ": ";
-      if (run.converged)
+      // each advice may be followed by another one
+      Settings settings   = c.settings;
+      bool is_certified   = false;
+      bool names_own      = false;
+      std::string changed = "";
+      for (unsigned int k = 0; k < 4 && !is_certified; ++k)
         {
-          out() << "certified" << std::endl;
-          continue;
+          const Run run(shipped("brick.prm"), settings);
+          is_certified = run.converged;
+          if (is_certified)
+            break;
+          const auto &chosen = run.parameters.contact_solver;
+          const std::string advice =
+            stiction::explain(run.problem->solution(),
+                              run.problem->certificate(),
+                              chosen.tolerance);
+          std::cerr << c.name << ": " << advice << std::endl;
+          names_own = names_own || names(advice, chosen.method) ||
+                      names(advice, chosen.coulomb_iteration) ||
+                      names(advice, chosen.disc_solver);
+          const Settings changes = follow(advice, run);
+          if (changes.empty())
+            break;
+          for (const std::string &change : changes)
+            changed += (changed.empty() ? "" : ", then ") +
+                       change.substr(0, change.find('='));
+          settings = settings + changes;
         }
-      const std::string advice =
-        stiction::explain(run.problem->solution(),
-                          run.problem->certificate(),
-                          run.parameters.contact_solver.tolerance);
-      const auto &chosen     = run.parameters.contact_solver;
-      const Settings changes = follow(advice, run);
-      std::string changed;
-      for (const std::string &change : changes)
-        changed += " " + change.substr(0, change.find('='));
-      const bool is_certified =
-        !changes.empty() &&
-        Run(shipped("brick.prm"), c.settings + changes).converged;
-      out() << "names what is in use "
-            << (names(advice, chosen.method) ||
-                    names(advice, chosen.coulomb_iteration) ||
-                    names(advice, chosen.disc_solver)
-                  ? "YES"
-                  : "no")
-            << ", certified with another" << changed << " " << yes(is_certified)
-            << std::endl;
+      out() << c.name << ": advised [" << changed << "], certified in the end "
+            << yes(is_certified) << ", never what was in use "
+            << yes(!names_own) << std::endl;
     }
 }

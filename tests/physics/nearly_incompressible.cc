@@ -1,9 +1,8 @@
 // A brick of a material that is nearly incompressible, with the mean volume
 // strain of each cell and without: newton, gauss seidel and newton multigrid,
-// which factorises where its multigrid comes no further, certify the same
-// forces, the last within some hundred iterations. Poisson ratios of 0.49 to
-// 0.4999 had taken 90, 529 and 2224 of them on this regular mesh, 0.49999 more
-// than twenty thousand, and the graded one had no end.
+// which factorises where multigrid comes no further, certify the same forces,
+// the last in a bounded number of iterations. For 0.49 to 0.49999 it had taken
+// 59 to 18,549 of them on a regular mesh, and on a graded one it had no end.
 
 #include "tests.h"
 
@@ -17,6 +16,7 @@ namespace
   {
     std::string name;
     Settings settings;
+    std::vector<std::string> poisson_ratios, methods;
   };
 
   unsigned int
@@ -32,26 +32,31 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const std::vector<Mesh> meshes = {
-    {"regular, pointwise",
+    {"levels, pointwise",
      {"Geometry/Subdivisions=4,3,1",
-      "Geometry/Global refinement=2",
-      "Material/Volume strain=pointwise"}},
-    {"regular, cell mean",
-     {"Geometry/Subdivisions=10,8,3", "Geometry/Global refinement=1"}},
+      "Geometry/Global refinement=1",
+      "Material/Volume strain=pointwise"},
+     {"0.49", "0.499", "0.4999", "0.49999"},
+     {"newton", "gauss seidel", "newton multigrid"}},
+    {"algebraic, cell mean",
+     {"Geometry/Subdivisions=8,6,4", "Geometry/Global refinement=1"},
+     {"0.49999"},
+     {"newton", "newton multigrid"}},
     {"graded, pointwise",
-     {"Geometry/Subdivisions=4,3,1",
-      "Geometry/Global refinement=2",
-      "Geometry/Contact refinement=1",
-      "Material/Volume strain=pointwise"}}};
+     {"Geometry/Subdivisions=3,2,1",
+      "Geometry/Global refinement=1",
+      "Geometry/Contact refinement=2",
+      "Material/Volume strain=pointwise"},
+     {"0.4999"},
+     {"newton", "newton multigrid"}}};
   for (const Mesh &mesh : meshes)
-    for (const std::string poisson : {"0.49", "0.4999", "0.49999"})
+    for (const std::string &poisson : mesh.poisson_ratios)
       {
         bool certified = true;
         double largest = 0.;
         unsigned int n = 0;
         std::array<double, 3> reference{};
-        for (const std::string method :
-             {"newton", "gauss seidel", "newton multigrid"})
+        for (const std::string &method : mesh.methods)
           {
             const Run run(shipped("brick.prm"),
                           mesh.settings +
