@@ -19,8 +19,11 @@ namespace stiction
     constexpr double growth_of_rounding = 1e4;
 
     // Fewer steps show no pace, and more iterations are none.
-    constexpr std::size_t min_rows         = 4;
-    constexpr double max_more_iterations   = 1e5;
+    constexpr std::size_t min_rows       = 4;
+    constexpr double max_more_iterations = 1e5;
+    // More of them than this, and than so far, and something else may be
+    // better.
+    constexpr double worth_waiting_for     = 100.;
     constexpr double required_fall_in_half = 0.9;
 
     bool
@@ -132,6 +135,8 @@ namespace stiction
       std::pow(10., std::floor(std::log10(std::max(more, 1.))));
     std::ostringstream out;
     out << raise << " by about " << std::ceil(std::max(more, 1.) / unit) * unit;
+    if (more > std::max<double>(rows_.back().first, worth_waiting_for))
+      out << ", or " << otherwise;
     return out.str();
   }
 } // namespace stiction

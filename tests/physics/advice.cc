@@ -72,7 +72,7 @@ namespace
   {
     return {"Geometry/Table 1 level=0",
             "Geometry/Lengths=2,2,1",
-            "Geometry/Subdivisions=6,6,4",
+            "Geometry/Subdivisions=4,4,4",
             "Geometry/Global refinement=0",
             "Material/Poisson ratio=0.3",
             "Material/Young's modulus=2e11",
@@ -82,7 +82,7 @@ namespace
             "Boundary conditions/Traction=1 : 2e6; 0; 5e6 | 0 : 0; 1e6; 3e6",
             "Boundary conditions/Contact boundary=5",
             "Friction/Coefficient=0.5",
-            "Contact solver/Maximum iterations=300"};
+            "Contact solver/Maximum iterations=60"};
   }
 } // namespace
 
@@ -104,8 +104,8 @@ main(int argc, char *argv[])
       "Friction/Slip stress=1.5e7",
       "Contact solver/Method=gauss seidel",
       "Contact solver/Disc solver=as printed"}},
-    {"beyond double precision",
-     weakly_held("20") + Settings{"Contact solver/Method=newton"}}};
+    {"weakly held, newton",
+     weakly_held("2e1") + Settings{"Contact solver/Method=newton"}}};
   for (const std::string method :
        {"newton", "gauss seidel", "mpgp", "admm", "newton multigrid"})
     {
@@ -137,7 +137,6 @@ main(int argc, char *argv[])
             stiction::explain(run.problem->solution(),
                               run.problem->certificate(),
                               chosen.tolerance);
-          std::cerr << c.name << ": " << advice << std::endl;
           names_own = names_own || names(advice, chosen.method) ||
                       names(advice, chosen.coulomb_iteration) ||
                       names(advice, chosen.disc_solver);
