@@ -14,8 +14,8 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Run run(shipped("greco_plate.prm"), {});
-  const ContactSurface &surface  = run.problem->contact_surface();
-  const Eigen::Index m           = surface.n_nodes();
+  const ContactSurface &surface = run.problem->contact_surface();
+  const Eigen::Index m          = surface.n_nodes();
   const double h = 0.04 / 128, thickness = h;
 
   out() << "certified: " << yes(run.converged) << '\n';
