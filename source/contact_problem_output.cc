@@ -76,8 +76,11 @@ namespace stiction
       {
         write_nodal_displacement(
           output.directory, *body_, u, reactions_->nodal());
-        write_contact_nodes(
-          output.directory, *surface_, certificate, node_statuses());
+        write_contact_nodes(output.directory,
+                            *surface_,
+                            certificate,
+                            node_statuses(),
+                            communicator_);
       }
     write_obstacles(output.directory, *elasticity_, *surface_);
     write_history(*history_, output.directory, communicator_);

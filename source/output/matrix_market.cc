@@ -100,6 +100,8 @@ namespace stiction
                     position_ = 0;
                     return false;
                   }
+                // a message that quotes it would end there
+                std::replace(text_.begin(), text_.end(), '\0', '?');
               }
             while (!text_.empty() && text_[0] == '%');
           }

@@ -82,17 +82,18 @@ namespace stiction
   write_contact_nodes(const std::string &directory,
                       const ContactSurface &surface,
                       const Certificate &certificate,
-                      const std::vector<NodeStatus> &statuses)
+                      const std::vector<NodeStatus> &statuses,
+                      MPI_Comm communicator)
   {
     // every rank knows all nodes
     const bool is_first =
-      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+      dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     write_rows(
       directory + "/contact.csv",
       "x,y,z,normal_x,normal_y,normal_z,area,boundary,force_x,force_y,force_z,"
       "normal_force,slip_bound,gap,slip_x,slip_y,slip_z,"
       "normal_status,tangential_status",
-      MPI_COMM_WORLD,
+      communicator,
       [&](std::ostream &out) {
         const Eigen::Index m     = surface.n_nodes();
         const Eigen::VectorXd &r = certificate.gradient();

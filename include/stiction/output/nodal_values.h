@@ -4,6 +4,8 @@
 #include <stiction/contact/node_status.h>
 #include <stiction/elasticity/linear_algebra.h>
 
+#include <mpi.h>
+
 #include <string>
 #include <vector>
 
@@ -36,7 +38,9 @@ namespace stiction
   write_contact_nodes(const std::string &directory,
                       const ContactSurface &surface,
                       const Certificate &certificate,
-                      const std::vector<NodeStatus> &statuses);
+                      const std::vector<NodeStatus> &statuses,
+
+                      MPI_Comm communicator);
 } // namespace stiction
 
 #endif
