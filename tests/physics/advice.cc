@@ -21,7 +21,7 @@ namespace
     return sentence.substr(from, sentence.find('\'', from) - from);
   }
 
-  // Whether a sentence names an entry with the value that it has already.
+  // Whether a sentence names this method.
   bool
   names(const std::string &sentence, const std::string &value)
   {
@@ -42,13 +42,18 @@ namespace
     choose("Contact solver/Method");
     choose("Contact solver/Disc solver");
     choose("Contact solver/Coulomb iteration");
-    const std::string more =
-      after(advice, "raise 'Contact solver/Maximum iterations' by about ");
-    if (!more.empty())
-      changes.push_back(
-        "Contact solver/Maximum iterations=" +
-        std::to_string(run.parameters.contact_solver.maximum_iterations +
-                       static_cast<unsigned int>(2. * std::stod(more)) + 2));
+    const std::string cap = "raise 'Contact solver/Maximum iterations'";
+    if (advice.find(cap) != std::string::npos)
+      {
+        // where there were too few steps, no number is said
+        const std::string more = after(advice, cap + " by about ");
+        changes.push_back(
+          "Contact solver/Maximum iterations=" +
+          std::to_string(
+            run.parameters.contact_solver.maximum_iterations +
+            (more.empty() ? 100
+                          : static_cast<unsigned int>(2. * std::stod(more)))));
+      }
     if (advice.find("raise 'Contact solver/Tolerance' above") !=
         std::string::npos)
       {
@@ -92,20 +97,10 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Settings small    = {"Geometry/Table 1 level=1"};
   std::vector<Case> cases = {
-    {"fixed point, F = 5",
-     small + Settings{"Friction/Coefficient=5",
-                      "Contact solver/Method=newton",
-                      "Contact solver/Coulomb iteration=fixed point"}},
-    {"mpgp, F = 5",
-     small + Settings{"Friction/Coefficient=5", "Contact solver/Method=mpgp"}},
-    {"QPQ as printed",
-     {"Geometry/Table 1 level=3",
-      "Friction/Law=given",
-      "Friction/Slip stress=1.5e7",
-      "Contact solver/Method=gauss seidel",
-      "Contact solver/Disc solver=as printed"}},
     {"weakly held, newton",
-     weakly_held("2e1") + Settings{"Contact solver/Method=newton"}}};
+     weakly_held("2e1") + Settings{"Contact solver/Method=newton"}},
+    {"weakly held, mpgp",
+     weakly_held("2e8") + Settings{"Contact solver/Method=mpgp"}}};
   for (const std::string method :
        {"newton", "gauss seidel", "mpgp", "admm", "newton multigrid"})
     {
@@ -114,9 +109,6 @@ main(int argc, char *argv[])
                        small + chosen +
                          Settings{"Contact solver/Maximum iterations=5",
                                   "Contact solver/Tolerance=1e-10"}});
-      if (method != "newton")
-        cases.push_back(
-          {method + ", weakly held", weakly_held("2e8") + chosen});
     }
 
   for (const Case &c : cases)
@@ -137,9 +129,12 @@ main(int argc, char *argv[])
             stiction::explain(run.problem->solution(),
                               run.problem->certificate(),
                               chosen.tolerance);
-          names_own = names_own || names(advice, chosen.method) ||
-                      names(advice, chosen.coulomb_iteration) ||
-                      names(advice, chosen.disc_solver);
+          names_own =
+            names_own || names(advice, chosen.method) ||
+            advice.find("Disc solver = " + chosen.disc_solver) !=
+              std::string::npos ||
+            advice.find("Coulomb iteration = " + chosen.coulomb_iteration) !=
+              std::string::npos;
           const Settings changes = follow(advice, run);
           if (changes.empty())
             break;
