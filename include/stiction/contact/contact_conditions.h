@@ -80,8 +80,8 @@ namespace stiction
       rounding_ = rounding;
     }
 
-    /// Why no answer can be told to be within the tolerance, and what to
-    /// change: rounding is above it; empty if it is not.
+    /// If rounding is above the tolerance and explains every figure: that, and
+    /// what to change; otherwise empty.
     std::string
     why_out_of_reach(double tolerance) const;
 
