@@ -39,7 +39,6 @@ namespace stiction
                       const ContactSurface &surface,
                       const Certificate &certificate,
                       const std::vector<NodeStatus> &statuses,
-
                       MPI_Comm communicator);
 } // namespace stiction
 
