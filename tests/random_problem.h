@@ -100,8 +100,9 @@ private:
       {
         add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") +
             ":0;0;0");
-        add("Traction=1:" + three(aside * 0.3, 0., -strain) +
-            " | 3:" + three(0., uniform(-1., 1.) * aside * 0.3, -strain));
+        const double p = softest * strain, q = 0.3 * softest * aside;
+        add("Traction=1:" + three(q, 0., -p) +
+            " | 3:" + three(0., uniform(-1., 1.) * q, -p));
         description += ", loaded";
       }
 
