@@ -25,13 +25,6 @@ namespace stiction::qp
     // Steps without a new smallest residual before giving up.
     constexpr unsigned int max_steps_without_progress = 10;
 
-    // What a node has of forces, or of their duals: an element of the half line
-    // and one of the second-order cone, (bound; two tangential components).
-    struct ConePoint
-    {
-      double normal = 0.;
-      Vector3d cone = Vector3d::Zero();
-    };
   } // namespace
 
 
@@ -67,6 +60,14 @@ namespace stiction::qp
     }
 
   private:
+    // What a node has of forces, or of their duals: an element of the half line
+    // and one of the second-order cone, (bound; two tangential components).
+    struct ConePoint
+    {
+      double normal = 0.;
+      Vector3d cone = Vector3d::Zero();
+    };
+
     // What belongs to a node in a vector of blocks.
     Vector3d
     at(const VectorXd &v, const Eigen::Index i) const
@@ -99,8 +100,8 @@ namespace stiction::qp
     }
 
     // λ_ν w_ν and (g, λ_t)∘(σ, w_t) of a node.
-    ConePoint
-    product(const ConePoint &force, const ConePoint &dual) const
+    static ConePoint
+    product(const ConePoint &force, const ConePoint &dual)
     {
       return {force.normal * dual.normal, product_with(force.cone) * dual.cone};
     }

@@ -15,7 +15,9 @@ namespace stiction::qp
                       const unsigned int max_iterations)
   {
     KrylovSolution solution;
-    solution.y        = Eigen::VectorXd::Zero(b.size());
+    solution.y = Eigen::VectorXd::Zero(b.size());
+    if (b.isZero(0.)) // or of length 0
+      return solution;
     Eigen::VectorXd r = b, z = preconditioner(r), p = z, Ap, image;
     double rz          = r.dot(z);
     const double first = rz;

@@ -17,7 +17,10 @@ main(int argc, char *argv[])
     {
       const RandomProblem problem(number);
       nlohmann::json line = {{"number", number},
-                             {"description", problem.description}};
+                             {"description", problem.description},
+                             {"agreement", problem.agreement()},
+                             {"file", problem.file},
+                             {"settings", problem.settings}};
       for (const auto &outcome : solve_by_all_methods(problem))
         line["methods"].push_back({{"method", outcome.method},
                                    {"certified", outcome.certified},
