@@ -29,6 +29,9 @@ namespace stiction
     // Of a number when it is rounded, relative.
     constexpr double unit_roundoff =
       std::numeric_limits<double>::epsilon() / 2.;
+
+    // ... and of displacements that come from one that is prescribed.
+    constexpr double rounding_of_gaps = 1e-12;
   } // namespace
 
 
@@ -129,11 +132,17 @@ namespace stiction
 
     double S =
       nonzero(std::max({sums[loads], sums[reactions], contact_forces}));
+    double S_u0         = sums[energy];
+    const double u_size = u.linfty_norm();
     // of a body that is only moved by its supports, and touches nothing, S is
     // rounding: then what the displacement would take if it strained the body
-    if (sums[loads] == 0. && contact_forces == 0. &&
-        (gradient_.head(m).array() >= 0.).all() && S < 100. * sums[rounding])
-      S = sums[rounding] / unit_roundoff;
+    if (sums[loads] == 0. && contact_forces == 0. && slip_bound_.isZero(0.) &&
+        (gradient_.head(m).array() >= -rounding_of_gaps * u_size).all() &&
+        S < only_rounding * sums[rounding])
+      {
+        S    = sums[rounding] / unit_roundoff;
+        S_u0 = S * u_size;
+      }
     const auto corners = body.bounding_box().get_boundary_points();
     const double size  = corners.first.distance(corners.second);
 
@@ -152,7 +161,7 @@ namespace stiction
     load_work_     = sums[work];
 
     scaling_ = contact_scaling(S,
-                               sums[energy],
+                               S_u0,
                                surface_.areas(),
                                surface_.boundary_area(),
                                surface_.stiffness());

@@ -386,21 +386,6 @@ namespace stiction
 
 
 
-  bool
-  ContactLevel::carries_rounding_only(const ContactState &state,
-                                      const double force_scale) const
-  {
-    constexpr double rounding = 1e-10;
-    const Eigen::VectorXd u   = trace_.restriction(state.u);
-    double largest            = 0.; // E_i‖u_i‖
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      largest = std::max(
-        largest, stiffness_of_cells_.youngs_moduli(i) * at_node(u, i).norm());
-    return force_scale < rounding * std::sqrt(boundary_area_) * largest;
-  }
-
-
-
   double
   ContactLevel::rounding_of_forces(const LA::Vector &u) const
   {

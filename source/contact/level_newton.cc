@@ -1,5 +1,6 @@
 #include <stiction/contact/advice.h>
 #include <stiction/contact/contact_level.h>
+#include <stiction/contact/contact_scales.h>
 #include <stiction/contact/level_newton.h>
 #include <stiction/contact/nodal_blocks.h>
 #include <stiction/elasticity/stiffness_preconditioner.h>
@@ -78,6 +79,9 @@ namespace stiction
             // what the linear solver carried along is made anew
             state.update(problem_);
             residual = ContactResidual(problem_, state, problem_.slip_bound());
+            if (carries_rounding_only(residual,
+                                      problem_.rounding_of_forces(state.u)))
+              return drop_contact_forces(state);
             if (residual.value() <= tolerance)
               return {};
           }
@@ -102,15 +106,12 @@ namespace stiction
         if (falls && !options_.only_fallback)
           continue;
 
-        if (is_rounding(residual.value(),
-                        problem_.rounding_of_forces(state.u) /
-                          residual.force_scale))
+        const double rounding = problem_.rounding_of_forces(state.u);
+        if (carries_rounding_only(residual, rounding))
+          return drop_contact_forces(state);
+        if (is_rounding(residual.value(), rounding / residual.force_scale))
           return "rounding prevents a smaller one, raise 'Contact "
                  "solver/Tolerance' above that";
-        if (problem_.carries_rounding_only(state, residual.force_scale))
-          return "there is neither load nor strain, and the forces are "
-                 "rounding: "
-                 "there is nothing that could be certified";
 
         // change ρ, and every second time fall back as well
         history.clear();
@@ -129,6 +130,26 @@ namespace stiction
         lambda   = state.lambda;
         observer(statistics_, residual);
       }
+  }
+
+
+
+  bool
+  LevelNewton::carries_rounding_only(const ContactResidual &residual,
+                                     const double rounding) const
+  {
+    return residual.force_scale < only_rounding * rounding &&
+           problem_.slip_bound().constant().isZero(0.);
+  }
+
+
+
+  std::string
+  LevelNewton::drop_contact_forces(ContactState &state) const
+  {
+    state.update(problem_);
+    state.lambda.setZero();
+    return {};
   }
 
 

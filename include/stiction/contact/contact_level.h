@@ -166,12 +166,6 @@ namespace stiction
     double
     rounding_of_forces(const LA::Vector &u) const;
 
-    /// Whether forces of this size are rounding: far less than the displacement
-    /// of the contact nodes would take if it strained the cells behind them.
-    /// Collective.
-    bool
-    carries_rounding_only(const ContactState &state, double force_scale) const;
-
     /// Σ‖v_j‖ over the nodes but contact nodes, of components that are not
     /// prescribed. Collective.
     double

@@ -7,6 +7,9 @@
 
 namespace stiction
 {
+  /// Forces of up to this many times the rounding of K u are nothing else.
+  constexpr double only_rounding = 100.;
+
   /// What a scale of displacements has to know of the body behind the contact
   /// boundary: Young's moduli in Pa.
   struct ContactStiffness

@@ -86,6 +86,16 @@ namespace stiction
     void
     note_factorization();
 
+    /// Whether the body is only moved and touches nothing, so that all forces
+    /// are the rounding of K u. @param rounding that of all nodes, N.
+    bool
+    carries_rounding_only(const ContactResidual &residual,
+                          double rounding) const;
+
+    /// Then there are no contact forces; the judge has the last word.
+    std::string
+    drop_contact_forces(ContactState &state) const;
+
     /// Whether most linear systems take more iterations than they are given.
     bool
     has_hard_systems() const;
