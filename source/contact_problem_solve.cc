@@ -73,7 +73,7 @@ namespace stiction
   ContactProblem::finish_step(const ContactStep &step)
   {
     history_->add(step);
-    if (!step.remark.empty())
+    if (!step.remark.empty() && parameters_.output.print_progress)
       log_->line(step.remark);
     stop_if_interrupted(communicator_);
   }

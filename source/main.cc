@@ -62,6 +62,11 @@ namespace
                             arguments.output,
                             arguments.export_directory,
                             !arguments.problem);
+    if (!arguments.problem && program.parameters.dual_operator.symmetric_part)
+      throw InputError(
+        program.parameters.source.describe("Dual operator/Symmetric part") +
+        ", is for problems from files (--problem), that of a body is "
+        "symmetric.");
     if (arguments.print_output_directory)
       {
         if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)

@@ -36,8 +36,9 @@ namespace stiction
     add_parameter("Maximum iterations",
                   maximum_iterations,
                   "Cap on the iterations of the whole run: Gauss-Seidel "
-                  "sweeps, Newton steps, iterations of admm, stretches of 20 "
-                  "products with Q of mpgp and squares. The run that meets it "
+                  "sweeps, steps of newton (and of its interior point "
+                  "method), iterations of admm, stretches of 20 products "
+                  "with Q of mpgp and squares. The run that meets it "
                   "writes its files and ends with status 2.",
                   prm,
                   Patterns::Integer(1));

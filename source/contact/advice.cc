@@ -69,9 +69,10 @@ namespace stiction
         others.push_back(std::string("'") +
                          (others.empty() ? "Contact solver/Method = " : "") +
                          other + "'");
+    if (approximates)
+      return "choose " + others[0] + " with 'Coulomb iteration = direct'";
     return "choose " + others[0] +
-           (approximates ? " with 'Coulomb iteration = direct'"
-                         : " or " + others[1]);
+           (others.size() > 1 ? " or " + others[1] : "");
   }
 
 

@@ -11,6 +11,9 @@ namespace stiction
 {
   namespace
   {
+    // That 'Contact solver/Tolerance' may have.
+    constexpr double largest_tolerance = 1e-2;
+
     // std::max that keeps a NaN
     void
     raise(double &largest, const double value)
@@ -138,6 +141,9 @@ namespace stiction
           return is_rounding(figure.second, rounding_);
         }))
       return {};
+    if (rounding_ > largest_tolerance)
+      return "all forces are no more than the rounding of what moves: there is "
+             "nothing that double precision could certify";
     std::ostringstream out;
     out.precision(2);
     out << "double precision does not carry that far: where something moves by "

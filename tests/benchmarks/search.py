@@ -51,7 +51,7 @@ def parse_options(arguments):
 
 
 def solve(program, first, last):
-    """The problems of these numbers; those after a crash are marked as lost."""
+    """The problems of these numbers; throws where the program ends early."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     with tempfile.TemporaryDirectory() as directory:
         try:

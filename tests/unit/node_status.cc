@@ -152,6 +152,7 @@ main(int argc, char *argv[])
                                                 judge,
                                                 tolerance,
                                                 2000,
+                                                "",
                                                 [](const ContactStep &) {});
           const Eigen::VectorXd stiffness = Q.nodal_compliance().cwiseInverse();
           const auto statuses = node_statuses(judge.judge(solution.lambda),
