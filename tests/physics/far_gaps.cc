@@ -34,7 +34,6 @@ main(int argc, char *argv[])
                                    "Boundary conditions/Obstacle=plane : 0; 0; "
                                    "0; 0; 0; 1",
                                    "Boundary conditions/Initial gap=0",
-                                   "Contact solver/Maximum iterations=200",
                                    "Contact solver/Method=" + method});
           certified   = certified && run.converged;
           forces[k++] = run.summary()["contact"]["normal_force"].get<double>();
