@@ -70,17 +70,14 @@ namespace stiction
                      refinement_ ? refinement_->indicators()
                                  : dealii::Vector<double>(),
                      output);
-    write_contact(
-      *elasticity_, u, *surface_, certificate, node_statuses(), output);
+    const std::vector<NodeStatus> statuses = node_statuses();
+    write_contact(*elasticity_, u, *surface_, certificate, statuses, output);
     if (output.double_precision)
       {
         write_nodal_displacement(
           output.directory, *body_, u, reactions_->nodal());
-        write_contact_nodes(output.directory,
-                            *surface_,
-                            certificate,
-                            node_statuses(),
-                            communicator_);
+        write_contact_nodes(
+          output.directory, *surface_, certificate, statuses, communicator_);
       }
     write_obstacles(output.directory, *elasticity_, *surface_);
     write_history(*history_, output.directory, communicator_);

@@ -22,10 +22,9 @@ namespace stiction
     const auto report      = [&](const unsigned int products,
                             const Eigen::VectorXd &now,
                             const double residual) {
-      const double norm = now.norm();
-      result.change     = norm > 0. ? (now - before).norm() / norm : 0.;
-      before            = now;
-      reported          = products;
+      result.change = relative_change(now, before);
+      before        = now;
+      reported      = products;
       ++result.iterations;
       show(now);
       observer({1, residual, result.change});

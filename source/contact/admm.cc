@@ -42,10 +42,8 @@ namespace stiction
                   rule.residual,
                   rule.max_iterations,
                   [&](const double residual) {
-                    const double norm = iterate.lambda.norm();
-                    result.change =
-                      norm > 0. ? (iterate.lambda - before).norm() / norm : 0.;
-                    before = iterate.lambda;
+                    result.change = relative_change(iterate.lambda, before);
+                    before        = iterate.lambda;
                     observer({1, residual, result.change});
                   });
     statistics_.admm_iterations += run.iterations;

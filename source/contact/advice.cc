@@ -14,10 +14,6 @@ namespace stiction
     // only; examples of none or several are known from about 1 on.
     constexpr double large_coefficient = 1.;
 
-    // Rounding grows on its way to the residual by what linear systems are
-    // conditioned: on bodies of one material by some thousands.
-    constexpr double growth_of_rounding = 1e4;
-
     // Fewer steps show no pace, and more iterations are none.
     constexpr std::size_t min_rows       = 4;
     constexpr double max_more_iterations = 1e5;
@@ -87,14 +83,6 @@ namespace stiction
     out << ", or lower the coefficient of friction: with " << coefficient
         << " there may be no solution or several";
     return out.str();
-  }
-
-
-
-  bool
-  is_rounding(const double residual, const double rounding)
-  {
-    return residual <= growth_of_rounding * rounding;
   }
 
 

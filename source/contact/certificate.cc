@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace stiction
 {
@@ -26,11 +25,8 @@ namespace stiction
     // error with 0.1, 3.1 with 0.03, 7 with 0.3 and with 0.01.
     constexpr double prox_stiffness = 0.1;
 
-    // Of a number when it is rounded, relative.
-    constexpr double unit_roundoff =
-      std::numeric_limits<double>::epsilon() / 2.;
-
-    // ... and of displacements that come from one that is prescribed.
+    // What rounding leaves of gaps that a prescribed displacement makes, as a
+    // part of it.
     constexpr double rounding_of_gaps = 1e-12;
   } // namespace
 

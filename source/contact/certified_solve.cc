@@ -1,5 +1,6 @@
 #include <stiction/contact/advice.h>
 #include <stiction/contact/certified_solve.h>
+#include <stiction/contact/contact_scales.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/judge.h>
 #include <stiction/interrupt.h>

@@ -1,5 +1,5 @@
-#include <stiction/contact/advice.h>
 #include <stiction/contact/contact_conditions.h>
+#include <stiction/contact/contact_scales.h>
 
 #include <algorithm>
 #include <cmath>

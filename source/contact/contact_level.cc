@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace stiction
@@ -389,8 +388,6 @@ namespace stiction
   double
   ContactLevel::rounding_of_forces(const LA::Vector &u) const
   {
-    constexpr double unit_roundoff =
-      std::numeric_limits<double>::epsilon() / 2.;
     const std::vector<double> blocks = stiffness().diagonal_blocks();
     LA::Vector forces                = u;
     for (std::size_t k = 0; k < forces.locally_owned_size(); ++k)

@@ -86,9 +86,7 @@ namespace stiction
         result.iterations += approximation.iterations;
         ++iterations_;
 
-        const double norm = iterate.lambda.norm();
-        result.change =
-          norm > 0. ? (iterate.lambda - before).norm() / norm : 0.;
+        result.change   = relative_change(iterate.lambda, before);
         result.residual = residual();
         observer({approximation.iterations, result.residual, result.change});
 

@@ -4,6 +4,15 @@
 
 namespace stiction
 {
+  double
+  relative_change(const Eigen::VectorXd &lambda, const Eigen::VectorXd &before)
+  {
+    const double norm = lambda.norm();
+    return norm > 0. ? (lambda - before).norm() / norm : 0.;
+  }
+
+
+
   void
   make_feasible(DualIterate &iterate,
                 const Eigen::VectorXd &slip_bound,

@@ -1,7 +1,6 @@
 #include <stiction/contact/dual_operator.h>
 
 #include <algorithm>
-
 #include <utility>
 
 namespace stiction

@@ -78,10 +78,8 @@ namespace stiction
 
         ++result.iterations;
         ++statistics_.gauss_seidel_iterations;
-        result.residual   = residual();
-        const double norm = iterate.lambda.norm();
-        result.change =
-          norm > 0. ? (iterate.lambda - before).norm() / norm : 0.;
+        result.residual = residual();
+        result.change   = relative_change(iterate.lambda, before);
         observer({1, result.residual, result.change});
 
         result.converged =

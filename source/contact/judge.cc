@@ -7,7 +7,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <limits>
+#include <algorithm>
 
 namespace stiction
 {
@@ -89,9 +89,14 @@ namespace stiction
     conditions_ = std::make_unique<ContactConditions>(
       lambda, Q_lambda - Q_.right_hand_side(), slip_bound_.at(lambda), scaling);
     if (const Eigen::MatrixXd *const Q = Q_.matrix())
-      conditions_->set_rounding((Q->cwiseAbs() * lambda.cwiseAbs()).maxCoeff() *
-                                (std::numeric_limits<double>::epsilon() / 2.) /
-                                scaling.displacement);
+      {
+        double largest = 0.; // of |Q||λ|, by columns, as Q is symmetric
+        for (Eigen::Index k = 0; k < Q->cols(); ++k)
+          largest =
+            std::max(largest, Q->col(k).cwiseAbs().dot(lambda.cwiseAbs()));
+        conditions_->set_rounding(largest * unit_roundoff /
+                                  scaling.displacement);
+      }
     return *conditions_;
   }
 } // namespace stiction

@@ -81,7 +81,10 @@ namespace stiction
             residual = ContactResidual(problem_, state, problem_.slip_bound());
             if (carries_rounding_only(residual,
                                       problem_.rounding_of_forces(state.u)))
-              return drop_contact_forces(state);
+              {
+                drop_contact_forces(state);
+                return {};
+              }
             if (residual.value() <= tolerance)
               return {};
           }
@@ -108,7 +111,10 @@ namespace stiction
 
         const double rounding = problem_.rounding_of_forces(state.u);
         if (carries_rounding_only(residual, rounding))
-          return drop_contact_forces(state);
+          {
+            drop_contact_forces(state);
+            return {};
+          }
         if (is_rounding(residual.value(), rounding / residual.force_scale))
           return "rounding prevents a smaller one, raise 'Contact "
                  "solver/Tolerance' above that";
@@ -144,12 +150,11 @@ namespace stiction
 
 
 
-  std::string
+  void
   LevelNewton::drop_contact_forces(ContactState &state) const
   {
     state.update(problem_);
     state.lambda.setZero();
-    return {};
   }
 
 

@@ -1,6 +1,8 @@
 #include <stiction/contact/newton.h>
+#include <stiction/qp/interior_point.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace stiction
@@ -20,31 +22,43 @@ namespace stiction
     // It starts far away each time, and its last steps gain digits quickly: so
     // much more than asked for is solved at once.
     constexpr double interior_point_reduction = 1e-3;
-
-    // ‖λ − λ_before‖/‖λ‖ from call to call.
-    class ChangeOf
-    {
-    public:
-      explicit ChangeOf(const Eigen::VectorXd &lambda)
-        : lambda_(lambda)
-        , before_(lambda)
-      {
-      }
-
-      double
-      next()
-      {
-        const double norm   = lambda_.norm();
-        const double change = (lambda_ - before_).norm();
-        before_             = lambda_;
-        return norm > 0. ? change / norm : 0.;
-      }
-
-    private:
-      const Eigen::VectorXd &lambda_;
-      Eigen::VectorXd before_;
-    };
   } // namespace
+
+
+
+  struct Newton::Run
+  {
+    DualIterate &iterate;
+    const qp::SlipBound &slip_bound;
+    const qp::Scaling &scaling;
+    const StoppingRule &rule;
+    const Observer &observer;
+    DualMethodResult result;
+
+    unsigned int
+    iterations_left() const
+    {
+      return rule.max_iterations - result.iterations;
+    }
+
+    bool
+    is_done() const
+    {
+      return result.converged || result.iterations >= rule.max_iterations;
+    }
+
+    // To be told of each step from here on.
+    std::function<void(unsigned int, double)>
+    reporter()
+    {
+      return [this, before = iterate.lambda](unsigned int,
+                                             const double residual) mutable {
+        result.change = relative_change(iterate.lambda, before);
+        before        = iterate.lambda;
+        observer({1, residual, result.change});
+      };
+    }
+  };
 
 
 
@@ -81,35 +95,36 @@ namespace stiction
                 const StoppingRule &rule,
                 const Observer &observer)
   {
-    DualMethodResult result;
+    Run run{iterate, slip_bound, scaling, rule, observer, {}};
     double smallest             = std::numeric_limits<double>::infinity();
     unsigned int idle_fallbacks = 0;
     // where Newton stood still before, it would again, from the same point
-    bool is_first_inside = interior_point_ != nullptr;
+    bool is_first_inside = has_stood_still_;
     bool tries_inside    = has_interior_point();
     while (true)
       {
-        if (!is_first_inside &&
-            run_newton(iterate, slip_bound, scaling, rule, observer, result))
-          return result;
+        if (!is_first_inside)
+          run_newton(run);
         is_first_inside = false;
-        if (tries_inside &&
-            run_interior_point(
-              iterate, slip_bound, scaling, rule, observer, result))
-          return result;
+        if (run.is_done())
+          break;
+        if (tries_inside)
+          run_interior_point(run);
         tries_inside = false;
+        if (run.is_done())
+          break;
 
-        idle_fallbacks =
-          result.residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
-        smallest = std::min(smallest, result.residual);
-        if (idle_fallbacks > max_idle_fallbacks)
-          {
-            result.stagnated = true;
-            return result;
-          }
-        if (fall_back(iterate, slip_bound, scaling, rule, observer, result))
-          return result;
+        const double residual = run.result.residual;
+        idle_fallbacks = residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
+        smallest       = std::min(smallest, residual);
+        run.result.stagnated = idle_fallbacks > max_idle_fallbacks;
+        if (run.result.stagnated)
+          break;
+        fall_back(run);
+        if (run.is_done())
+          break;
       }
+    return run.result;
   }
 
 
@@ -122,92 +137,64 @@ namespace stiction
 
 
 
-  bool
-  Newton::run_newton(DualIterate &iterate,
-                     const qp::SlipBound &slip_bound,
-                     const qp::Scaling &scaling,
-                     const StoppingRule &rule,
-                     const Observer &observer,
-                     DualMethodResult &result)
+  void
+  Newton::run_newton(Run &run)
   {
-    ChangeOf change(iterate.lambda);
-    const qp::NewtonStatistics run = newton_.solve(
-      iterate.lambda,
-      iterate.gradient,
-      slip_bound,
-      scaling,
-      rule.residual,
-      std::min(max_steps_in_a_run_, rule.max_iterations - result.iterations),
-      [&](unsigned int, const double residual) {
-        result.change = change.next();
-        observer({1, residual, result.change});
-      });
-    result.iterations += run.steps;
-    statistics_.newton_steps += run.steps;
-    statistics_.krylov_iterations += run.krylov_iterations;
-    result.residual  = run.residual;
-    result.converged = run.converged;
-    return run.converged || result.iterations >= rule.max_iterations;
+    const qp::NewtonStatistics statistics =
+      newton_.solve(run.iterate.lambda,
+                    run.iterate.gradient,
+                    run.slip_bound,
+                    run.scaling,
+                    run.rule.residual,
+                    std::min(max_steps_in_a_run_, run.iterations_left()),
+                    run.reporter());
+    statistics_.newton_steps += statistics.steps;
+    statistics_.krylov_iterations += statistics.krylov_iterations;
+    run.result.iterations += statistics.steps;
+    run.result.residual  = statistics.residual;
+    run.result.converged = statistics.converged;
   }
 
 
 
-  bool
-  Newton::run_interior_point(DualIterate &iterate,
-                             const qp::SlipBound &slip_bound,
-                             const qp::Scaling &scaling,
-                             const StoppingRule &rule,
-                             const Observer &observer,
-                             DualMethodResult &result)
+  void
+  Newton::run_interior_point(Run &run)
   {
-    if (!interior_point_)
-      interior_point_ = std::make_unique<qp::InteriorPoint>(*Q_.matrix());
-    ChangeOf change(iterate.lambda);
-    const qp::InteriorPointStatistics run =
-      interior_point_->solve(iterate.lambda,
-                             iterate.gradient,
-                             slip_bound,
-                             scaling,
-                             interior_point_reduction * rule.residual,
-                             rule.max_iterations - result.iterations,
-                             [&](unsigned int, const double residual) {
-                               result.change = change.next();
-                               observer({1, residual, result.change});
-                             });
-    result.iterations += run.steps;
-    statistics_.interior_point_steps += run.steps;
-    result.residual  = run.residual;
-    result.converged = run.residual <= rule.residual;
-    return result.converged || result.iterations >= rule.max_iterations;
+    has_stood_still_ = true;
+    const qp::InteriorPointStatistics statistics =
+      qp::InteriorPoint(*Q_.matrix())
+        .solve(run.iterate.lambda,
+               run.iterate.gradient,
+               run.slip_bound,
+               run.scaling,
+               interior_point_reduction * run.rule.residual,
+               run.iterations_left(),
+               run.reporter());
+    statistics_.interior_point_steps += statistics.steps;
+    run.result.iterations += statistics.steps;
+    run.result.residual  = statistics.residual;
+    run.result.converged = statistics.residual <= run.rule.residual;
   }
 
 
 
-  bool
-  Newton::fall_back(DualIterate &iterate,
-                    const qp::SlipBound &slip_bound,
-                    const qp::Scaling &scaling,
-                    const StoppingRule &rule,
-                    const Observer &observer,
-                    DualMethodResult &result)
+  void
+  Newton::fall_back(Run &run)
   {
     ++statistics_.fallbacks;
     StoppingRule stretch;
-    stretch.residual       = fallback_reduction * result.residual;
+    stretch.residual       = fallback_reduction * run.result.residual;
     stretch.change         = std::numeric_limits<double>::infinity();
-    stretch.max_iterations = rule.max_iterations - result.iterations;
-    const auto bound = qp::SlipBound::given(slip_bound.at(iterate.lambda));
-    if (slip_bound.is_coulomb())
-      result.iterations +=
-        solve(iterate, bound, scaling, stretch, observer).iterations;
-    else
-      {
-        if (!monolithic_)
-          monolithic_ = std::make_unique<Monolithic>(Q_);
-        result.iterations +=
-          monolithic_->solve(iterate, bound, scaling, stretch, observer)
-            .iterations;
-      }
-    return result.iterations >= rule.max_iterations;
+    stretch.max_iterations = run.iterations_left();
+    const auto bound =
+      qp::SlipBound::given(run.slip_bound.at(run.iterate.lambda));
+    if (!run.slip_bound.is_coulomb() && !monolithic_)
+      monolithic_ = std::make_unique<Monolithic>(Q_);
+    DualMethod &method = run.slip_bound.is_coulomb()
+                           ? static_cast<DualMethod &>(*this)
+                           : *monolithic_;
+    run.result.iterations +=
+      method.solve(run.iterate, bound, run.scaling, stretch, run.observer)
+        .iterations;
   }
 } // namespace stiction

@@ -18,15 +18,15 @@ main(int argc, char *argv[])
         for (const std::string method :
              {"newton", "newton multigrid", "gauss seidel", "mpgp", "admm"})
           {
-            const Run run(shipped("brick.prm"),
-                          {"Geometry/Table 1 level=0",
-                           "Geometry/Lengths=2,2,1",
-                           "Geometry/Subdivisions=3,3,2",
-                           "Boundary conditions/Traction=",
-                           "Boundary conditions/Prescribed displacement=5:" +
-                             moved,
-                           "Friction/Law=" + law,
-                           "Contact solver/Method=" + method});
+            const Run run(
+              shipped("brick.prm"),
+              {"Geometry/Table 1 level=0",
+               "Geometry/Lengths=2,2,1",
+               "Geometry/Subdivisions=3,3,2",
+               "Boundary conditions/Traction=",
+               "Boundary conditions/Prescribed displacement=5:" + moved,
+               "Friction/Law=" + law,
+               "Contact solver/Method=" + method});
             const auto &contact = run.summary()["contact"];
             const double force  = contact["normal_force"].get<double>();
             if (first < 0.)

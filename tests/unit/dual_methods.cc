@@ -57,19 +57,16 @@ main(int argc, char *argv[])
       Newton plain(*Q), forced(*by_solves, 1), inside(*Q, 1);
       const auto best = solve(plain, bound), same = solve(forced, bound),
                  also = solve(inside, bound);
-      out() << law << ": newton " << yes(best.converged)
-            << " without fallbacks " << yes(plain.statistics().fallbacks == 0)
-            << "; forced to fall back " << yes(same.converged)
-            << ", more than twice " << yes(forced.statistics().fallbacks > 2)
-            << ", same forces "
-            << yes((same.lambda - best.lambda).norm() <
-                   1e-7 * best.lambda.norm())
-            << "; forced inside " << yes(also.converged) << ", steps there "
-            << yes(inside.statistics().interior_point_steps > 5)
-            << ", same forces "
-            << yes((also.lambda - best.lambda).norm() <
-                   1e-7 * best.lambda.norm())
-            << std::endl;
+      out()
+        << law << ": newton " << yes(best.converged) << " without fallbacks "
+        << yes(plain.statistics().fallbacks == 0) << "; forced to fall back "
+        << yes(same.converged) << ", more than twice "
+        << yes(forced.statistics().fallbacks > 2) << ", same forces "
+        << yes((same.lambda - best.lambda).norm() < 1e-7 * best.lambda.norm())
+        << "; forced inside " << yes(also.converged) << ", steps there "
+        << yes(inside.statistics().interior_point_steps > 5) << ", same forces "
+        << yes((also.lambda - best.lambda).norm() < 1e-7 * best.lambda.norm())
+        << std::endl;
     }
 
   {

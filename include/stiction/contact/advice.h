@@ -30,13 +30,6 @@ namespace stiction
   std::string
   advice_on_friction(const qp::SlipBound &slip_bound);
 
-  /// Whether a residual of this size is a matter of rounding, not of the
-  /// method.
-  ///
-  /// @param rounding what rounding alone makes of it, an estimate.
-  bool
-  is_rounding(double residual, double rounding);
-
   /// How the residual falls, for those who meet the cap on iterations.
   class Pace
   {

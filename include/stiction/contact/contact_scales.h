@@ -5,10 +5,30 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 namespace stiction
 {
+  /// Of a double when it is rounded, relative: 2⁻⁵³.
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2.;
+
   /// Forces of up to this many times the rounding of K u are nothing else.
   constexpr double only_rounding = 100.;
+
+  /// Whether a residual of this size is a matter of rounding, not of the
+  /// method.
+  ///
+  /// @param rounding what rounding alone makes of it, an estimate.
+  inline bool
+  is_rounding(const double residual, const double rounding)
+  {
+    // It grows on its way to the residual by what linear systems are
+    // conditioned: on bodies of one material by some thousands.
+    constexpr double growth = 1e4;
+    return residual <= growth * rounding;
+  }
+
+
 
   /// What a scale of displacements has to know of the body behind the contact
   /// boundary: Young's moduli in Pa.

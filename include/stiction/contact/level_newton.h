@@ -93,7 +93,7 @@ namespace stiction
                           double rounding) const;
 
     /// Then there are no contact forces; the judge has the last word.
-    std::string
+    void
     drop_contact_forces(ContactState &state) const;
 
     /// Whether most linear systems take more iterations than they are given.

@@ -4,7 +4,6 @@
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
 #include <stiction/contact/monolithic.h>
-#include <stiction/qp/interior_point.h>
 #include <stiction/qp/semismooth_newton.h>
 
 #include <memory>
@@ -49,40 +48,26 @@ namespace stiction
     statistics() const override;
 
   private:
+    /// A call of solve(): its arguments and how far it came.
+    struct Run;
+
     bool
     has_interior_point() const;
 
-    /// The parts of solve(): each continues the iterate and the result, and
-    /// returns whether nothing is left to do.
-    bool
-    run_newton(DualIterate &iterate,
-               const qp::SlipBound &slip_bound,
-               const qp::Scaling &scaling,
-               const StoppingRule &rule,
-               const Observer &observer,
-               DualMethodResult &result);
-    bool
-    run_interior_point(DualIterate &iterate,
-                       const qp::SlipBound &slip_bound,
-                       const qp::Scaling &scaling,
-                       const StoppingRule &rule,
-                       const Observer &observer,
-                       DualMethodResult &result);
-    bool
-    fall_back(DualIterate &iterate,
-              const qp::SlipBound &slip_bound,
-              const qp::Scaling &scaling,
-              const StoppingRule &rule,
-              const Observer &observer,
-              DualMethodResult &result);
+    /// The parts of solve().
+    void
+    run_newton(Run &run);
+    void
+    run_interior_point(Run &run);
+    void
+    fall_back(Run &run);
 
     const DualOperator &Q_;
     DualOperatorBlock block_;
     qp::SemismoothNewton newton_;
     const unsigned int max_steps_in_a_run_;
-    /// Both are made when first needed.
-    std::unique_ptr<qp::InteriorPoint> interior_point_;
-    std::unique_ptr<Monolithic> monolithic_;
+    bool has_stood_still_ = false;           ///< Newton, in any call
+    std::unique_ptr<Monolithic> monolithic_; ///< made when first needed
     DualMethodStatistics statistics_;
   };
 } // namespace stiction

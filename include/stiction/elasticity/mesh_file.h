@@ -5,8 +5,9 @@
 
 namespace stiction
 {
-  /// Reads a mesh of hexahedra with 8, 20 or 27 nodes; the extension says which:
-  /// .msh (Gmsh, 2.2 or 4.1), .inp (Abaqus), .vtk (legacy VTK), all as text.
+  /// Reads a mesh of hexahedra with 8, 20 or 27 nodes; the extension says
+  /// which: .msh (Gmsh, 2.2 or 4.1), .inp (Abaqus), .vtk (legacy VTK), all as
+  /// text.
   ///
   /// deal.II's GridIn reads nodes and elements. It gets them as a file of
   /// Gmsh's version 2.2, in which it finds most of what is wrong; in a Release
