@@ -1,6 +1,7 @@
 // What a problem writes and says once it is solved.
 
 #include <stiction/adaptive_refinement.h>
+#include <stiction/contact/advice.h>
 #include <stiction/contact/certificate.h>
 #include <stiction/contact/contact_surface.h>
 #include <stiction/contact/dual_method.h>
@@ -183,6 +184,9 @@ namespace stiction
                "forces become too stiff, which the certificate does not see: "
                "'Material/Volume strain = cell mean' does not lock.",
                parameters_.material.largest_poisson_ratio()));
+    const std::string friction = warning_on_friction(surface_->slip_bound());
+    if (solution_->converged && !friction.empty())
+      warnings.push_back(friction);
     const LA::Vector &u = judge_->displacement();
     const double depth =
       solution_->converged ? surface_->penetration_of_facing_away(u) : 0.;

@@ -240,6 +240,9 @@ namespace stiction
       parameters_.contact_solver.tolerance,
       explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
       parameters_.performance.print_timing);
+    const std::string friction = warning_on_friction(problem_.slip_bound);
+    if (solution_->converged && !friction.empty())
+      log_->line("WARNING: " + friction);
     if (problem_.asymmetry > problem_check::symmetry)
       log_->line(format("WARNING: Q is the symmetric part of that of the file, "
                         "where entries across the diagonal differ by up to "

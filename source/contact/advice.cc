@@ -87,6 +87,20 @@ namespace stiction
 
 
 
+  std::string
+  warning_on_friction(const qp::SlipBound &slip_bound)
+  {
+    const double coefficient = slip_bound.largest_coefficient();
+    if (coefficient <= large_coefficient)
+      return {};
+    std::ostringstream out;
+    out << "with a coefficient of friction of " << coefficient
+        << " this may not be the only solution.";
+    return out.str();
+  }
+
+
+
   void
   Pace::add(const unsigned int iterations, const double residual)
   {

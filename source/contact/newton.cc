@@ -1,3 +1,5 @@
+#include <stiction/contact/coulomb_fixed_point.h>
+#include <stiction/contact/monolithic.h>
 #include <stiction/contact/newton.h>
 #include <stiction/qp/interior_point.h>
 
@@ -17,7 +19,7 @@ namespace stiction
 
     // A step of the interior point method factorises a matrix of three times
     // this order, which takes about 10 s.
-    constexpr Eigen::Index max_nodes_inside = 2000;
+    constexpr Eigen::Index max_nodes_factorized = 2000;
 
     // It starts far away each time, and its last steps gain digits quickly: so
     // much more than asked for is solved at once.
@@ -76,13 +78,8 @@ namespace stiction
   Newton::statistics() const
   {
     DualMethodStatistics all = statistics_;
-    if (monolithic_)
-      {
-        const DualMethodStatistics more = monolithic_->statistics();
-        all.conjugate_gradient_steps    = more.conjugate_gradient_steps;
-        all.expansion_steps             = more.expansion_steps;
-        all.release_steps               = more.release_steps;
-      }
+    if (proven_)
+      all += proven_->statistics();
     return all;
   }
 
@@ -98,16 +95,18 @@ namespace stiction
     Run run{iterate, slip_bound, scaling, rule, observer, {}};
     double smallest             = std::numeric_limits<double>::infinity();
     unsigned int idle_fallbacks = 0;
-    // where Newton stood still before, it would again, from the same point
-    bool is_first_inside = has_stood_still_;
-    bool tries_inside    = has_interior_point();
+    bool tries_inside           = can_factorize();
     while (true)
       {
-        if (!is_first_inside)
-          run_newton(run);
-        is_first_inside = false;
+        run_newton(run);
         if (run.is_done())
           break;
+        if (can_factorize() && !is_direct_)
+          {
+            newton_.solve_directly(*Q_.matrix());
+            is_direct_ = true;
+            continue;
+          }
         if (tries_inside)
           run_interior_point(run);
         tries_inside = false;
@@ -130,9 +129,9 @@ namespace stiction
 
 
   bool
-  Newton::has_interior_point() const
+  Newton::can_factorize() const
   {
-    return Q_.matrix() != nullptr && Q_.n_nodes() <= max_nodes_inside;
+    return Q_.matrix() != nullptr && Q_.n_nodes() <= max_nodes_factorized;
   }
 
 
@@ -160,7 +159,6 @@ namespace stiction
   void
   Newton::run_interior_point(Run &run)
   {
-    has_stood_still_ = true;
     const qp::InteriorPointStatistics statistics =
       qp::InteriorPoint(*Q_.matrix())
         .solve(run.iterate.lambda,
@@ -182,19 +180,20 @@ namespace stiction
   Newton::fall_back(Run &run)
   {
     ++statistics_.fallbacks;
+    if (!proven_ && !run.slip_bound.is_coulomb())
+      proven_ = std::make_unique<Monolithic>(Q_);
+    else if (!proven_)
+      proven_ = std::make_unique<CoulombFixedPoint>(
+        std::make_unique<Newton>(Q_, max_steps_in_a_run_));
     StoppingRule stretch;
     stretch.residual       = fallback_reduction * run.result.residual;
     stretch.change         = std::numeric_limits<double>::infinity();
     stretch.max_iterations = run.iterations_left();
-    const auto bound =
-      qp::SlipBound::given(run.slip_bound.at(run.iterate.lambda));
-    if (!run.slip_bound.is_coulomb() && !monolithic_)
-      monolithic_ = std::make_unique<Monolithic>(Q_);
-    DualMethod &method = run.slip_bound.is_coulomb()
-                           ? static_cast<DualMethod &>(*this)
-                           : *monolithic_;
-    run.result.iterations +=
-      method.solve(run.iterate, bound, run.scaling, stretch, run.observer)
-        .iterations;
+    const DualMethodResult stretch_result = proven_->solve(
+      run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
+    run.result.iterations += stretch_result.iterations;
+    run.result.residual  = stretch_result.residual;
+    run.result.change    = stretch_result.change;
+    run.result.converged = stretch_result.residual <= run.rule.residual;
   }
 } // namespace stiction

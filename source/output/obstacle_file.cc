@@ -239,6 +239,63 @@ namespace stiction
 
 
 
+    // The cubes of a box that the surface of an obstacle cuts. At each corner
+    // of those the distance is known.
+    void
+    make_cut_cubes(const MovedObstacle &obstacle,
+                   const BoundingBox<3> &box,
+                   const double longest,
+                   Triangulation<3> &cubes)
+    {
+      const Point<3> corner = box.get_boundary_points().first;
+      std::array<std::size_t, 3> n;
+      std::vector<std::vector<double>> widths(3);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          // odd, so that planes through the middle cut the cells
+          n[c] = 2 * static_cast<std::size_t>(
+                       std::ceil(box.side_length(c) / longest * 20.)) +
+                 1;
+          widths[c].assign(n[c], box.side_length(c) / n[c]);
+        }
+
+      Table<3, double> distance(n[0] + 1, n[1] + 1, n[2] + 1);
+      for (std::size_t i = 0; i <= n[0]; ++i)
+        for (std::size_t j = 0; j <= n[1]; ++j)
+          for (std::size_t k = 0; k <= n[2]; ++k)
+            {
+              const auto value = obstacle.at(
+                corner +
+                Point<3>(i * widths[0][0], j * widths[1][0], k * widths[2][0]));
+              distance(i, j, k) =
+                value ? value->psi : std::numeric_limits<double>::quiet_NaN();
+            }
+
+      Table<3, types::material_id> is_cut(n[0], n[1], n[2]);
+      bool is_any_cut = false;
+      for (std::size_t i = 0; i < n[0]; ++i)
+        for (std::size_t j = 0; j < n[1]; ++j)
+          for (std::size_t k = 0; k < n[2]; ++k)
+            {
+              unsigned int below = 0, above = 0;
+              for (unsigned int v = 0; v < 8; ++v)
+                {
+                  const double d =
+                    distance(i + (v & 1), j + (v >> 1 & 1), k + (v >> 2));
+                  below += d < 0. ? 1 : 0;
+                  above += d >= 0. ? 1 : 0;
+                }
+              const bool cut  = below > 0 && above > 0 && below + above == 8;
+              is_cut(i, j, k) = cut ? 0 : numbers::invalid_material_id;
+              is_any_cut |= cut;
+            }
+      if (is_any_cut)
+        GridGenerator::subdivided_hyper_rectangle(
+          cubes, widths, corner, is_cut);
+    }
+
+
+
     // The zero set of the distance, by marching cubes, its vertices then moved
     // onto the surface.
     void
@@ -247,49 +304,31 @@ namespace stiction
                  const types::boundary_id boundary,
                  ObstacleFaces &faces)
     {
-      const auto corners = box.get_boundary_points();
-      const double length =
+      const double longest =
         std::max({box.side_length(0), box.side_length(1), box.side_length(2)});
-      std::vector<unsigned int> n(3);
-      for (unsigned int c = 0; c < 3; ++c)
-        // odd, so that planes through the middle cut the cells
-        n[c] = 2 * static_cast<unsigned int>(
-                     std::ceil(box.side_length(c) / length * 20.)) +
-               1;
       Triangulation<3> cubes;
-      GridGenerator::subdivided_hyper_rectangle(
-        cubes, n, corners.first, corners.second);
+      make_cut_cubes(obstacle, box, longest, cubes);
+      if (cubes.n_active_cells() == 0)
+        return;
       const FE_Q<3> fe(1);
       DoFHandler<3> dof_handler(cubes);
       dof_handler.distribute_dofs(fe);
 
-      const double none = std::numeric_limits<double>::infinity();
       Vector<double> distance(dof_handler.n_dofs());
-      std::vector<bool> is_known(dof_handler.n_dofs(), false);
-      const GridTools::MarchingCubeAlgorithm<3, Vector<double>> marching_cubes(
-        StaticMappingQ1<3>::mapping, fe);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            // rounding may carry a vertex out of where the formula has a value
+            const auto value = obstacle.at(cell->vertex(v));
+            distance(cell->vertex_dof_index(v, 0)) = value ? value->psi : 0.;
+          }
       std::vector<Point<3>> vertices;
       std::vector<CellData<2>> triangles;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        {
-          bool is_complete = true;
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              const auto dof = cell->vertex_dof_index(v, 0);
-              if (!is_known[dof])
-                {
-                  const auto value = obstacle.at(cell->vertex(v));
-                  distance(dof)    = value ? value->psi : none;
-                  is_known[dof]    = true;
-                }
-              is_complete = is_complete && distance(dof) < none;
-            }
-          if (is_complete)
-            marching_cubes.process_cell(
-              cell, distance, 0., vertices, triangles);
-        }
+      GridTools::MarchingCubeAlgorithm<3, Vector<double>>(
+        StaticMappingQ1<3>::mapping, fe)
+        .process(dof_handler, distance, 0., vertices, triangles);
       for (Point<3> &p : vertices)
-        p = obstacle.nearest(p, length / 40.);
+        p = obstacle.nearest(p, longest / 40.);
       for (const auto &triangle : triangles)
         {
           std::array<Point<3>, 3> points;

@@ -5,6 +5,8 @@
 #include <stiction/qp/slip_bound.h>
 #include <stiction/qp/symmetric_operator.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -31,6 +33,38 @@ namespace stiction::qp
 
     // Steps without a new smallest residual before giving up.
     constexpr unsigned int max_idle_steps = 15;
+
+    // d = d0 + Z y by LU factors of the reduced matrix.
+    Eigen::VectorXd
+    direct_step(const ContactLinearization &conditions,
+                const Eigen::VectorXd &gradient,
+                const Eigen::MatrixXd &Q)
+    {
+      const Eigen::Index n = conditions.n_free();
+      Eigen::MatrixXd A(n, n);
+      for (Eigen::Index k = 0; k < n; ++k)
+        {
+          const Eigen::VectorXd z =
+            conditions.embed(Eigen::VectorXd::Unit(n, k));
+          Eigen::VectorXd Qz = Eigen::VectorXd::Zero(z.size());
+          for (Eigen::Index j = 0; j < z.size(); ++j)
+            if (z(j) != 0.)
+              Qz += z(j) * Q.col(j);
+          A.col(k) = conditions.test(Qz);
+        }
+      A.diagonal() += conditions.curvature();
+      const Eigen::VectorXd unit =
+        A.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+      A = unit.asDiagonal() * A * unit.asDiagonal();
+      const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factors(A);
+
+      const Eigen::VectorXd &d0 = conditions.prescribed();
+      const Eigen::VectorXd right_hand_side =
+        -conditions.test(gradient + Q * d0);
+      const Eigen::VectorXd y =
+        unit.cwiseProduct(factors.solve(unit.cwiseProduct(right_hand_side)));
+      return d0 + conditions.embed(y);
+    }
   } // namespace
 
 
@@ -80,8 +114,10 @@ namespace stiction::qp
     NewtonStatistics statistics;
     double reduction = first_reduction;
     std::deque<double> history;
-    statistics.residual    = residual_of_x();
-    double smallest        = statistics.residual;
+    statistics.residual           = residual_of_x();
+    const double first_residual   = statistics.residual;
+    double smallest               = statistics.residual;
+    const Eigen::VectorXd first_x = x, first_gradient = gradient;
     Eigen::VectorXd best_x = x, best_gradient = gradient;
     unsigned int idle_steps = 0;
     while (true)
@@ -140,8 +176,26 @@ namespace stiction::qp
         gradient = best_gradient;
         make_feasible();
         statistics.residual = residual_of_x();
+        if (statistics.residual > first_residual)
+          {
+            // where Q is ill-conditioned, the small step to the feasible set
+            // may have changed the gradient much
+            x                   = first_x;
+            gradient            = first_gradient;
+            statistics.residual = first_residual;
+          }
       }
     return statistics;
+  }
+
+
+
+  void
+  SemismoothNewton::solve_directly(const Eigen::MatrixXd &Q)
+  {
+    eigen_assert(Q.rows() == Q_.size());
+    matrix_ = &Q;
+    c_      = first_c;
   }
 
 
@@ -154,6 +208,14 @@ namespace stiction::qp
                          const double reduction)
   {
     const ContactLinearization conditions(x, gradient, rho, slip_bound);
+    if (matrix_ != nullptr)
+      {
+        const Eigen::VectorXd d = direct_step(conditions, gradient, *matrix_);
+        x += d;
+        gradient += *matrix_ * d;
+        return 0;
+      }
+
     const Eigen::VectorXd &d0 = conditions.prescribed();
     Eigen::VectorXd Qd;
     if (!d0.isZero(0.))

@@ -16,12 +16,14 @@ main(int argc, char *argv[])
        ++number)
     {
       const RandomProblem problem(number);
-      nlohmann::json line = {{"number", number},
-                             {"description", problem.description},
-                             {"agreement", problem.agreement()},
-                             {"file", problem.file},
-                             {"settings", problem.settings}};
-      for (const auto &outcome : solve_by_all_methods(problem))
+      const Comparison comparison = solve_by_all_methods(problem);
+      nlohmann::json line         = {{"number", number},
+                                     {"description", problem.description},
+                                     {"tolerance", comparison.tolerance},
+                                     {"agreement", comparison.agreement()},
+                                     {"file", problem.file},
+                                     {"settings", problem.settings}};
+      for (const auto &outcome : comparison.outcomes)
         line["methods"].push_back({{"method", outcome.method},
                                    {"certified", outcome.certified},
                                    {"distance", outcome.distance},

@@ -16,6 +16,7 @@ import tempfile
 from parts.errors import BenchmarkError
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SMALLEST = 1e-8  # tolerance
 AT_ONCE = 10  # problems of one start of the program
 
 
@@ -109,6 +110,12 @@ def table(problems):
         lines.append(
             f"{method:<18} {certified:>9} {len(results):>5} {different:>9}"
             f" {longest:>7.1f} s"
+        )
+    tolerances = [p["tolerance"] for p in problems if p["tolerance"] > SMALLEST]
+    if tolerances:
+        lines.append(
+            f"{len(tolerances)} with a larger tolerance than {SMALLEST:g}, where digits "
+            f"do not carry so far: up to {max(tolerances):.1e}"
         )
     return "\n".join(lines)
 

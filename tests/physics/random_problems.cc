@@ -11,12 +11,12 @@ main(int argc, char *argv[])
   unsigned int not_certified = 0, different = 0, certified = 0;
   for (unsigned int number = 1; number <= 20; ++number)
     {
-      const RandomProblem problem(number);
-      for (const auto &outcome : solve_by_all_methods(problem))
+      const Comparison comparison = solve_by_all_methods(RandomProblem(number));
+      for (const auto &outcome : comparison.outcomes)
         {
           not_certified += outcome.method == "newton" && !outcome.certified;
           different +=
-            outcome.certified && outcome.distance > problem.agreement();
+            outcome.certified && outcome.distance > comparison.agreement();
           certified += outcome.certified;
         }
     }

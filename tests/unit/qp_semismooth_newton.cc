@@ -2,7 +2,9 @@
 // one that a slow projected gradient method finds, on half-lines times discs
 // and on discs alone, from any start; with Coulomb friction at a point that
 // satisfies all conditions with its own bound. What it hands back is feasible,
-// and the gradient belongs to it. It says so when it may not go on.
+// and the gradient belongs to it. Direct solves of its systems do with a Q
+// whose eigenvalues are up to 1e8 times each other. It says so when it may not
+// go on.
 
 #include <stiction/qp/feasible_set.h>
 #include <stiction/qp/semismooth_newton.h>
@@ -105,6 +107,36 @@ main()
                 << ", friction acts: " << (friction > 1. ? "yes" : "no")
                 << ", ";
       print_below("residual", residual, 1e-10);
+    }
+
+  // near the solution of a body that is held weakly: few steps, if their
+  // systems are solved directly
+  for (const double F : {0., 0.5})
+    {
+      Largest error;
+      unsigned int most_steps = 0;
+      const auto bound = F > 0. ? SlipBound::coulomb(VectorXd::Constant(m, F))
+                                : SlipBound::given(VectorXd::Constant(m, 0.3));
+      for (unsigned int problem = 0; problem < 10; ++problem)
+        {
+          const MatrixXd A = weakly_held(random, 3 * m, 1e8);
+          VectorXd best, r;
+          choose_solution(random, bound, best, r);
+          const VectorXd b = A * best - r;
+          const DenseOperator op(A);
+          SemismoothNewton newton(op, nodal_compliance(A, m));
+          newton.solve_directly(A);
+          VectorXd x = best + random.vector(3 * m, -1e-10, 1e-10);
+          r          = A * x - b;
+          most_steps = std::max(
+            most_steps,
+            newton.solve(x, r, bound, scaling, 1e-6, 100, silent).steps);
+          error.add((x - best).norm() / best.norm());
+        }
+      std::cout << (F > 0. ? "Coulomb" : "Given") << " friction, held weakly"
+                << std::endl;
+      print_below("Distance from the solution", error, 1e-5);
+      print("At most 10 steps", most_steps <= 10);
     }
 
   // one step is not enough, and that is said

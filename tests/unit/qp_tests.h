@@ -1,6 +1,8 @@
 #ifndef stiction_tests_unit_qp_tests_h
 #define stiction_tests_unit_qp_tests_h
 
+#include <stiction/qp/slip_bound.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -197,6 +199,53 @@ namespace qp_tests
         x.swap(next);
       }
     return x;
+  }
+
+
+
+  /// Q of a body on a soft layer: six soft modes.
+  inline MatrixXd
+  weakly_held(Random &random, const Index n, const double ratio)
+  {
+    MatrixXd Q = random.spd(n, 30.);
+    for (unsigned int k = 0; k < 6; ++k)
+      {
+        const VectorXd v = random.vector(n);
+        Q += ratio * v * v.transpose() / v.squaredNorm();
+      }
+    return Q;
+  }
+
+
+
+  /// Forces x, and r for them, that satisfy all conditions: a third of the
+  /// nodes are open, the others stick or slip.
+  inline void
+  choose_solution(Random &random,
+                  const stiction::qp::SlipBound &bound,
+                  VectorXd &x,
+                  VectorXd &r)
+  {
+    const Index m         = bound.n_nodes();
+    x                     = VectorXd::Zero(3 * m);
+    r                     = VectorXd::Zero(3 * m);
+    const VectorXd amount = random.vector(3 * m, 0.1, 1.);
+    for (Index i = 0; i < m; ++i)
+      (i % 3 == 0 ? r(i) : x(i)) = amount(i);
+    const VectorXd g     = bound.at(x);
+    const VectorXd angle = random.vector(m, 0., 6.28);
+    for (Index i = 0; i < m; ++i)
+      {
+        const bool slips = i % 2 == 0;
+        const double t   = slips ? g(i) : 0.9 * amount(i + m) * g(i);
+        x(i + m)         = t * std::cos(angle(i));
+        x(i + 2 * m)     = t * std::sin(angle(i));
+        if (slips)
+          {
+            r(i + m)     = -amount(i + 2 * m) * std::cos(angle(i));
+            r(i + 2 * m) = -amount(i + 2 * m) * std::sin(angle(i));
+          }
+      }
   }
 } // namespace qp_tests
 

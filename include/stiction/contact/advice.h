@@ -30,6 +30,11 @@ namespace stiction
   std::string
   advice_on_friction(const qp::SlipBound &slip_bound);
 
+  /// What a certificate does not say of a solution: that there may be others,
+  /// where the coefficient of friction is that large; otherwise nothing.
+  std::string
+  warning_on_friction(const qp::SlipBound &slip_bound);
+
   /// How the residual falls, for those who meet the cap on iterations.
   class Pace
   {

@@ -56,6 +56,24 @@ namespace stiction
     unsigned int dense_factorizations     = 0; ///< Cholesky, order 3m
     unsigned int fallbacks                = 0; ///< to a method with a proof
     double contraction = 0.; ///< of the last successive approximations
+
+    /// Adds what another method did that this one called.
+    DualMethodStatistics &
+    operator+=(const DualMethodStatistics &other)
+    {
+      coulomb_iterations += other.coulomb_iterations;
+      gauss_seidel_iterations += other.gauss_seidel_iterations;
+      newton_steps += other.newton_steps;
+      krylov_iterations += other.krylov_iterations;
+      interior_point_steps += other.interior_point_steps;
+      conjugate_gradient_steps += other.conjugate_gradient_steps;
+      expansion_steps += other.expansion_steps;
+      release_steps += other.release_steps;
+      admm_iterations += other.admm_iterations;
+      dense_factorizations += other.dense_factorizations;
+      fallbacks += other.fallbacks;
+      return *this;
+    }
   };
 
 

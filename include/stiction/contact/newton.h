@@ -3,7 +3,6 @@
 
 #include <stiction/contact/dual_method.h>
 #include <stiction/contact/dual_operator.h>
-#include <stiction/contact/monolithic.h>
 #include <stiction/qp/semismooth_newton.h>
 
 #include <memory>
@@ -14,13 +13,15 @@ namespace stiction
   /// Coulomb friction alike, with methods to fall back on.
   ///
   /// Newton steps solve their systems by products with Q, and stand still where
-  /// Q is ill-conditioned, above all with bodies that are held weakly. Then
-  /// comes the interior point method, if Q is a matrix and of an order that can
-  /// be factorised. If there is none, or if it stands still itself, a stretch
+  /// Q is ill-conditioned, above all with bodies that are held weakly. If Q is
+  /// a matrix of an order that can be factorised, they are solved directly from
+  /// then on, and where that is not enough, the interior point method has its
+  /// turn, which does not depend on where it starts. Without a matrix, or if it
+  /// stands still itself (it may with Coulomb friction alone), a stretch
   /// of a method with a proof follows: with given friction the monolithic
   /// active set method, whose energy falls in every step; with Coulomb friction
-  /// one successive approximation, solved as a problem of given friction. Then
-  /// Newton resumes from there.
+  /// successive approximations, each solved as a problem of given friction by
+  /// this method. Then Newton resumes from there.
   class Newton : public DualMethod
   {
   public:
@@ -52,7 +53,7 @@ namespace stiction
     struct Run;
 
     bool
-    has_interior_point() const;
+    can_factorize() const;
 
     /// The parts of solve().
     void
@@ -66,8 +67,8 @@ namespace stiction
     DualOperatorBlock block_;
     qp::SemismoothNewton newton_;
     const unsigned int max_steps_in_a_run_;
-    bool has_stood_still_ = false;           ///< Newton, in any call
-    std::unique_ptr<Monolithic> monolithic_; ///< made when first needed
+    bool is_direct_ = false;             ///< Newton's systems, by LU factors
+    std::unique_ptr<DualMethod> proven_; ///< made when first needed
     DualMethodStatistics statistics_;
   };
 } // namespace stiction

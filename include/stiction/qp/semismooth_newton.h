@@ -67,8 +67,9 @@ namespace stiction::qp
 
     /// Moves x until its natural residual is at most tolerance.
     ///
-    /// @param x in: any point; out: the solution. Entries (ν; t1; t2) or (t1;
-    /// t2).
+    /// @param x in: any point; out: the solution, or the feasible point with
+    ///   the smallest residual seen if there is no progress, or x as it was if
+    ///   none has a smaller one. Entries (ν; t1; t2) or (t1; t2).
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
     NewtonStatistics
     solve(Eigen::VectorXd &x,
@@ -78,6 +79,13 @@ namespace stiction::qp
           double tolerance,
           unsigned int max_steps,
           const Observer &observer);
+
+    /// From now on linear systems are solved by LU factors instead of Krylov
+    /// iterations: where Q is ill-conditioned.
+    ///
+    /// @param Q the operator as a matrix, must outlive the object.
+    void
+    solve_directly(const Eigen::MatrixXd &Q);
 
   private:
     /// One Newton step; returns its Krylov iterations.
@@ -89,6 +97,7 @@ namespace stiction::qp
          double reduction);
 
     const SymmetricOperator &Q_;
+    const Eigen::MatrixXd *matrix_ = nullptr; ///< for direct solves
     const Eigen::VectorXd nodal_compliance_;
     const bool ends_feasible_;
     double c_;                             ///< kept between runs
