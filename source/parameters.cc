@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace stiction
@@ -89,7 +90,8 @@ namespace stiction
     add(geometry.contact_refinement > 0, "'Contact refinement'");
     add(refinement.adaptive_steps > 0, "'Adaptive steps'");
     add(has_mean_dilatation(), "'Volume strain' cell mean");
-    add(material.materials.find("orthotropic") != std::string::npos,
+    // the kind of a material stands after its name and a colon
+    add(std::regex_search(material.materials, std::regex(":\\s*orthotropic")),
         "an orthotropic material");
     return all;
   }
@@ -149,6 +151,10 @@ namespace stiction
     require(geometry.is_brick(),
             "Geometry/Table 1 level",
             "is a brick, must be 0 for another 'Geometry/Type'");
+    require(geometry.lengths.empty() && geometry.subdivisions.empty(),
+            "Geometry/Table 1 level",
+            "says what 'Lengths' and 'Subdivisions' are, must be 0 where they "
+            "are given");
     // refined once, so that a multigrid method finds two levels
     geometry.global_refinement = 1;
     if (geometry.table_1_reading == "nodes")

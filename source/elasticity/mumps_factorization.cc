@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -75,7 +76,8 @@ namespace stiction
     }
 
     DMUMPS_STRUC_C id{};
-    bool is_host = false;
+    bool is_host  = false;
+    double factor = 1.; // what is factorised is K times this, a power of two
     int n_schur  = 0;
     Eigen::MatrixXd schur;
 
@@ -149,6 +151,15 @@ namespace stiction
               values.push_back(entries[k]);
             }
       }
+
+    // MUMPS takes what is far below one for zero; nothing is rounded by this
+    double largest = 0.;
+    for (const double value : values)
+      largest = std::max(largest, std::abs(value));
+    largest = dealii::Utilities::MPI::max(largest, matrix.get_mpi_communicator());
+    factor  = largest > 0. ? std::ldexp(1., -std::ilogb(largest)) : 1.;
+    for (double &value : values)
+      value *= factor;
   }
 
 
@@ -220,6 +231,7 @@ namespace stiction
           icntl(14) *= 2;
       }
     check("factorisation");
+    schur /= factor;
   }
 
 
@@ -232,6 +244,8 @@ namespace stiction
     id.nrhs = 1;
     id.lrhs = id.n;
     id.rhs  = is_host ? b.data() : &no_number;
+    if (condensation != 2)
+      b *= factor; // expansion continues with that of the condensation
     if (condensed != nullptr)
       {
         condensed->resize(is_host ? n_schur : 0);
@@ -241,6 +255,8 @@ namespace stiction
     icntl(26) = condensation;
     call(solve_phase);
     check("solve");
+    if (condensation == 1)
+      *condensed /= factor;
   }
 
 

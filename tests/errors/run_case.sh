@@ -51,7 +51,12 @@ what_is_not_set() { # what_is_not_set IN OF: the entries of a file
        $1 == "subsection" { section = $0 }
        $1 == "set" { entry = $0; sub(/[ \t]*=.*/, "", entry)
                      sub(/^[ \t]*/, "", entry); entry = section entry }
-       NR == FNR { if ($1 == "set") is_set[entry] = 1; next }
+       NR == FNR { if ($1 == "set") is_set[entry] = 1
+                   if (entry ~ /Table 1 level$/) { # which says both
+                     is_set[section "set Lengths"] = 1
+                     is_set[section "set Subdivisions"] = 1
+                   }
+                   next }
        $1 == "set" && !(entry in is_set) { print section; print; print "end" }' \
     "$1" "$2"
 }
