@@ -1,10 +1,10 @@
-#include <stiction/blas_choice.h>
-#include <stiction/contact_problem.h>
-#include <stiction/dual_contact_problem.h>
-#include <stiction/errors.h>
-#include <stiction/interrupt.h>
-#include <stiction/parameters.h>
-#include <stiction/utf8.h>
+#include <stiction/base/errors.h>
+#include <stiction/base/interrupt.h>
+#include <stiction/base/utf8.h>
+#include <stiction/parameters/parameters.h>
+#include <stiction/simulation/blas_choice.h>
+#include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/dual_contact_problem.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -4,12 +4,12 @@
 // What the tests share. They print words and numbers of size one to be
 // compared with a reference output.
 
-#include <stiction/blas_choice.h>
-#include <stiction/contact/certificate.h>
-#include <stiction/contact/contact_surface.h>
-#include <stiction/contact/node_status.h>
-#include <stiction/contact_problem.h>
-#include <stiction/parameters.h>
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/parameters/parameters.h>
+#include <stiction/qp/node_status.h>
+#include <stiction/simulation/blas_choice.h>
+#include <stiction/simulation/contact_problem.h>
 
 #include <deal.II/base/mpi.h>
 

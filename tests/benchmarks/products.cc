@@ -7,7 +7,7 @@
 // on the reference brick, LEVEL times refined, with congruent cells and with
 // its inner vertices moved.
 
-#include <stiction/elasticity/cell_stiffness.h>
+#include <stiction/elasticity/kernels/cell_stiffness.h>
 
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -5,14 +5,14 @@
 //
 // Returns 0 if all went well; an assertion that fails aborts.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/half_lines_times_boxes.h>
-#include <stiction/qp/nodal_scaling.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/rotated_squares.h>
-#include <stiction/qp/scaled_operator.h>
-#include <stiction/qp/squares_operator.h>
+#include <stiction/qp/operators/nodal_scaling.h>
+#include <stiction/qp/operators/scaled_operator.h>
+#include <stiction/qp/operators/squares_operator.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/sets/half_lines_times_boxes.h>
+#include <stiction/qp/sets/rotated_squares.h>
+#include <stiction/qp/solvers/disc_active_set.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include <sys/wait.h>
 #include <unistd.h>

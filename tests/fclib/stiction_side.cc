@@ -4,7 +4,7 @@
 // The other side is a program of its own: libfclib and deal.II stand on two
 // builds of HDF5 that cannot live in one.
 
-#include <stiction/output/fclib.h>
+#include <stiction/output/problem/fclib.h>
 
 #include <deal.II/base/mpi.h>
 

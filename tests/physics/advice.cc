@@ -3,7 +3,7 @@
 
 #include "tests.h"
 
-#include <stiction/output/report.h>
+#include <stiction/output/results/report.h>
 
 #include <algorithm>
 #include <cmath>

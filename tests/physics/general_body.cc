@@ -4,9 +4,9 @@
 
 #include "patch_test.h"
 
-#include <stiction/elasticity/element_stiffness.h>
-#include <stiction/elasticity/general_element_stiffness.h>
-#include <stiction/elasticity/materials.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/element_stiffness.h>
+#include <stiction/elasticity/stiffness/general_element_stiffness.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>

@@ -6,10 +6,10 @@
 
 #include "tests.h"
 
-#include <stiction/contact/nodal_blocks.h>
-#include <stiction/contact/newton_multigrid.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 

@@ -7,7 +7,7 @@
 
 #include "tests.h"
 
-#include <stiction/output/report.h>
+#include <stiction/output/results/report.h>
 
 #include <array>
 #include <cmath>

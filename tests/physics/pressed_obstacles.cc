@@ -7,7 +7,7 @@
 
 #include "tests.h"
 
-#include <stiction/contact/force_control.h>
+#include <stiction/contact/obstacles/force_control.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 
 #include "tests.h"
 
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/support_reactions.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/support_reactions.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 

@@ -5,10 +5,10 @@
 
 #include "tests.h"
 
-#include <stiction/contact/certificate.h>
-#include <stiction/contact/newton_multigrid.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 

@@ -6,9 +6,9 @@
 #include "second_order_file.h"
 #include "tests.h"
 
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/coarse_mesh.h>
-#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/coarse_mesh.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>

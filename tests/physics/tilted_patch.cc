@@ -5,8 +5,8 @@
 
 #include "tests.h"
 
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/la_parallel_vector.h>

@@ -2,7 +2,7 @@
 // assembled in the plain way, for every kind of cell, number type and
 // instruction set that this machine has.
 
-#include <stiction/elasticity/cell_stiffness.h>
+#include <stiction/elasticity/kernels/cell_stiffness.h>
 
 #include "qp_tests.h"
 

@@ -1,7 +1,7 @@
 // The product with K cell by cell is that of deal.II's own matrix-free
 // operator, which knows nothing of classes, patches and modes.
 
-#include <stiction/elasticity/cell_stiffness.h>
+#include <stiction/elasticity/kernels/cell_stiffness.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>

@@ -5,11 +5,11 @@
 
 #include "tests.h"
 
-#include <stiction/contact/gauss_seidel.h>
-#include <stiction/contact/schur_complement.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/contact/dual/schur_complement.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/methods/gauss_seidel.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>

@@ -5,7 +5,7 @@
 
 #include "tests.h"
 
-#include <stiction/contact/contact_frame.h>
+#include <stiction/contact/interface/contact_frame.h>
 
 #include <cmath>
 #include <optional>

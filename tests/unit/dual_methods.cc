@@ -8,18 +8,18 @@
 
 #include "tests.h"
 
-#include <stiction/contact/admm.h>
-#include <stiction/contact/coulomb_fixed_point.h>
-#include <stiction/contact/dual_problem.h>
-#include <stiction/contact/gauss_seidel.h>
-#include <stiction/contact/judge.h>
-#include <stiction/contact/monolithic.h>
-#include <stiction/contact/newton.h>
-#include <stiction/contact/schur_complement.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/stiffness_solver.h>
-#include <stiction/output/problem_files.h>
+#include <stiction/contact/dual/schur_complement.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/problem/problem_files.h>
+#include <stiction/qp/dual_problem.h>
+#include <stiction/qp/methods/admm.h>
+#include <stiction/qp/methods/coulomb_fixed_point.h>
+#include <stiction/qp/methods/gauss_seidel.h>
+#include <stiction/qp/methods/mpgp.h>
+#include <stiction/qp/methods/newton.h>
+#include <stiction/qp/verifier.h>
 
 #include <cmath>
 #include <memory>
@@ -46,9 +46,9 @@ main(int argc, char *argv[])
   const auto coulomb = surface.slip_bound();
 
   const auto solve = [&](DualMethod &method, const qp::SlipBound &bound) {
-    DualProblemJudge judge(*Q, bound, surface.areas());
+    DualProblemVerifier verifier(*Q, bound, surface.areas());
     return certified_solve(
-      method, *Q, bound, judge, 1e-9, 1000, "", [](const ContactStep &) {});
+      method, *Q, bound, verifier, 1e-9, 1000, "", [](const ContactStep &) {});
   };
 
   for (const auto &bound : {given, coulomb})
@@ -71,11 +71,11 @@ main(int argc, char *argv[])
 
   {
     // the energy from h afresh, not from what the method keeps
-    Monolithic method(*Q);
+    Mpgp method(*Q);
     DualIterate iterate{Eigen::VectorXd::Zero(given.n_nodes() * 3),
                         -Q->right_hand_side()};
-    DualProblemJudge judge(*Q, given, surface.areas());
-    const qp::Scaling scaling = judge.judge(iterate.lambda).scaling();
+    DualProblemVerifier verifier(*Q, given, surface.areas());
+    const qp::Scaling scaling = verifier.verify(iterate.lambda).scaling();
     double last               = 0.;
     bool falls                = true;
     unsigned int steps        = 0;
@@ -132,12 +132,12 @@ main(int argc, char *argv[])
         {
           const DualProblem read = import_problem(path);
           const DenseDualOperator R(read.Q, read.h);
-          DualProblemJudge judge(R, read.slip_bound, read.areas);
+          DualProblemVerifier verifier(R, read.slip_bound, read.areas);
           Newton there(R);
           const auto found = certified_solve(there,
                                              R,
                                              read.slip_bound,
-                                             judge,
+                                             verifier,
                                              1e-9,
                                              1000,
                                              "",

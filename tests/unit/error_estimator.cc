@@ -6,9 +6,9 @@
 
 #include "tests.h"
 
-#include <stiction/contact/error_estimator.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/contact/certificate/error_estimator.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

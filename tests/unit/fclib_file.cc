@@ -2,7 +2,7 @@
 // being interleaved in between; all three kinds of sparse matrix say the same;
 // each file that is no such problem gets one sentence, and HDF5 is silent.
 
-#include <stiction/output/fclib.h>
+#include <stiction/output/problem/fclib.h>
 
 #include <deal.II/base/mpi.h>
 

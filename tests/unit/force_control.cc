@@ -6,7 +6,7 @@
 
 #include "tests.h"
 
-#include <stiction/contact/force_control.h>
+#include <stiction/contact/obstacles/force_control.h>
 
 #include <Eigen/LU>
 

@@ -2,7 +2,7 @@
 // other storages of the format say the same; each file that is no such problem
 // gets one sentence with its line.
 
-#include <stiction/output/matrix_market.h>
+#include <stiction/output/problem/matrix_market.h>
 
 #include <deal.II/base/mpi.h>
 

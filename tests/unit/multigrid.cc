@@ -6,13 +6,13 @@
 
 #include "tests.h"
 
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/mesh_hierarchy.h>
-#include <stiction/elasticity/multigrid.h>
-#include <stiction/elasticity/multigrid_solver.h>
-#include <stiction/elasticity/stiffness_operator.h>
-#include <stiction/elasticity/trace_hierarchy.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
+#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/multigrid/multigrid.h>
+#include <stiction/elasticity/solvers/multigrid_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -157,7 +157,7 @@ main(int argc, char *argv[])
          dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
       nodes.insert(nodes.end(), theirs.begin(), theirs.end());
   }
-  const TraceHierarchy trace(hierarchy, nodes);
+  const DofSubsetHierarchy trace(hierarchy, nodes);
   Multigrid multigrid(elasticity, hierarchy, trace);
   const unsigned int finest = hierarchy.n_levels() - 1;
   NodalSupports supports(nodes.size());

@@ -4,13 +4,13 @@
 // switch is undecided, and everything else is what it is. What is not a number
 // is undecided, too.
 
-#include <stiction/contact/certified_solve.h>
-#include <stiction/contact/dual_method_factory.h>
-#include <stiction/contact/dual_operator.h>
-#include <stiction/contact/judge.h>
-#include <stiction/contact/nodal_blocks.h>
-#include <stiction/contact/node_status.h>
-#include <stiction/parameters.h>
+#include <stiction/contact/dual/dual_method_factory.h>
+#include <stiction/parameters/parameters.h>
+#include <stiction/qp/certified_solve.h>
+#include <stiction/qp/node_status.h>
+#include <stiction/qp/operators/dual_operator.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/verifier.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -145,17 +145,17 @@ main(int argc, char *argv[])
           parameters.method    = method;
           parameters.tolerance = tolerance;
           const auto solver    = create_dual_method(parameters, Q, F >= 0.);
-          DualProblemJudge judge(Q, problem.slip_bound, {});
+          DualProblemVerifier verifier(Q, problem.slip_bound, {});
           const auto solution             = certified_solve(*solver,
                                                 Q,
                                                 problem.slip_bound,
-                                                judge,
+                                                verifier,
                                                 tolerance,
                                                 2000,
                                                 "",
                                                 [](const ContactStep &) {});
           const Eigen::VectorXd stiffness = Q.nodal_compliance().cwiseInverse();
-          const auto statuses = node_statuses(judge.judge(solution.lambda),
+          const auto statuses = node_statuses(verifier.verify(solution.lambda),
                                               problem.slip_bound,
                                               stiffness,
                                               tolerance);
@@ -174,7 +174,7 @@ main(int argc, char *argv[])
           for (Eigen::Index i = 0; i < spoilt.size(); ++i)
             spoilt(i) *= 1. + 1e-4 * std::sin(7. * static_cast<double>(i));
           const auto loose = node_statuses(
-            judge.judge(spoilt), problem.slip_bound, stiffness, tolerance);
+            verifier.verify(spoilt), problem.slip_bound, stiffness, tolerance);
           unsigned int contradictions = 0, decided = 0;
           for (std::size_t i = 0; i < loose.size(); ++i)
             if (loose[i].normal != NormalStatus::undecided)
@@ -188,7 +188,7 @@ main(int argc, char *argv[])
           spoilt(5)          = std::numeric_limits<double>::quiet_NaN();
           bool all_undecided = true;
           for (const auto status : node_statuses(
-                 judge.judge(spoilt), problem.slip_bound, stiffness, tolerance))
+                 verifier.verify(spoilt), problem.slip_bound, stiffness, tolerance))
             all_undecided = all_undecided && status.is_undecided();
           std::cout << "a force that is none: all undecided "
                     << yes(all_undecided) << std::endl;

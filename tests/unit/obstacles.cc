@@ -4,9 +4,9 @@
 
 #include "tests.h"
 
-#include <stiction/contact/obstacle.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
+#include <stiction/contact/obstacles/obstacle.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <cmath>
 #include <fstream>

@@ -1,7 +1,7 @@
 // What is exported is a directory from which each way of importing gets the
 // same problem; a second export leaves nothing of the first.
 
-#include <stiction/output/problem_files.h>
+#include <stiction/output/problem/problem_files.h>
 
 #include <deal.II/base/mpi.h>
 

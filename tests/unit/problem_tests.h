@@ -3,8 +3,8 @@
 
 // What the tests of problem files share.
 
-#include <stiction/contact/dual_problem.h>
-#include <stiction/errors.h>
+#include <stiction/base/errors.h>
+#include <stiction/qp/dual_problem.h>
 
 #include <cstring>
 #include <fstream>

@@ -3,7 +3,7 @@
 // set never ends. This must hold to rounding also where the quadratic formula
 // is prone to cancel: on the circle, and for directions nearly tangential.
 
-#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <limits>
 

@@ -3,10 +3,10 @@
 // falls in each step all the same, and it reaches the solution. A norm that is
 // right is left alone, also on the stiffest mode.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/disc_active_set.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -5,9 +5,9 @@
 // each kind at some nodes. What it hands back is feasible, and the gradient
 // belongs to it. It says so when it may not go on.
 
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/interior_point.h>
-#include <stiction/qp/slip_bound.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/sets/slip_bound.h>
+#include <stiction/qp/solvers/interior_point.h>
 
 #include "qp_tests.h"
 

@@ -4,10 +4,10 @@
 // none, a second run of the same object is like the first, and a change of
 // units changes no bit of the iterates.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/disc_active_set.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include <memory>
 

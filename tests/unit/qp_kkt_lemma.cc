@@ -4,9 +4,9 @@
 // of lower energy: a grid in polar coordinates at one node, 1e5 projected
 // gradient steps at two and three.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/disc_active_set.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // x is optimal, does not depend on the units of force and length, and is NaN
 // as soon as one number that enters it is.
 
-#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <limits>
 

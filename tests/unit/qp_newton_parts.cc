@@ -4,13 +4,13 @@
 // all directions is the inverse; the linearisation is the derivative of the
 // conditions, seen by differences.
 
-#include <stiction/qp/admm.h>
-#include <stiction/qp/contact_linearization.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/krylov_methods.h>
-#include <stiction/qp/nystrom_preconditioner.h>
-#include <stiction/qp/slip_bound.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/contact_linearization.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/sets/slip_bound.h>
+#include <stiction/qp/solvers/admm.h>
+#include <stiction/qp/solvers/krylov_methods.h>
+#include <stiction/qp/solvers/nystrom_preconditioner.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

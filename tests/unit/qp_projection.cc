@@ -3,7 +3,7 @@
 // characterises the nearest point of a convex set. It leaves feasible points
 // alone, and a NaN stays one.
 
-#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <limits>
 #include <memory>

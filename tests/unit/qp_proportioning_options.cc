@@ -6,11 +6,11 @@
 // stiffness cost no more than equal ones. Where a few modes are much stiffer
 // than the others the options save a third of the products.
 
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/nodal_scaling.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/scaled_operator.h>
-#include <stiction/qp/spectral_norm.h>
+#include <stiction/qp/operators/nodal_scaling.h>
+#include <stiction/qp/operators/scaled_operator.h>
+#include <stiction/qp/operators/spectral_norm.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include <limits>
 #include <stdexcept>

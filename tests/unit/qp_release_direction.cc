@@ -3,8 +3,8 @@
 // g r = −‖r‖ x holds, and zero if it does. Along it the disc is left at
 // exactly g/‖r‖, which a quadratic formula cannot tell once v is small.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/disc_active_set.h>
 
 #include <limits>
 

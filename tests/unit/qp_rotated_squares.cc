@@ -6,11 +6,11 @@
 // much, at up to 22.5° or 11.25° aside, and the difference goes to zero as r
 // grows.
 
-#include <stiction/qp/half_lines_times_boxes.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/rotated_squares.h>
-#include <stiction/qp/spectral_norm.h>
-#include <stiction/qp/squares_operator.h>
+#include <stiction/qp/operators/spectral_norm.h>
+#include <stiction/qp/operators/squares_operator.h>
+#include <stiction/qp/sets/half_lines_times_boxes.h>
+#include <stiction/qp/sets/rotated_squares.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include <limits>
 #include <stdexcept>

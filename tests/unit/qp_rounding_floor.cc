@@ -4,10 +4,10 @@
 // at the floor but for the two variants that release only when φ = o.
 // Rounding does not make a normal force negative.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/disc_active_set.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include "qp_tests.h"
 

@@ -3,10 +3,10 @@
 // the least energy. The projected gradient method is the reference; points of
 // least energy are not unique, their energy is, and so is Ax.
 
-#include <stiction/qp/disc_active_set.h>
-#include <stiction/qp/feasible_set.h>
-#include <stiction/qp/proportioning.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/disc_active_set.h>
+#include <stiction/qp/solvers/proportioning.h>
 
 #include "qp_tests.h"
 

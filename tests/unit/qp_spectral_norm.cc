@@ -3,8 +3,8 @@
 // are then below 2/‖A‖), never more than 10 % above, always the same, and
 // independent of the unit of A.
 
-#include <stiction/qp/spectral_norm.h>
-#include <stiction/qp/symmetric_operator.h>
+#include <stiction/qp/operators/spectral_norm.h>
+#include <stiction/qp/operators/symmetric_operator.h>
 
 #include "qp_tests.h"
 

@@ -3,7 +3,7 @@
 // zero and the chopped part (x − P(x − s r))/s, min(r, 0) on a half-line.
 // Both are zero if and only if x is optimal.
 
-#include <stiction/qp/feasible_set.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include "qp_tests.h"
 

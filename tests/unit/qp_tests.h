@@ -1,7 +1,7 @@
 #ifndef stiction_tests_unit_qp_tests_h
 #define stiction_tests_unit_qp_tests_h
 
-#include <stiction/qp/slip_bound.h>
+#include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>
 

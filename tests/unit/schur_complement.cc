@@ -5,10 +5,10 @@
 
 #include "tests.h"
 
-#include <stiction/contact/schur_complement.h>
-#include <stiction/elasticity/body.h>
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/stiffness_solver.h>
+#include <stiction/contact/dual/schur_complement.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/la_parallel_vector.h>

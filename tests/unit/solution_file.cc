@@ -6,8 +6,8 @@
 #include "tests.h"
 #include "vtu_file.h"
 
-#include <stiction/elasticity/linear_elasticity.h>
-#include <stiction/elasticity/materials.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <algorithm>
 #include <array>

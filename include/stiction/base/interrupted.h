@@ -1,0 +1,20 @@
+#ifndef stiction_base_interrupted_h
+#define stiction_base_interrupted_h
+
+#include <exception>
+
+namespace stiction
+{
+  /// Thrown on all ranks after a step that is to be the last one.
+  class Interrupted : public std::exception
+  {
+  public:
+    const char *
+    what() const noexcept override
+    {
+      return "interrupted";
+    }
+  };
+} // namespace stiction
+
+#endif

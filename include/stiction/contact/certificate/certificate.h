@@ -1,0 +1,141 @@
+#ifndef stiction_contact_certificate_certificate_h
+#define stiction_contact_certificate_certificate_h
+
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/qp/contact_conditions.h>
+#include <stiction/qp/contact_scales.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stiction
+{
+  class ContactSurface;
+  class LinearElasticity;
+  class StiffnessSolver;
+
+  /// The one error measure that stops, reports and tests every method.
+  ///
+  /// Computed from the displacement u, the contact forces λ and the data of
+  /// the problem alone: the stiffness matrix is applied afresh; no solver's
+  /// own residual, no factorisation and no product with Q enters. All figures
+  /// are relative to scales taken from the solution, so that no unit matters:
+  ///
+  /// S = max(Σ‖f_j‖, Σ‖R_j‖, Σ‖λ_i‖) over nodes (loads, support reactions,
+  /// contact forces), p0 = S/|Γc|, u0 = uᵀKu/S, less of it where the contact
+  /// face is stiffer than other parts of the body (contact_scaling()). With
+  /// π = λ_i/(A_i p0) and w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
+  ///
+  /// rounding() is Σ ε‖diag(K_jj) u_j‖/S, ε = 2⁻⁵³: what rounding the
+  /// displacement of each node alone changes the forces inside the body by.
+  ///
+  /// With orthotropic friction λ and the slip are the contact variables of
+  /// ContactFrame, in which the ellipse is a disc: the slip angle is 0 where
+  /// the slip is normal to the ellipse.
+  class Certificate : public ContactConditions
+  {
+  public:
+    /// The figures that only a body has, by their names in summary.json.
+    struct BodyFigures
+    {
+      /// Σ‖(f − Bᵀλ − Ku)_j‖/S over the free unknowns: equilibrium at every
+      /// node, where it is more than the rounding of Ku there, else that.
+      double equilibrium_residual = 0.;
+      /// ‖Σ(loads + contact forces + reactions)‖/S.
+      double force_balance = 0.;
+      /// The same for the moments, relative to S times the body's size.
+      double moment_balance = 0.;
+      /// max_j |force of obstacle j − P_j|/P_j, P_j being the prescribed one;
+      /// negative: there is none.
+      double obstacle_force = -1.;
+      /// Bound on the relative energy error ‖û − u*‖_K/‖û‖_K of the problem
+      /// with the slip bound frozen at its last value; negative: not computed.
+      double duality_gap = -1.;
+    };
+
+    /// Computes all figures but the duality gap. Collective.
+    Certificate(const LinearElasticity &elasticity,
+                const ContactSurface &surface,
+                const LA::Vector &u,
+                const Eigen::VectorXd &lambda);
+
+    /// Computes the duality gap, a bound on ½‖û − u*‖²_K for the displacement
+    /// û, u with its contact components moved by one nodal prox step:
+    /// gap = λ̂_νᵀ(d − Nû) + Σ(g‖û_t‖ − λ̂_t·û_t) + ½ sᵀK⁻¹s,
+    /// s = f − Bᵀλ̂ − Kû, for any feasible λ̂.
+    ///
+    /// Taken is the λ̂ at which the prox step ends. It is within the error of
+    /// λ and makes the first two terms vanish identically, so that nothing is
+    /// subtracted and the bound shrinks with the error itself; with P(λ) in
+    /// its place it would shrink with the root of it wherever the slip bound
+    /// has moved since λ was computed. The solver is asked for one solve with
+    /// what u lacks to be in equilibrium with λ̂. Collective.
+    ///
+    /// @param u the one given to the constructor.
+    void
+    compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
+
+    const BodyFigures &
+    body_figures() const
+    {
+      return body_figures_;
+    }
+
+    std::vector<std::pair<std::string, double>>
+    deciding_figures() const override;
+
+    bool
+    is_solved(double tolerance) const override;
+
+    /// S, N.
+    double
+    force_scale() const
+    {
+      return force_scale_;
+    }
+
+    /// uᵀKu/2 in J.
+    double
+    strain_energy() const
+    {
+      return strain_energy_;
+    }
+
+    /// Load times displacement, prescribed displacements included, in J.
+    double
+    load_work() const
+    {
+      return load_work_;
+    }
+
+    /// The resultant −ΣBᵀλ on the body in N, and its moment about the origin
+    /// in Nm.
+    dealii::Tensor<1, 3>
+    force_on_body() const
+    {
+      return force_on_body_;
+    }
+    dealii::Tensor<1, 3>
+    moment_on_body() const
+    {
+      return moment_on_body_;
+    }
+
+  private:
+    void
+    compute_body_figures(const LA::Vector &u);
+
+    const LinearElasticity &elasticity_;
+    const ContactSurface &surface_;
+    BodyFigures body_figures_;
+    double force_scale_ = 1., strain_energy_ = 0., load_work_ = 0.;
+    dealii::Tensor<1, 3> force_on_body_, moment_on_body_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,136 @@
+#ifndef stiction_contact_interface_contact_boundary_h
+#define stiction_contact_interface_contact_boundary_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  class Body;
+  struct ContactNode;
+  class FrictionData;
+  enum class FrictionLaw;
+  class Obstacle;
+  class ParsedFunction;
+  class ParameterFile;
+  class Parameters;
+
+  /// What the user says of one contact boundary: what it may touch, at which
+  /// distance, and how it rubs there.
+  class ContactBoundary
+  {
+  public:
+    /// All contact boundaries, in the order of the parameter file. Collective.
+    /// The parameters must outlive them.
+    ///
+    /// Throws InputError for a boundary that the mesh does not have or that
+    /// stands twice, for entries with neither one value nor one a boundary, and
+    /// for values that cannot be read.
+    static std::vector<ContactBoundary>
+    read(const Parameters &parameters, const Body &body);
+
+    ContactBoundary(ContactBoundary &&) noexcept;
+    ~ContactBoundary();
+
+    dealii::types::boundary_id
+    id() const
+    {
+      return id_;
+    }
+
+    /// As the user calls it.
+    const std::string &
+    name() const
+    {
+      return name_;
+    }
+
+    FrictionLaw
+    law() const;
+
+    /// What the entries say of it, for people: "foundation, gap 1e-5, Coulomb
+    /// friction, F = 0.3".
+    const std::string &
+    description() const
+    {
+      return description_;
+    }
+
+    /// How far the obstacle is moved from where it is said to be, m.
+    const dealii::Tensor<1, 3> &
+    displacement() const
+    {
+      return displacement_;
+    }
+
+    /// The force in N that presses the obstacle on and along which it is free
+    /// to move; zero: it is held.
+    const dealii::Tensor<1, 3> &
+    force() const
+    {
+      return force_;
+    }
+
+    /// What it may touch, where the parameter file puts it; nullptr: the
+    /// foundation.
+    const Obstacle *
+    obstacle() const
+    {
+      return obstacle_.get();
+    }
+
+    /// The value of 'Initial gap' at a place, by which the obstacle is farther
+    /// away than its own surface. Throws InputError if it has none.
+    double
+    initial_gap(const dealii::Point<3> &p) const;
+
+    /// That of the body, m: no obstacle may be deeper in it.
+    double
+    body_size() const
+    {
+      return size_;
+    }
+
+    /// Gives a node of this boundary, whose normal is the outward one, its gap
+    /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ at its place: the
+    /// linearisation of ψ(x + u) ≥ 0.
+    ///
+    /// @return whether the node can touch the obstacle: a node whose outward
+    ///   normal has a cosine below 0.1 with n faces away from it.
+    ///
+    /// Throws InputError if ∇ψ = 0, if the obstacle is deeper in the body than
+    /// the body is large, and if a node that faces away is inside the obstacle.
+    bool
+    place(ContactNode &node) const;
+
+    /// Gives a node of this boundary its friction data, see
+    /// FrictionData::set().
+    void
+    set_friction(ContactNode &node) const;
+
+    /// How far a place is inside the obstacle along ∇ψ, m; 0 outside and for
+    /// the foundation.
+    double
+    penetration(const dealii::Point<3> &p) const;
+
+  private:
+    ContactBoundary();
+
+    std::string name_, description_;
+    dealii::types::boundary_id id_;
+
+    std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
+    std::unique_ptr<ParsedFunction> gap_;
+    std::unique_ptr<FrictionData> friction_;
+    dealii::Tensor<1, 3> displacement_, force_;
+    double size_                 = 0.; ///< of the body, m
+    const ParameterFile *source_ = nullptr;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,263 @@
+#ifndef stiction_contact_interface_contact_surface_h
+#define stiction_contact_interface_contact_surface_h
+
+#include <stiction/contact/interface/contact_frame.h>
+#include <stiction/contact/obstacles/obstacle_motion.h>
+#include <stiction/elasticity/linear_algebra/dof_subset.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/qp/contact_scales.h>
+#include <stiction/qp/sets/slip_bound.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  class ContactBoundary;
+  class LinearElasticity;
+  class Parameters;
+
+  /// One node of a contact boundary that may touch its obstacle.
+  ///
+  /// Of an ellipse of friction, the coefficient and the slip stress are those
+  /// of the disc it becomes in contact variables: along t1, or along the one
+  /// free direction.
+  struct ContactNode : ContactFrame
+  {
+    dealii::Point<3> position; ///< undeformed, m
+    double gap = 0.;           ///< d along n, m; negative: interference
+    /// By how much the gap grows with displacements of the obstacle: n, and
+    /// where a part of n is held, n over its cosine with what is left.
+    dealii::Tensor<1, 3> gap_growth;
+    /// Its prescribed components, 0 in the others, m.
+    dealii::Tensor<1, 3> prescribed_displacement;
+    /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
+    /// hanging nodes add to it.
+    double area           = 0.;
+    double youngs_modulus = 0.; ///< the largest of the cells behind it, Pa
+    double coefficient    = 0.; ///< F of Coulomb's law
+    double slip_stress    = 0.; ///< τ_c of given friction, Pa
+    unsigned int boundary = 0;  ///< whose node it is, of boundaries()
+  };
+
+
+
+  /// The contact nodes with their frames, gaps, areas and friction data, and
+  /// the maps B and Bᵀ between the body and contact quantities: B = (N; T1;
+  /// T2), with the scales of ContactFrame for ellipses of friction and
+  /// directions in which a node is held.
+  ///
+  /// The list is known to all ranks, in an order that does not depend on
+  /// their number. Vectors over it are stored by blocks (normal; first
+  /// tangent; second tangent), each of length m = n_nodes(). Nodes of a
+  /// contact boundary whose displacement is prescribed, wholly or along the
+  /// normal, are not contact nodes, nor are those that face away from the
+  /// obstacle, nor hanging nodes, which follow from others. A node of several
+  /// contact boundaries is one of the first of them, with its area there alone.
+  ///
+  /// The contact force is one number a node and direction, whatever the degree
+  /// of the elements: λ_i works on the displacement of node i alone, so that
+  /// λ_i/A_i is a traction and Σ A_i the area.
+  class ContactSurface
+  {
+  public:
+    /// Collects the contact nodes. Collective.
+    ///
+    /// Throws InputError if a contact boundary does not exist, is prescribed
+    /// itself, has no node that can touch its obstacle, or if what is said of
+    /// it (obstacle, gap, displacement, force, coefficient, slip stress) cannot
+    /// be read or has a value that is not allowed.
+    ContactSurface(const LinearElasticity &elasticity,
+                   const Parameters &parameters);
+    ~ContactSurface();
+
+    Eigen::Index
+    n_nodes() const
+    {
+      return static_cast<Eigen::Index>(nodes_.size());
+    }
+
+    const std::vector<ContactNode> &
+    nodes() const
+    {
+      return nodes_;
+    }
+
+    /// The contact boundaries, in the order of the parameter file.
+    const std::vector<ContactBoundary> &
+    boundaries() const
+    {
+      return boundaries_;
+    }
+
+    /// Initial gaps d_i in m, length m, with the obstacles where they are now.
+    Eigen::VectorXd
+    gaps() const
+    {
+      return motion_.offset().head(n_nodes());
+    }
+
+    /// What the displacements of the obstacles are to the contact nodes.
+    const ObstacleMotion &
+    motion() const
+    {
+      return motion_;
+    }
+
+    /// The forces that press obstacles on, N, in the order of the columns of
+    /// motion().directions(): of those boundaries that have one.
+    const Eigen::VectorXd &
+    pressing_forces() const
+    {
+      return pressing_forces_;
+    }
+
+    /// Moves the pressed obstacles to these distances. @return the change of
+    /// the offset.
+    Eigen::VectorXd
+    move_obstacles(const Eigen::VectorXd &distances)
+    {
+      return motion_.move_to(distances);
+    }
+
+    /// How far the obstacle of a contact boundary is from where the parameter
+    /// file places it, m.
+    dealii::Tensor<1, 3>
+    obstacle_displacement(dealii::types::boundary_id id) const;
+
+    /// Nodal areas A_i in m², length m.
+    const Eigen::VectorXd &
+    areas() const
+    {
+      return areas_;
+    }
+
+    /// |Γc|: the area of all contact boundaries, clamped rims included.
+    double
+    boundary_area() const
+    {
+      return boundary_area_;
+    }
+
+    /// Of the cells behind the contact nodes, and of the softest ones.
+    const ContactStiffness &
+    stiffness() const
+    {
+      return stiffness_;
+    }
+
+    /// The contact boundary with this id; there must be one.
+    const ContactBoundary &
+    boundary(dealii::types::boundary_id id) const;
+
+    /// Whether a boundary of the mesh is a contact boundary.
+    bool
+    is_contact_boundary(dealii::types::boundary_id id) const;
+
+    /// Nodes left out because they face away from the obstacle.
+    std::size_t
+    n_facing_away() const
+    {
+      return facing_away_.size();
+    }
+
+    /// How far the displacement u brings a node that faces away from the
+    /// obstacle into it, m, which nothing prevents. Collective.
+    double
+    penetration_of_facing_away(const LA::Vector &u) const;
+
+    /// The contact node with this unknown as its first, -1 if there is none.
+    Eigen::Index
+    node_of(dealii::types::global_dof_index first_dof) const;
+
+    /// The displacement unknowns of the contact nodes, by blocks (x; y; z).
+    const DofSubset &
+    trace() const
+    {
+      return trace_;
+    }
+
+    /// B u: (n·u; s1 t1·u; s2 t2·u), length 3m. Collective.
+    Eigen::VectorXd
+    apply_B(const LA::Vector &u) const;
+
+    /// dst += factor Bᵀ λ. Collective.
+    void
+    add_transpose_B(double factor,
+                    const Eigen::VectorXd &lambda,
+                    LA::Vector &dst) const;
+
+    /// u += factor × the displacement of the contact nodes with B u = w, in the
+    /// directions that are not held. Collective.
+    void
+    add_displacement(double factor,
+                     const Eigen::VectorXd &w,
+                     LA::Vector &u) const;
+
+    /// Replaces a matrix of order 3m, of displacements (x; y; z) under forces
+    /// (x; y; z), by M C Mᵀ with the nodal matrices M of B, in one pass: C may
+    /// be large.
+    void
+    rotate_to_local(Eigen::MatrixXd &C) const;
+
+    /// The forces Bᵀ λ at the contact nodes, by blocks (x; y; z).
+    Eigen::VectorXd
+    force_to_cartesian(const Eigen::VectorXd &lambda) const;
+
+    /// 1 for each contact variable in whose direction the node is held, 0 for
+    /// the others.
+    Eigen::VectorXd
+    held() const;
+
+    /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
+    /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
+    const qp::SlipBound &
+    slip_bound() const
+    {
+      return slip_bound_;
+    }
+
+  private:
+    void
+    collect_nodes(const LinearElasticity &elasticity);
+
+    /// Throws InputError with the reason unless every boundary has nodes.
+    void
+    require_nodes(const Parameters &parameters,
+                  const std::string &entry,
+                  const std::string &reason) const;
+
+    /// Normals and gaps, and out with the nodes that face away.
+    void
+    place_obstacles();
+
+    void
+    evaluate_data();
+
+    /// Throws InputError if a force presses no node.
+    void
+    displace_obstacles(const Parameters &parameters);
+
+    std::vector<ContactBoundary> boundaries_;
+    std::vector<ContactNode> nodes_, facing_away_;
+    DofSubset facing_away_trace_;
+    DofSubset trace_;
+    Eigen::VectorXd areas_;
+    ObstacleMotion motion_;
+    Eigen::VectorXd pressing_forces_;
+    qp::SlipBound slip_bound_;
+    double boundary_area_ = 0.;
+    ContactStiffness stiffness_;
+
+    std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_;
+  };
+
+} // namespace stiction
+
+#endif

@@ -1,0 +1,200 @@
+#ifndef stiction_contact_primal_contact_level_h
+#define stiction_contact_primal_contact_level_h
+
+#include <stiction/contact/interface/contact_frame.h>
+#include <stiction/contact/obstacles/obstacle_motion.h>
+#include <stiction/elasticity/linear_algebra/dof_subset.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/stiffness/nodal_constraint.h>
+#include <stiction/qp/contact_scales.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/sets/slip_bound.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace stiction
+{
+  class ContactSurface;
+  struct ContactState;
+  class LinearElasticity;
+  class MeshHierarchy;
+  class MeshLevel;
+  class DofSubsetHierarchy;
+  template<typename Number>
+  class StiffnessOperator;
+
+  /// The contact problem on one level of the mesh, in displacements: K without
+  /// a matrix, loads, contact nodes with their frames and data.
+  ///
+  /// On a coarser level it is the problem in the subspace of that level: loads,
+  /// areas and given slip bounds are restricted, obstacles, frames and
+  /// coefficients taken at the vertices. Vectors over the contact nodes are
+  /// replicated, by blocks (ν; t1; t2).
+  class ContactLevel
+  {
+  public:
+    /// The problem itself. All arguments must outlive the object. Collective.
+    ContactLevel(const LinearElasticity &elasticity,
+                 const ContactSurface &surface);
+
+    /// The problem on level @p level, @p finer being the one on the next finer
+    /// level. Collective.
+    ContactLevel(const ContactLevel &finer,
+                 const LinearElasticity &elasticity,
+                 const MeshHierarchy &hierarchy,
+                 const DofSubsetHierarchy &trace_hierarchy,
+                 unsigned int level);
+    ~ContactLevel();
+
+    Eigen::Index
+    n_nodes() const
+    {
+      return areas_.size();
+    }
+
+    const MeshLevel &
+    mesh() const;
+
+    const StiffnessOperator<double> &
+    stiffness() const
+    {
+      return *stiffness_;
+    }
+
+    const LA::Vector &
+    load() const
+    {
+      return *load_;
+    }
+
+    const qp::SlipBound &
+    slip_bound() const
+    {
+      return slip_bound_;
+    }
+
+    const Eigen::VectorXd &
+    areas() const
+    {
+      return areas_;
+    }
+
+    /// E_i√A_i: about the mean diagonal entry of K at a contact node, N/m; less
+    /// where a scale of the frame makes it seem more compliant.
+    Eigen::VectorXd
+    nodal_stiffness() const;
+
+    /// Gives u its prescribed values, and v zeros in their places.
+    void
+    prescribe(LA::Vector &u) const;
+    void
+    clear_prescribed(LA::Vector &v) const;
+
+    /// The entries of v at the prescribed unknowns this rank owns, and the way
+    /// back.
+    std::vector<double>
+    prescribed_entries(const LA::Vector &v) const;
+    void
+    set_prescribed_entries(const std::vector<double> &entries,
+                           LA::Vector &v) const;
+    void
+    add_prescribed_entries(double factor,
+                           const std::vector<double> &entries,
+                           LA::Vector &v) const;
+
+    /// The obstacles, as the nodes of this level see them.
+    const ObstacleMotion &
+    motion() const
+    {
+      return motion_;
+    }
+    void
+    move_obstacles(const Eigen::VectorXd &distances)
+    {
+      motion_.move_to(distances);
+    }
+
+    /// B v, and w = Bu − e with the offset e of motion(). Collective.
+    Eigen::VectorXd
+    apply_B(const LA::Vector &v) const;
+    /// The y for which Bᵀ y is R at the contact nodes in directions that are
+    /// not held. Collective.
+    Eigen::VectorXd
+    contact_forces(const LA::Vector &R) const;
+    Eigen::VectorXd
+    penetration_and_slip(const LA::Vector &u) const;
+
+    /// u += the displacement of the contact nodes with B u = w, in directions
+    /// that are not held.
+    void
+    add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const;
+
+    /// Sets the entries of the contact nodes to Bᵀ v, in held directions to 0.
+    void
+    set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const;
+
+    /// Forces from contact variables to (x; y; z) and back, node by node.
+    Eigen::VectorXd
+    force_to_cartesian(const Eigen::VectorXd &lambda) const;
+    Eigen::VectorXd
+    force_to_local(const Eigen::VectorXd &force) const;
+
+    /// A support given in contact variables: @p projection a diagonal one that
+    /// treats both tangents alike, @p spring of forces y for displacements w.
+    NodalConstraint
+    support(Eigen::Index node,
+            const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
+            const Eigen::Matrix3d &spring     = Eigen::Matrix3d::Zero()) const;
+
+    /// The scales of the certificate for a displacement u with R = f − Ku and
+    /// λ = BR.
+    struct Scales
+    {
+      double force = 1.;   ///< S, N
+      qp::Scaling scaling; ///< of the contact figures
+    };
+    Scales
+    scales(const LA::Vector &u,
+           const LA::Vector &R,
+           const Eigen::VectorXd &lambda) const;
+
+    /// Σ ε‖diag(K_jj) u_j‖ over all nodes, ε = 2⁻⁵³: what rounding u alone
+    /// changes the forces inside the body by, N. Collective.
+    double
+    rounding_of_forces(const LA::Vector &u) const;
+
+    /// Σ‖v_j‖ over the nodes but contact nodes, of components that are not
+    /// prescribed. Collective.
+    double
+    sum_of_norms_inside(const LA::Vector &v) const;
+
+  private:
+    void
+    find_inner_nodes();
+
+    std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
+    const StiffnessOperator<double> *stiffness_;
+    std::unique_ptr<LA::Vector> own_load_;
+    const LA::Vector *load_;
+    double load_sum_ = 0.; ///< Σ‖f_j‖
+
+    std::vector<unsigned int> fixed_; ///< local unknowns
+    std::vector<double> prescribed_;
+    /// The components that are not prescribed, as bits, of each owned node that
+    /// is no contact node; 0 for those.
+    std::vector<unsigned char> free_components_;
+
+    DofSubset trace_;
+    std::vector<ContactFrame> frames_;
+    Eigen::VectorXd areas_;
+    ObstacleMotion motion_;
+    ContactStiffness stiffness_of_cells_;
+    double boundary_area_ = 0.;
+    qp::SlipBound slip_bound_;
+  };
+} // namespace stiction
+
+#endif

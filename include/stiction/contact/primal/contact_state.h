@@ -1,0 +1,57 @@
+#ifndef stiction_contact_primal_contact_state_h
+#define stiction_contact_primal_contact_state_h
+
+#include <stiction/contact/primal/contact_level.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/qp/contact_conditions.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <Eigen/Core>
+
+namespace stiction
+{
+  /// A displacement on a level of the mesh and what follows from it.
+  struct ContactState
+  {
+    /// Room for one on this level, all zero.
+    explicit ContactState(const ContactLevel &problem);
+
+    LA::Vector u;           ///< m
+    LA::Vector R;           ///< f − Ku, N
+    Eigen::VectorXd lambda; ///< the contact forces y, Bᵀy = R, N
+    Eigen::VectorXd w;      ///< Bu − e = (penetration; slip), m
+
+    /// Sets R, λ and w from u by a product with K. Collective.
+    void
+    update(const ContactLevel &problem);
+  };
+
+
+
+  /// How far a state is from being the solution, in the figures and scales of
+  /// the certificate.
+  struct ContactResidual
+  {
+    /// @param slip_bound that of the problem, or another one. Collective.
+    ContactResidual(const ContactLevel &problem,
+                    const ContactState &state,
+                    const qp::SlipBound &slip_bound);
+
+    double force_scale;           ///< S, N
+    ContactConditions conditions; ///< with their scales
+    double equilibrium; ///< Σ‖R_j‖/S, contact and fixed nodes left out
+
+    /// The largest figure that decides.
+    double
+    value() const;
+
+  private:
+    ContactResidual(const ContactLevel &problem,
+                    const ContactState &state,
+                    const qp::SlipBound &slip_bound,
+                    const ContactLevel::Scales &scales);
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,132 @@
+#ifndef stiction_contact_primal_level_newton_h
+#define stiction_contact_primal_level_newton_h
+
+#include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/method_of_multipliers.h>
+#include <stiction/contact/primal/newton_system.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace stiction
+{
+  class ContactLevel;
+  class StiffnessPreconditioner;
+
+  /// The semismooth Newton method for the contact problem on one level of the
+  /// mesh, Coulomb's law or given friction.
+  ///
+  /// The residual of the certificate is what has to fall. When it does not, ρ
+  /// is changed, which no solution depends on; when that does not help, the
+  /// method of multipliers takes over with the slip bound held, which converges
+  /// from everywhere, and hands back a better state.
+  class LevelNewton
+  {
+  public:
+    /// What no user has to set. The answer does not depend on it.
+    struct Options
+    {
+      /// ρ over E√A, at the start.
+      double first_c = 0.1;
+      /// Whether to do without Newton steps for Coulomb's law or given friction
+      /// altogether, to test what they fall back to.
+      bool only_fallback = false;
+      /// What to choose where this method comes no closer, a part of a
+      /// sentence.
+      std::string other_method = "choose another 'Contact solver/Method'";
+    };
+
+    /// What was done so far.
+    struct Statistics
+    {
+      unsigned int newton_steps      = 0;
+      unsigned int krylov_iterations = 0;
+      unsigned int rho_changes       = 0;
+      unsigned int fallbacks         = 0;
+      /// The step from which on its systems are solved by factorisation, 0 if
+      /// none.
+      unsigned int factorized_from = 0;
+    };
+
+    /// A step of either method: its Krylov iterations, the residual after it.
+    using Observer =
+      std::function<void(const Statistics &, const ContactResidual &)>;
+
+    /// @param level the number of the problem's level for the preconditioner.
+    ///   All arguments must outlive the object.
+    LevelNewton(const ContactLevel &problem,
+                unsigned int level,
+                StiffnessPreconditioner &preconditioner,
+                const Options &options);
+
+    /// Improves the state until its residual is at most the tolerance.
+    /// Collective.
+    ///
+    /// @param first_lambda the contact forces by which the first step sorts the
+    ///   nodes; those of an interpolated state are not smooth.
+    /// @return why it stopped before; empty if it did not.
+    std::string
+    solve(ContactState &state,
+          Eigen::VectorXd first_lambda,
+          double tolerance,
+          unsigned int max_steps,
+          const Observer &observer);
+
+    const Statistics &
+    statistics() const
+    {
+      return statistics_;
+    }
+
+  private:
+    /// Enters into the statistics that systems are factorised from now on.
+    void
+    note_factorization();
+
+    /// Whether the body is only moved and touches nothing, so that all forces
+    /// are the rounding of K u. @param rounding that of all nodes, N.
+    bool
+    carries_rounding_only(const ContactResidual &residual,
+                          double rounding) const;
+
+    /// Then there are no contact forces; the verifier has the last word.
+    void
+    drop_contact_forces(ContactState &state) const;
+
+    /// Whether most linear systems take more iterations than they are given.
+    bool
+    has_hard_systems() const;
+
+    /// What it says where nothing comes closer to a solution, and what may
+    /// help.
+    std::string
+    why_no_closer() const;
+
+    /// One Newton step with the present ρ.
+    void
+    step(ContactState &state,
+         const Eigen::VectorXd &lambda,
+         const ContactResidual &residual,
+         double tolerance);
+
+    /// The method of multipliers from this state on.
+    void
+    fall_back(ContactState &state,
+              double residual,
+              double tolerance,
+              unsigned int max_steps);
+
+    const ContactLevel &problem_;
+    const unsigned int level_;
+    StiffnessPreconditioner &preconditioner_;
+    const Options options_;
+    NewtonSystem system_;
+    double c_;
+    Statistics statistics_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,117 @@
+#ifndef stiction_contact_primal_newton_multigrid_h
+#define stiction_contact_primal_newton_multigrid_h
+
+#include <stiction/contact/primal/contact_level.h>
+#include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/level_newton.h>
+#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
+#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/multigrid/multigrid.h>
+#include <stiction/qp/certified_solve.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  class ContactSurface;
+  class ForceControl;
+  class LinearElasticity;
+
+
+  /// Contact with friction for the price of about two elastic solves: the
+  /// semismooth Newton method in displacements (PrimalActiveSet), each step
+  /// solved inexactly with a multigrid preconditioner (NewtonSystem), on the
+  /// levels of the mesh one after the other. source/contact/primal/newton_multigrid.md
+  /// derives it.
+  class NewtonMultigrid
+  {
+  public:
+    /// @param levels_in_use whether to use the levels of the mesh; otherwise
+    ///   the preconditioner is algebraic. The arguments must outlive the
+    ///   object. Collective.
+    NewtonMultigrid(const LinearElasticity &elasticity,
+                    const ContactSurface &surface,
+                    bool levels_in_use,
+                    const LevelNewton::Options &options = {});
+
+    /// Called after every step on any level. If it throws Interrupted, on all
+    /// ranks, the iterate of that step is interpolated to the finest level and
+    /// handed back.
+    using Observer = std::function<void(const ContactStep &)>;
+
+    /// Solves the problem to the tolerance, in the figures of the certificate.
+    /// Collective.
+    ///
+    /// @param force_control moves the obstacles until they press with their
+    ///   forces, on every level; null: they stay where they are.
+    ContactSolution
+    solve(double tolerance,
+          unsigned int max_steps,
+          const Observer &observer,
+          ForceControl *force_control = nullptr);
+
+    /// The displacement found, m.
+    const LA::Vector &
+    displacement() const
+    {
+      return state_->u;
+    }
+
+    /// From the coarsest level to the mesh itself.
+    const std::vector<LevelNewton::Statistics> &
+    statistics() const
+    {
+      return statistics_;
+    }
+
+    /// The unknowns of a level.
+    dealii::types::global_dof_index
+    n_dofs(const unsigned int level) const
+    {
+      return hierarchy_.level(level).n_dofs();
+    }
+
+    /// The preconditioner without contact, for other systems with K on the
+    /// finest level; until the next solve(). Collective.
+    StiffnessPreconditioner &
+    free_preconditioner();
+
+    unsigned int
+    finest_level() const
+    {
+      return hierarchy_.n_levels() - 1;
+    }
+
+  private:
+    /// Solves the problem of a level from the present state.
+    ///
+    /// @return why it could not be solved; empty: it was.
+    std::string
+    solve_on_level(unsigned int level,
+                   const Eigen::VectorXd &lambda,
+                   double tolerance,
+                   unsigned int max_steps,
+                   const LevelNewton::Observer &observer,
+                   ForceControl *force_control);
+
+    /// Interpolates the state to this level from the one below. Returns the
+    /// interpolated contact forces.
+    Eigen::VectorXd
+    refine(unsigned int level);
+
+    const LevelNewton::Options options_;
+    MeshHierarchy hierarchy_;
+    DofSubsetHierarchy trace_hierarchy_;
+    Multigrid multigrid_;
+    std::vector<std::unique_ptr<ContactLevel>> problems_;
+    std::unique_ptr<ContactState> state_;
+    std::vector<LevelNewton::Statistics> statistics_;
+  };
+} // namespace stiction
+
+#endif

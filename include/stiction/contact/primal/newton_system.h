@@ -1,0 +1,121 @@
+#ifndef stiction_contact_primal_newton_system_h
+#define stiction_contact_primal_newton_system_h
+
+#include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/primal_active_set.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace stiction
+{
+  class ContactLevel;
+  class StiffnessPreconditioner;
+
+  /// The linear system of a linearised contact problem in displacements,
+  /// (W K P + S) δ = W R − S w − c at the contact nodes and K δ = R elsewhere,
+  /// and its inexact solution by generalised conjugate residuals with a
+  /// multigrid preconditioner for the symmetric part P K P + S.
+  ///
+  /// The method minimises the residual like GMRES, and has the residual, the
+  /// contact forces and the slip at hand after every iteration: the caller
+  /// stops it as soon as another linearisation is worth more. After that the
+  /// state is updated without another product.
+  class NewtonSystem
+  {
+  public:
+    /// @param level the number of the problem's level for the preconditioner.
+    ///   All arguments must outlive the object.
+    NewtonSystem(const ContactLevel &problem,
+                    unsigned int level,
+                    StiffnessPreconditioner &preconditioner);
+
+    /// The iterations that solve() takes at most: their directions are kept, 12
+    /// bytes an unknown each.
+    static constexpr unsigned int max_directions = 20;
+
+    /// What is known after an iteration.
+    struct Progress
+    {
+      unsigned int iterations;
+      /// Of the linear system: the sum of its norms at the nodes, N.
+      double residual;
+      const Eigen::VectorXd &contact_residual; ///< its part at contact nodes
+      const Eigen::VectorXd &lambda, &w;       ///< of the displacement so far
+      double reduction; ///< Euclidean norm over the one at the start
+    };
+
+    /// Takes the step of the linearisation as far as the caller wants. One
+    /// product with K and one cycle of the preconditioner an iteration, and one
+    /// product at the start. Collective.
+    ///
+    /// @param stop asked after each iteration.
+    /// @return the number of iterations.
+    unsigned int
+    solve(ContactState &state,
+          const PrimalActiveSet &linearization,
+          const std::function<bool(const Progress &)> &stop);
+
+    /// How many systems were left at max_directions. After a few of them the
+    /// preconditioner is asked to factorise the level; if it does, this is zero
+    /// again.
+    unsigned int
+    n_unfinished() const
+    {
+      return n_unfinished_;
+    }
+
+    /// Whether that was done.
+    bool
+    is_factorized() const
+    {
+      return is_factorized_;
+    }
+
+  private:
+    /// What an iteration adds: A d = v for the direction d, which is known as
+    /// preconditioned vectors z and coefficients, and at the contact nodes. The
+    /// v are orthogonal to each other.
+    struct Direction
+    {
+      LA::VectorOf<float> z;
+      double factor = 1.; ///< of z
+      LA::Vector v;
+      double square = 0.;           ///< v·v
+      Eigen::VectorXd displacement; ///< B d
+      Eigen::VectorXd force;        ///< of K d, as contact_forces()
+      Eigen::VectorXd contact_rows; ///< of v
+      std::vector<double> reaction; ///< K d at prescribed unknowns
+    };
+
+    Direction &
+    new_direction(unsigned int n);
+
+    /// u += Σ y_j z_j.
+    void
+    add_all(double *u, const Eigen::VectorXd &y, std::size_t size) const;
+
+    void
+    set_supports(const PrimalActiveSet &linearization);
+
+    /// W y + S w at the contact nodes.
+    Eigen::VectorXd
+    contact_rows(const PrimalActiveSet &linearization,
+                 const Eigen::VectorXd &force,
+                 const Eigen::VectorXd &displacement) const;
+
+    const ContactLevel &problem_;
+    const unsigned int level_;
+    StiffnessPreconditioner &preconditioner_;
+    std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
+    LA::Vector residual_, step_;                         ///< scratch
+    unsigned int n_unfinished_ = 0;
+    bool is_factorized_        = false;
+  };
+} // namespace stiction
+
+#endif

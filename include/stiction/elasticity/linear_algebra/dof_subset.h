@@ -1,0 +1,51 @@
+#ifndef stiction_elasticity_linear_algebra_dof_subset_h
+#define stiction_elasticity_linear_algebra_dof_subset_h
+
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
+#include <deal.II/base/types.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace stiction
+{
+  /// A list of unknowns, known to all ranks, and the passage between
+  /// distributed vectors and the values at these unknowns, which every rank
+  /// holds in full.
+  class DofSubset
+  {
+  public:
+    DofSubset() = default;
+    explicit DofSubset(std::vector<dealii::types::global_dof_index> dofs);
+
+    Eigen::Index
+    size() const
+    {
+      return static_cast<Eigen::Index>(dofs_.size());
+    }
+
+    const std::vector<dealii::types::global_dof_index> &
+    dofs() const
+    {
+      return dofs_;
+    }
+
+    /// The entries of u at the unknowns of the list, on every rank. Each has
+    /// one owner, so the result is the same to the last bit on all ranks.
+    /// Collective.
+    Eigen::VectorXd
+    restriction(const LA::Vector &u) const;
+
+    /// Adds values to the entries of dst at the unknowns of the list.
+    /// Collective.
+    void
+    add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const;
+
+  private:
+    std::vector<dealii::types::global_dof_index> dofs_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef stiction_elasticity_mesh_coarse_mesh_h
+#define stiction_elasticity_mesh_coarse_mesh_h
+
+#include <stiction/base/mesh_names.h>
+#include <stiction/elasticity/mesh/readers/quadratic_cells.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <string>
+
+namespace stiction
+{
+  struct GeometryParameters;
+
+  /// The mesh of a body other than the brick before it is refined and
+  /// distributed: hexahedra with boundary ids, material ids and manifolds.
+  class CoarseMesh
+  {
+  public:
+    /// Makes the cylinder, the half ball or the mesh of a generator, or reads
+    /// the file, the same on every rank.
+    ///
+    /// Throws InputError if there is no such generator or it does not take the
+    /// arguments, if the file cannot be used (see read_mesh_file()), if the
+    /// mesh has other cells than hexahedra, or if a hexahedron is inverted or
+    /// degenerate.
+    explicit CoarseMesh(const GeometryParameters &geometry);
+
+    const dealii::Triangulation<3> &
+    triangulation() const
+    {
+      return triangulation_;
+    }
+
+    /// Of a file with elements of second order, otherwise empty.
+    const QuadraticCells &
+    quadratic_cells() const
+    {
+      return quadratic_cells_;
+    }
+
+    const MeshNames &
+    boundary_names() const
+    {
+      return boundary_names_;
+    }
+
+    const MeshNames &
+    material_names() const
+    {
+      return material_names_;
+    }
+
+  private:
+    void
+    make_cylinder(double radius, double length);
+
+    void
+    make_half_ball(double radius);
+
+    void
+    generate(const GeometryParameters &geometry);
+
+    void
+    set_names(const std::map<std::string, MeshNames::Id> &boundaries,
+              const std::map<std::string, MeshNames::Id> &materials);
+
+    dealii::Triangulation<3> triangulation_;
+    QuadraticCells quadratic_cells_;
+    MeshNames boundary_names_, material_names_;
+  };
+
+
+
+  /// Throws InputError naming a cell whose trilinear map has a determinant that
+  /// is not positive at its vertices or Gauss points, or whose map of second
+  /// order has one at its Gauss points. Of cells of all levels that are not
+  /// artificial.
+  ///
+  /// @param location the beginning of a sentence about the mesh.
+  void
+  require_valid_cells(const dealii::Triangulation<3> &triangulation,
+                      const QuadraticCells &quadratic_cells,
+                      const std::string &location);
+} // namespace stiction
+
+#endif

@@ -1,0 +1,96 @@
+#ifndef stiction_elasticity_mesh_mesh_level_h
+#define stiction_elasticity_mesh_mesh_level_h
+
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
+#include <deal.II/base/types.h>
+
+#include <mpi.h>
+
+#include <functional>
+#include <memory>
+
+namespace dealii
+{
+  namespace Utilities
+  {
+    namespace MPI
+    {
+      class Partitioner;
+    }
+  } // namespace Utilities
+} // namespace dealii
+
+namespace stiction
+{
+  class Body;
+  struct HexahedralCell;
+
+  /// The nodes of one level of the mesh as a rank sees them: its own, and the
+  /// ghosts that its cells and the children of its cells one level up have; all
+  /// that the body finds relevant if that is not simple.
+  ///
+  /// Vectors of a level hold three numbers a node, its own nodes first, so a
+  /// local node i has the entries 3i, 3i + 1, 3i + 2.
+  class MeshLevel
+  {
+  public:
+    /// The active cells: the mesh itself.
+    explicit MeshLevel(const Body &body);
+
+    /// The cells of one refinement level, active or not. The body's levels
+    /// must be numbered.
+    MeshLevel(const Body &body, unsigned int level);
+
+    MPI_Comm
+    communicator() const;
+
+    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
+    partitioner() const
+    {
+      return partitioner_;
+    }
+
+    unsigned int
+    n_owned_nodes() const;
+
+    /// Owned ones and ghosts.
+    unsigned int
+    n_local_nodes() const;
+
+    /// The number of unknowns on all ranks.
+    dealii::types::global_dof_index
+    n_dofs() const;
+
+    /// The local node with this unknown as its first; it must be known here.
+    unsigned int
+    local_node(dealii::types::global_dof_index first_dof) const;
+
+    /// The first unknown of a local node.
+    dealii::types::global_dof_index
+    first_dof(unsigned int local_node) const;
+
+    /// A vector of zeros with room for the ghosts.
+    template<typename Number>
+    LA::VectorOf<Number>
+    zero_vector() const;
+
+    /// Calls back with every cell this rank owns, for trilinear elements alone,
+    /// with its material id but without Lamé's numbers, see
+    /// Materials::assign().
+    void
+    for_each_cell(
+      const std::function<void(const HexahedralCell &)> &callback) const;
+
+  private:
+    void
+    make_partitioner();
+
+    const Body &body_;
+    const bool is_active_;
+    const unsigned int level_;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
+  };
+} // namespace stiction
+
+#endif

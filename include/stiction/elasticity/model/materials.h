@@ -1,0 +1,119 @@
+#ifndef stiction_elasticity_model_materials_h
+#define stiction_elasticity_model_materials_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/types.h>
+
+#include <array>
+#include <map>
+
+namespace stiction
+{
+  class Body;
+  class Parameters;
+  struct HexahedralCell;
+
+  /// What a part of the body is made of: linear elastic.
+  struct Material
+  {
+    /// @param youngs_modulus, poisson_ratio in Pa; from -1 to 0.5 without the
+    ///   ends.
+    static Material
+    isotropic(double youngs_modulus, double poisson_ratio);
+
+    /// With the axes x, y, z.
+    ///
+    /// @param E1_to_G23 E1, E2, E3; ν12, ν13, ν23; G12, G13, G23; moduli in Pa.
+    ///   ν12 is the contraction along 2 under a tension along 1, so that the
+    ///   compliance has -ν12/E1 in row 1, column 2.
+    ///
+    /// Throws std::domain_error if the stiffness is not positive definite.
+    static Material
+    orthotropic(const std::array<double, 9> &E1_to_G23);
+
+    /// Of a small strain. Unit: Pa.
+    dealii::SymmetricTensor<2, 3>
+    stress(const dealii::SymmetricTensor<2, 3> &strain) const;
+
+    bool is_isotropic;
+
+    /// Lamé's λ and G = μ if it is isotropic; otherwise G is the largest one.
+    /// Unit: Pa.
+    double lame_lambda, shear_modulus;
+
+    /// In the direction where it is largest. Unit: Pa.
+    double youngs_modulus;
+
+    /// σ = stiffness : ε. Unit: Pa.
+    dealii::SymmetricTensor<4, 3> stiffness;
+
+    /// Unit: kg/m³.
+    double density = 0.;
+  };
+
+
+
+  /// The materials of a body by the material ids of its cells.
+  class Materials
+  {
+  public:
+    /// Reads the section Material.
+    ///
+    /// Throws InputError for text that does not read as it should, numbers out
+    /// of range, materials that the mesh does not have or that stand twice.
+    Materials(const Body &body, const Parameters &parameters);
+
+    /// The material of the cells with this id; there must be some.
+    const Material &
+    of(dealii::types::material_id id) const
+    {
+      return by_id_.at(id);
+    }
+
+    /// Gives a cell, whose material id is set, its Lamé numbers, in this unit.
+    void
+    assign(HexahedralCell &cell, double unit = 1.) const;
+
+    /// Whether Lamé's two numbers say all of every cell.
+    bool
+    are_simple() const;
+
+    /// Whether ∇·u is to be replaced by its mean over each cell.
+    bool
+    have_mean_dilatation() const
+    {
+      return have_mean_dilatation_;
+    }
+
+    /// Whether all cells are made of the same.
+    bool
+    are_one() const
+    {
+      return by_id_.size() == 1;
+    }
+
+    /// The extreme ones of all materials in the body, Pa.
+    double
+    smallest_youngs_modulus() const;
+    double
+    largest_youngs_modulus() const;
+    double
+    largest_shear_modulus() const;
+
+  private:
+    /// Those in the body, and no other.
+    std::map<dealii::types::material_id, Material> by_id_;
+    bool have_mean_dilatation_;
+  };
+
+
+
+  /// Gives the coarse cells, and all that came of them, the ids that the entry
+  /// Material/Material ids says; if it is empty, they keep those they have.
+  ///
+  /// Throws InputError if the formula cannot be read or gives no id.
+  void
+  assign_material_ids(Body &body, const Parameters &parameters);
+} // namespace stiction
+
+#endif

@@ -1,0 +1,84 @@
+#ifndef stiction_elasticity_multigrid_multigrid_h
+#define stiction_elasticity_multigrid_multigrid_h
+
+#include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
+
+#include <memory>
+#include <vector>
+
+namespace stiction
+{
+  class LinearElasticity;
+  class MeshHierarchy;
+  class DofSubsetHierarchy;
+
+  /// A geometric multigrid V-cycle without matrices, in single precision.
+  ///
+  /// Smoother: Chebyshev polynomials of the fourth kind (J. Lottes, Optimal
+  /// polynomial smoothers for multigrid V-cycles, 2022), which need the largest
+  /// eigenvalue only, on the nodal diagonal. Supports are projections and
+  /// springs at single nodes, so that a changed contact set costs no set-up on
+  /// any level but the coarsest.
+  ///
+  /// How supports get to a coarser level: a coarse node is projected like the
+  /// fine node at its place, and its spring is the sum of the fine springs
+  /// weighted with its own trilinear function, the lumped Galerkin matrix,
+  /// within what is left free.
+  ///
+  /// With a single level the coarse solver is all there is: algebraic multigrid
+  /// where there is no hierarchy.
+  class Multigrid : public StiffnessPreconditioner
+  {
+  public:
+    /// @param supported_nodes the nodes that supports may hold. All arguments
+    ///   must outlive the object. Collective.
+    Multigrid(const LinearElasticity &elasticity,
+              const MeshHierarchy &hierarchy,
+              const DofSubsetHierarchy &supported_nodes);
+    ~Multigrid() override;
+
+    void
+    set_supports(unsigned int level, const NodalSupports &supports) override;
+
+    bool
+    is_direct(unsigned int level) const override;
+
+    bool
+    factorize(unsigned int level) override;
+
+    double
+    vmult(unsigned int level,
+          LA::VectorOf<float> &dst,
+          const LA::Vector &src) override;
+
+  private:
+    class Level;
+    struct Coarse;
+
+    /// The solver at the end of the cycles of a level.
+    std::unique_ptr<Coarse>
+    make_coarse(unsigned int level,
+                const NodalSupports &supports,
+                bool is_direct) const;
+
+    /// One at the unknowns of a level whose displacement is prescribed.
+    LA::Vector
+    fixed_on(unsigned int level) const;
+
+    /// x of the level becomes one V-cycle for b of the level.
+    void
+    cycle(unsigned int level);
+
+    /// A power of two near the size of the entries of K, N/m.
+    const double unit_;
+    const LinearElasticity &elasticity_;
+    const MeshHierarchy &hierarchy_;
+    const DofSubsetHierarchy &supported_nodes_;
+    std::vector<std::unique_ptr<Level>> levels_; ///< without the coarsest
+    /// That of the coarsest level, and of those that are factorised.
+    std::vector<std::unique_ptr<Coarse>> coarse_;
+    std::vector<bool> is_factorized_; ///< from the next supports on
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,173 @@
+#ifndef stiction_elasticity_stiffness_linear_elasticity_h
+#define stiction_elasticity_stiffness_linear_elasticity_h
+
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+
+namespace stiction
+{
+  class Body;
+  class Loads;
+  class Materials;
+  class MeshLevel;
+  class Parameters;
+  class PrescribedDisplacement;
+  template<typename Number>
+  class StiffnessOperator;
+
+  /// The elastic body under its loads, without contact: K u = f.
+  ///
+  /// Products with K as it is, for the reactions at the supports, the strain
+  /// energy and the certificate, are made cell by cell without a matrix, or
+  /// with the assembled one if the body is not simple. K with the prescribed
+  /// displacements eliminated is assembled for the solvers that need a matrix.
+  ///
+  /// Where there are hanging nodes, u = C û, K is CᵀKC and f is Cᵀf: the
+  /// unknowns of hanging nodes have neither stiffness nor load, so that no sum
+  /// over unknowns sees them. distribute() gives them their displacement.
+  class LinearElasticity
+  {
+  public:
+    /// Assembles the loads, and the stiffness matrix unless the solver chosen
+    /// in the parameters works without one.
+    ///
+    /// Throws InputError for materials or boundary conditions that cannot be
+    /// read, that the mesh does not have, or that contradict each other.
+    LinearElasticity(const Body &body, const Parameters &parameters);
+    ~LinearElasticity();
+
+    const Body &
+    body() const
+    {
+      return body_;
+    }
+
+    const Materials &
+    materials() const
+    {
+      return *materials_;
+    }
+
+    /// Whether the displacement of an owned unknown, or one of a neighbouring
+    /// cell, is prescribed, and where.
+    bool
+    is_prescribed(const dealii::types::global_dof_index dof) const
+    {
+      return constraints_.is_constrained(dof) && !is_hanging(dof);
+    }
+    double
+    prescribed_value(const dealii::types::global_dof_index dof) const
+    {
+      return constraints_.get_inhomogeneity(dof);
+    }
+
+    /// Whether an unknown follows from those of other nodes.
+    bool
+    is_hanging(dealii::types::global_dof_index dof) const;
+
+    /// Gives hanging nodes the displacement that follows from the others.
+    /// Collective.
+    void
+    distribute(LA::Vector &u) const;
+
+    /// The prescribed displacements and the hanging nodes.
+    const dealii::AffineConstraints<double> &
+    constraints() const
+    {
+      return constraints_;
+    }
+
+    /// K with prescribed displacements eliminated symmetrically: positive
+    /// definite if the body is held. Unit: N/m. Throws std::logic_error if it
+    /// was not assembled.
+    const LA::SparseMatrix &
+    constrained_stiffness() const;
+
+    /// The diagonal of K; zero at hanging nodes. Collective.
+    LA::Vector
+    stiffness_diagonal() const;
+
+    /// The right-hand side that goes with it. Unit: N (m × diagonal entry in
+    /// constrained rows).
+    const LA::Vector &
+    constrained_load() const;
+
+    /// The nodal forces of the loads, at constrained unknowns too. Unit:
+    /// N.
+    const LA::Vector &
+    load() const;
+
+    /// A distributed vector of zeros for displacements or nodal forces.
+    LA::Vector
+    zero_vector() const;
+
+    /// K u, prescribed displacements being displacements like any. Unit: N.
+    /// Collective.
+    LA::Vector
+    internal_force(const LA::Vector &u) const;
+
+    /// The nodes of the mesh, and K on them.
+    const MeshLevel &
+    mesh() const
+    {
+      return *mesh_;
+    }
+    const StiffnessOperator<double> &
+    stiffness() const
+    {
+      return *stiffness_;
+    }
+
+    /// Where the body is held, and what pulls at it.
+    const PrescribedDisplacement &
+    prescribed_displacement() const
+    {
+      return *prescribed_displacement_;
+    }
+    const Loads &
+    loads() const
+    {
+      return *loads_;
+    }
+
+    /// Throws InputError, naming the free rigid-body motions, if the
+    /// prescribed displacements do not hold the body.
+    void
+    require_support() const;
+
+  private:
+    void
+    make_constraints();
+
+    /// K, cell by cell or assembled.
+    void
+    make_stiffness();
+
+    /// K with prescribed displacements eliminated.
+    void
+    constrain_stiffness();
+
+    /// That of a simple body.
+    void
+    assemble_simple_stiffness();
+
+    /// The right-hand side with prescribed displacements eliminated.
+    void
+    constrain_load();
+
+    const Body &body_;
+    std::unique_ptr<Materials> materials_;
+    std::unique_ptr<PrescribedDisplacement> prescribed_displacement_;
+    std::unique_ptr<Loads> loads_;
+    dealii::AffineConstraints<double> constraints_;
+    std::unique_ptr<MeshLevel> mesh_;
+    std::unique_ptr<StiffnessOperator<double>> stiffness_;
+    std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;
+    std::unique_ptr<LA::Vector> constrained_load_, load_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,59 @@
+#ifndef stiction_output_results_convergence_history_h
+#define stiction_output_results_convergence_history_h
+
+#include <deal.II/base/table_handler.h>
+
+#include <ostream>
+#include <string>
+
+namespace stiction
+{
+  class Log;
+  struct ContactStep;
+
+  /// The course of the iteration: a line on the screen and a row of
+  /// convergence.csv a step.
+  class ConvergenceHistory
+  {
+  public:
+    /// @param step_name what an outermost iteration is called.
+    /// @param on_levels whether the method goes through the levels of the
+    ///   mesh: then a row tells the unknowns in place of products with Q.
+    /// @param print whether lines are printed.
+    /// @param has_meshes whether the problem is solved on one mesh after the
+    ///   other: then a row tells which.
+    ConvergenceHistory(Log &log,
+                       const std::string &step_name,
+                       bool on_levels,
+                       bool print,
+                       bool has_meshes = false);
+
+    /// What follows belongs to the next mesh.
+    void
+    begin_mesh();
+
+    void
+    add(const ContactStep &step);
+
+    /// Writes the table with ',' between columns.
+    void
+    write(std::ostream &out) const;
+
+  private:
+    void
+    print_header();
+    void
+    print_row(const ContactStep &step);
+
+    Log &log_;
+    const bool on_levels_;
+    const bool print_, has_meshes_;
+    unsigned int mesh_ = 0;
+    bool has_header_   = false; ///< on the screen, of this mesh
+    bool has_rows_     = false;
+    const std::string step_name_;
+    dealii::TableHandler table_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef stiction_output_results_output_directory_h
+#define stiction_output_results_output_directory_h
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <mpi.h>
+
+#include <string>
+
+namespace stiction
+{
+  class ConvergenceHistory;
+  class Log;
+  class Parameters;
+
+  /// Throws InputError if the directories for output cannot be written to or
+  /// be made. Changes nothing. Collective.
+  void
+  require_writable_output(const Parameters &parameters, MPI_Comm communicator);
+
+  /// Makes the output directory, opens log.txt in it, removes the other files
+  /// of an earlier run, which must not be read together with those of this one,
+  /// and writes used_parameters.prm. Collective. Throws InputError, before
+  /// anything is changed, if it cannot be written.
+  void
+  open_output_directory(const Parameters &parameters,
+                        Log &log,
+                        MPI_Comm communicator);
+
+  /// Writes convergence.csv. Collective.
+  void
+  write_history(const ConvergenceHistory &history,
+                const std::string &directory,
+                MPI_Comm communicator);
+
+  /// Writes summary.json, the last file of a run. Collective.
+  void
+  write_summary(const nlohmann::json &summary,
+                const std::string &directory,
+                MPI_Comm communicator);
+
+  /// The section "program" of summary.json. Collective.
+  nlohmann::json
+  program_to_json(MPI_Comm communicator);
+
+  /// The largest memory of all ranks together so far, in MB. Collective.
+  double
+  peak_memory(MPI_Comm communicator);
+} // namespace stiction
+
+#endif

@@ -1,0 +1,129 @@
+#ifndef stiction_qp_methods_dual_method_h
+#define stiction_qp_methods_dual_method_h
+
+#include <stiction/qp/methods/dual_iterate.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/sets/slip_bound.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <string>
+
+namespace stiction
+{
+  /// When a dual method may stop.
+  struct StoppingRule
+  {
+    /// The natural residual to reach, without a unit.
+    double residual = 0.;
+    /// The largest last change ‖λ⁽ⁱ⁾ − λ⁽ⁱ⁻¹⁾‖/‖λ⁽ⁱ⁾‖, the paper's rule made
+    /// relative, for the methods that are stopped by it in the literature.
+    double change = 0.;
+    /// Cap on the iterations.
+    unsigned int max_iterations = 0;
+  };
+
+
+
+  /// How a run of a dual method ended.
+  struct DualMethodResult
+  {
+    unsigned int iterations = 0;  ///< those that the cap counts
+    double residual         = 0.; ///< natural residual reached
+    double change           = 0.; ///< last relative change of λ
+    bool converged          = false;
+    bool stagnated          = false; ///< no further progress was possible
+    /// If it stagnated and knows why: that.
+    std::string reason;
+  };
+
+
+
+  /// What a method did so far; the same list for every method, what does not
+  /// apply stays zero.
+  struct DualMethodStatistics
+  {
+    unsigned int coulomb_iterations       = 0; ///< successive approximations
+    unsigned int gauss_seidel_iterations  = 0; ///< sweeps
+    unsigned int newton_steps             = 0;
+    unsigned int krylov_iterations        = 0; ///< in the Newton steps
+    unsigned int interior_point_steps     = 0;
+    unsigned int conjugate_gradient_steps = 0; ///< of active set methods
+    unsigned int expansion_steps          = 0; ///< the active set grew
+    unsigned int release_steps            = 0; ///< the active set shrank
+    unsigned int admm_iterations          = 0;
+    unsigned int dense_factorizations     = 0; ///< Cholesky, order 3m
+    unsigned int fallbacks                = 0; ///< to a method with a proof
+    double contraction = 0.; ///< of the last successive approximations
+
+    /// Adds what another method did that this one called.
+    DualMethodStatistics &
+    operator+=(const DualMethodStatistics &other)
+    {
+      coulomb_iterations += other.coulomb_iterations;
+      gauss_seidel_iterations += other.gauss_seidel_iterations;
+      newton_steps += other.newton_steps;
+      krylov_iterations += other.krylov_iterations;
+      interior_point_steps += other.interior_point_steps;
+      conjugate_gradient_steps += other.conjugate_gradient_steps;
+      expansion_steps += other.expansion_steps;
+      release_steps += other.release_steps;
+      admm_iterations += other.admm_iterations;
+      dense_factorizations += other.dense_factorizations;
+      fallbacks += other.fallbacks;
+      return *this;
+    }
+  };
+
+
+
+  /// A method for the contact problem in its dual form, the paper's (D): with
+  /// given friction min ½ λᵀQλ − λᵀh over λ_ν ≥ 0, ‖λ_t,i‖ ≤ g_i; with Coulomb
+  /// friction the fixed point g = Fλ_ν of it.
+  class DualMethod
+  {
+  public:
+    /// An outermost iteration: how many inner ones it took, the natural
+    /// residual after it and the relative change of λ in it.
+    struct Step
+    {
+      unsigned int inner_iterations = 0;
+      double residual = 0., change = 0.;
+    };
+    using Observer = std::function<void(const Step &)>;
+
+    virtual ~DualMethod() = default;
+
+    /// Improves the iterate until the stopping rule is met. May be called
+    /// again, with a stricter rule or other scales.
+    ///
+    /// @param iterate in: any λ with its gradient; out: a feasible one.
+    virtual DualMethodResult
+    solve(DualIterate &iterate,
+          const qp::SlipBound &slip_bound,
+          const qp::Scaling &scaling,
+          const StoppingRule &rule,
+          const Observer &observer) = 0;
+
+    /// Whether solve() takes the slip bound of Coulomb friction. If not, the
+    /// method is one for given friction, to be used in successive
+    /// approximations.
+    virtual bool
+    solves_coulomb() const = 0;
+
+    /// If the method solves another problem than the one given: which, and
+    /// what to choose instead; otherwise empty.
+    virtual std::string
+    limitation() const
+    {
+      return {};
+    }
+
+    /// Sums over all runs so far.
+    virtual DualMethodStatistics
+    statistics() const = 0;
+  };
+} // namespace stiction
+
+#endif

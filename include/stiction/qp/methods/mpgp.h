@@ -1,0 +1,56 @@
+#ifndef stiction_qp_methods_mpgp_h
+#define stiction_qp_methods_mpgp_h
+
+#include <stiction/qp/methods/dual_method.h>
+#include <stiction/qp/operators/dual_operator.h>
+#include <stiction/qp/operators/nodal_scaling.h>
+#include <stiction/qp/operators/scaled_operator.h>
+
+namespace stiction
+{
+  /// Given friction as one quadratic program over half-lines times discs,
+  /// without splitting (MPGP: modified proportioning with gradient
+  /// projections, Dostál, Kučera and Kozubek), with one scale a node, spectral
+  /// release steps and Γ = 6. Its energy falls in every step and it converges
+  /// from anywhere: what faster methods fall back on.
+  ///
+  /// An iteration, for the cap and the history, is a stretch of
+  /// products_in_an_iteration products with Q.
+  class Mpgp : public DualMethod
+  {
+  public:
+    static constexpr unsigned int products_in_an_iteration = 20;
+
+    /// Estimates the norm of Q. The operator must outlive the method.
+    explicit Mpgp(const DualOperator &Q);
+
+    DualMethodResult
+    solve(DualIterate &iterate,
+          const qp::SlipBound &slip_bound,
+          const qp::Scaling &scaling,
+          const StoppingRule &rule,
+          const Observer &observer) override;
+
+    bool
+    solves_coulomb() const override
+    {
+      return false;
+    }
+
+    DualMethodStatistics
+    statistics() const override
+    {
+      return statistics_;
+    }
+
+  private:
+    const DualOperator &Q_;
+    DualOperatorBlock block_;
+    qp::NodalScaling nodal_scaling_;
+    qp::ScaledOperator scaled_block_;
+    double norm_;
+    DualMethodStatistics statistics_;
+  };
+} // namespace stiction
+
+#endif

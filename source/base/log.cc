@@ -1,0 +1,100 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/log.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <iostream>
+
+namespace stiction
+{
+  Log::Log(MPI_Comm communicator)
+    : speaks_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , last_line_(std::chrono::steady_clock::now())
+  {
+  }
+
+
+
+  void
+  Log::line(const std::string &text)
+  {
+    if (!speaks_)
+      return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_line_ = std::chrono::steady_clock::now();
+    std::cout << text << std::endl;
+    if (file_.is_open())
+      file_ << text << std::endl;
+    else
+      so_far_ << text << '\n';
+  }
+
+
+
+  void
+  Log::open_file(const std::string &name)
+  {
+    if (!speaks_)
+      return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    file_.open(name);
+    file_ << so_far_.str() << std::flush;
+    if (!file_)
+      throw InputError(name + ": cannot be written, must be in a directory "
+                              "with space and with the permission to write.");
+  }
+
+
+
+  double
+  Log::seconds_of_silence() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         last_line_)
+      .count();
+  }
+
+
+
+  std::string
+  format(const char *pattern, ...)
+  {
+    std::va_list arguments, again;
+    va_start(arguments, pattern);
+    va_copy(again, arguments);
+    std::string text(std::vsnprintf(nullptr, 0, pattern, arguments), ' ');
+    std::vsnprintf(&text[0], text.size() + 1, pattern, again);
+    va_end(arguments);
+    va_end(again);
+    return text;
+  }
+
+
+
+  std::array<double, 3>
+  without_rounding(std::array<double, 3> v, const double size)
+  {
+    const double norm = std::max(size, std::hypot(v[0], v[1], v[2]));
+    for (double &component : v)
+      if (std::abs(component) <= 1e-12 * norm)
+        component = 0.;
+    return v;
+  }
+
+
+
+  std::string
+  format_vector(const char *pattern,
+                const std::array<double, 3> &v,
+                const double size)
+  {
+    const auto w = without_rounding(v, size);
+    return format(pattern, w[0]) + ", " + format(pattern, w[1]) + ", " +
+           format(pattern, w[2]);
+  }
+} // namespace stiction

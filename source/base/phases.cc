@@ -1,0 +1,145 @@
+#include <stiction/base/log.h>
+#include <stiction/base/phases.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    double
+    seconds_since(const Clock::time_point begin)
+    {
+      return std::chrono::duration<double>(Clock::now() - begin).count();
+    }
+
+    // A silence longer than this one is broken; then twice as long each time.
+    constexpr double first_silence = 5., longest_silence = 60.;
+  } // namespace
+
+
+
+  Phases::Scope::Scope(double &seconds)
+    : seconds_(seconds)
+    , begin_(Clock::now())
+  {
+  }
+
+
+
+  Phases::Scope::Scope(double &seconds, Phases &phases, const std::string &name)
+    : Scope(seconds)
+  {
+    phases_ = &phases;
+    const std::lock_guard<std::mutex> lock(phases.mutex_);
+    phases.running_.push_back({name, begin_});
+  }
+
+
+
+  Phases::Scope::~Scope()
+  {
+    seconds_ += seconds_since(begin_);
+    if (phases_ == nullptr)
+      return;
+    const std::lock_guard<std::mutex> lock(phases_->mutex_);
+    phases_->running_.pop_back();
+  }
+
+
+
+  Phases::~Phases()
+  {
+    if (!announcer_.joinable())
+      return;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_over_ = true;
+    }
+    wake_up_.notify_one();
+    announcer_.join();
+  }
+
+
+
+  void
+  Phases::announce(Log &log)
+  {
+    announcer_ = std::thread([this, &log]() {
+      double patience = first_silence;
+      Clock::time_point announced{};
+      std::unique_lock<std::mutex> lock(mutex_);
+      while (!wake_up_.wait_for(
+        lock, std::chrono::seconds(1), [this]() { return is_over_; }))
+        {
+          if (running_.empty())
+            continue;
+          const Running &phase = running_.back();
+          if (phase.begin != announced)
+            patience = first_silence;
+          const double elapsed = seconds_since(phase.begin);
+          if (std::min(elapsed, log.seconds_of_silence()) < patience)
+            continue;
+          std::string name = phase.name;
+          std::replace(name.begin(), name.end(), '_', ' ');
+          log.line(format("  ... %s, %.0f s", name.c_str(), elapsed));
+          announced = phase.begin;
+          patience  = std::min(2. * patience, longest_silence);
+        }
+    });
+  }
+
+
+
+  nlohmann::json
+  Phases::to_json() const
+  {
+    // those that no other one is around
+    static const std::vector<std::string> outermost = {"reading",
+                                                       "mesh",
+                                                       "assembly",
+                                                       "contact_solve",
+                                                       "certificate",
+                                                       "error_estimate",
+                                                       "yardsticks",
+                                                       "output"};
+    nlohmann::json section;
+    for (const char *phase : {"reading",
+                              "mesh",
+                              "assembly",
+                              "stiffness_setup",
+                              "dual_operator",
+                              "dual_iteration",
+                              "displacement_iteration",
+                              "contact_solve",
+                              "certificate",
+                              "error_estimate",
+                              "elastic_solve",
+                              "elastic_solve_iteration",
+                              "sparse_factorization",
+                              "dual_cholesky",
+                              "yardsticks",
+                              "output",
+                              "total"})
+      {
+        const auto entry = seconds_.find(phase);
+        section[phase]   = entry == seconds_.end()
+                             ? nlohmann::json(nullptr)
+                             : nlohmann::json(entry->second);
+      }
+    if (!section["total"].is_null())
+      {
+        double other = section["total"].get<double>();
+        for (const std::string &phase : outermost)
+          if (!section[phase].is_null())
+            other -= section[phase].get<double>();
+        section["other"] = other;
+      }
+    return section;
+  }
+} // namespace stiction

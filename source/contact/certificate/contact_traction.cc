@@ -1,0 +1,95 @@
+#include "contact_traction.h"
+
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  ContactTraction::ContactTraction(const LinearElasticity &elasticity,
+                                   const ContactSurface &surface,
+                                   const Eigen::VectorXd &lambda)
+    : elasticity_(elasticity)
+    , surface_(surface)
+    , force_(surface.force_to_cartesian(lambda))
+    , fe_(elasticity.body().dof_handler().get_fe())
+    , dofs_(fe_.n_dofs_per_cell())
+  {
+  }
+
+
+
+  std::vector<Tensor<1, 3>>
+  ContactTraction::at_points(const FEFaceValues<3> &values,
+                             const DoFHandler<3>::cell_iterator &cell)
+  {
+    cell->get_dof_indices(dofs_);
+    const unsigned int f = values.get_face_number();
+    const auto id        = cell->face(f)->boundary_id();
+    std::vector<std::optional<Tensor<1, 3>>> at_nodes(fe_.n_dofs_per_face(f) /
+                                                      3);
+    Tensor<1, 3> mean;
+    double n_known = 0.;
+    for (unsigned int a = 0; a < at_nodes.size(); ++a)
+      {
+        at_nodes[a] = at_node(dofs_[fe_.face_to_cell_index(3 * a, f)], id);
+        if (at_nodes[a])
+          {
+            mean += *at_nodes[a];
+            n_known += 1.;
+          }
+      }
+    if (n_known == 0.)
+      return {};
+    mean /= n_known;
+
+    std::vector<Tensor<1, 3>> tractions(values.n_quadrature_points);
+    for (unsigned int a = 0; a < at_nodes.size(); ++a)
+      for (unsigned int q = 0; q < tractions.size(); ++q)
+        tractions[q] +=
+          values.shape_value(fe_.face_to_cell_index(3 * a, f), q) *
+          at_nodes[a].value_or(mean);
+    return tractions;
+  }
+
+
+
+  std::optional<Tensor<1, 3>>
+  ContactTraction::at_node(const types::global_dof_index first_dof,
+                           const types::boundary_id id) const
+  {
+    Tensor<1, 3> traction;
+    if (elasticity_.is_hanging(first_dof))
+      {
+        for (const auto &master :
+             *elasticity_.body().hanging_nodes().get_constraint_entries(
+               first_dof))
+          {
+            const auto at_master = at_node(master.first, id);
+            if (!at_master)
+              return std::nullopt;
+            traction += master.second * *at_master;
+          }
+        return traction;
+      }
+
+    const Eigen::Index m = surface_.n_nodes();
+    const Eigen::Index i = surface_.node_of(first_dof);
+    if (i >= 0)
+      {
+        const ContactNode &node = surface_.nodes()[i];
+        if (surface_.boundaries()[node.boundary].id() != id)
+          return std::nullopt;
+        for (unsigned int c = 0; c < 3; ++c)
+          traction[c] = -force_(i + c * m) / node.area;
+        return traction;
+      }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (elasticity_.is_prescribed(first_dof + c))
+        return std::nullopt;
+    return traction;
+  }
+} // namespace stiction

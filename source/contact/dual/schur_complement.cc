@@ -1,0 +1,111 @@
+#include <stiction/contact/dual/schur_complement.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    Eigen::VectorXd
+    dual_right_hand_side(const LinearElasticity &elasticity,
+                         const ContactSurface &surface,
+                         StiffnessSolver &solver)
+    {
+      LA::Vector u = elasticity.zero_vector();
+      solver.solve(u, elasticity.constrained_load());
+      return surface.apply_B(u) - surface.motion().offset();
+    }
+
+    // What Q gets on its diagonal where nodes are held: of the size of the
+    // entries at other nodes.
+    Eigen::VectorXd
+    held_compliance(const LinearElasticity &elasticity,
+                    const ContactSurface &surface)
+    {
+      const Eigen::VectorXd stiffness =
+        surface.trace().restriction(elasticity.stiffness_diagonal());
+      return surface.held().cwiseQuotient(stiffness);
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<DualOperator>
+  SchurComplement::create(const std::string &form,
+                          const LinearElasticity &elasticity,
+                          const ContactSurface &surface,
+                          StiffnessSolver &solver)
+  {
+    if (form == "by solves")
+      return std::make_unique<SchurComplement>(elasticity, surface, solver);
+
+    // Q = M C Mᵀ with C the block of K⁻¹ at the contact unknowns
+    Eigen::MatrixXd Q = solver.compliance(surface.trace());
+    surface.rotate_to_local(Q);
+    Q.diagonal() += held_compliance(elasticity, surface);
+    return std::make_unique<DenseDualOperator>(
+      std::move(Q), dual_right_hand_side(elasticity, surface, solver));
+  }
+
+
+
+  SchurComplement::SchurComplement(const LinearElasticity &elasticity,
+                                   const ContactSurface &surface,
+                                   StiffnessSolver &solver)
+    : DualOperator(surface.n_nodes())
+    , elasticity_(elasticity)
+    , surface_(surface)
+    , solver_(solver)
+    , held_compliance_(held_compliance(elasticity, surface))
+  {
+    set_right_hand_side(dual_right_hand_side(elasticity, surface, solver));
+  }
+
+
+
+  Eigen::VectorXd
+  SchurComplement::compute_nodal_compliance() const
+  {
+    const Eigen::Index m = n_nodes();
+    const Eigen::VectorXd stiffness =
+      surface_.trace().restriction(elasticity_.stiffness_diagonal());
+    const Eigen::VectorXd shape =
+      (stiffness.head(m) + stiffness.segment(m, m) + stiffness.tail(m))
+        .cwiseInverse();
+
+    // with random signs zᵀQz is the trace of Q, but for a few per cent
+    Eigen::VectorXd z(3 * m), Qz;
+    unsigned int random = 1;
+    for (double &sign : z)
+      {
+        random = 1664525u * random + 1013904223u; // the same on all ranks
+        sign   = random >> 31 != 0 ? 1. : -1.;
+      }
+    vmult(DualBlock::all, DualBlock::all, Qz, z);
+    return shape * (z.dot(Qz) / (3. * shape.sum()));
+  }
+
+
+
+  void
+  SchurComplement::apply(const DualBlock rows,
+                         const DualBlock columns,
+                         Eigen::VectorXd &dst,
+                         const Eigen::VectorXd &src) const
+  {
+    Eigen::VectorXd lambda = Eigen::VectorXd::Zero(3 * n_nodes());
+    lambda.segment(begin(columns), length(columns)) = src;
+
+    LA::Vector force = elasticity_.zero_vector();
+    LA::Vector u     = elasticity_.zero_vector();
+    surface_.add_transpose_B(1., lambda, force);
+    solver_.solve(u, force);
+    dst = (surface_.apply_B(u) + held_compliance_.cwiseProduct(lambda))
+            .segment(begin(rows), length(rows));
+  }
+} // namespace stiction

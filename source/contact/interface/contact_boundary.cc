@@ -1,0 +1,248 @@
+#include <stiction/base/boundary_functions.h>
+#include <stiction/base/errors.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/obstacles/obstacle.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::string obstacle_entry = "Boundary conditions/Obstacle";
+    const std::string displacement_entry =
+      "Boundary conditions/Obstacle displacement";
+    const std::string force_entry = "Boundary conditions/Obstacle force";
+
+    // Below this cosine between the outward normal and the direction towards
+    // the obstacle a node faces away from it.
+    constexpr double facing_cosine = 0.1;
+
+    // A depth that is rounding, as part of the body's size.
+    constexpr double rounding = 1e-9;
+
+    // One value for each of n boundaries, of which all may have the same.
+    std::vector<std::string>
+    values_for_each(const std::string &text,
+                    const std::size_t n,
+                    const std::string &description)
+    {
+      std::vector<std::string> values = split_at_bars(text);
+      if (values.size() == 1)
+        values.resize(n, values.front());
+      if (values.size() != n)
+        throw InputError(description + ", has " +
+                         std::to_string(values.size()) +
+                         " values separated by '|', must have one" +
+                         (n > 1 ? " for all contact boundaries or " +
+                                    std::to_string(n) + ", one for each"
+                                : " for the one contact boundary") +
+                         ".");
+      return values;
+    }
+
+    // 'file : NAME' with the name of the file where it is.
+    std::string
+    with_path(const std::string &obstacle, const ParameterFile &source)
+    {
+      const std::size_t colon = obstacle.find(':');
+      if (colon == std::string::npos ||
+          Utilities::trim(obstacle.substr(0, colon)) != "file")
+        return obstacle;
+      return "file : " +
+             source.find_file(obstacle_entry,
+                              Utilities::trim(obstacle.substr(colon + 1)));
+    }
+
+    std::string
+    describe_friction(const FrictionLaw law,
+                      const std::string &coefficient,
+                      const std::string &slip_stress,
+                      const std::string &direction)
+    {
+      if (law == FrictionLaw::frictionless)
+        return ", no friction";
+      return (law == FrictionLaw::coulomb
+                ? ", Coulomb friction, F = " + coefficient
+                : ", given friction, slip stress " + slip_stress) +
+             (direction.empty() ? "" : ", first direction " + direction);
+    }
+
+    std::string
+    text_of(const Point<3> &p)
+    {
+      std::ostringstream out;
+      out << '(' << p << ')';
+      return out.str();
+    }
+  } // namespace
+
+
+
+  ContactBoundary::ContactBoundary()                            = default;
+  ContactBoundary::ContactBoundary(ContactBoundary &&) noexcept = default;
+  ContactBoundary::~ContactBoundary()                           = default;
+
+
+
+  std::vector<ContactBoundary>
+  ContactBoundary::read(const Parameters &parameters, const Body &body)
+  {
+    const ParameterFile &source = parameters.source;
+    const std::string entry     = "Boundary conditions/Contact boundary";
+    const auto names = split_at_bars(parameters.boundary.contact_boundary);
+    const std::vector<FrictionLaw> laws = parameters.friction.laws();
+
+    const auto values = [&](const std::string &of, const std::string &text) {
+      return values_for_each(text, names.size(), source.describe(of));
+    };
+    values("Friction/Law", parameters.friction.law_name); // counted only
+    const auto obstacles = values(obstacle_entry, parameters.boundary.obstacle);
+    const auto gaps      = values("Boundary conditions/Initial gap",
+                             parameters.boundary.initial_gap);
+    const auto displacements =
+      values(displacement_entry, parameters.boundary.obstacle_displacement);
+    const auto forces = values(force_entry, parameters.boundary.obstacle_force);
+    const auto coefficients =
+      values("Friction/Coefficient", parameters.friction.coefficient);
+    const auto slip_stresses =
+      values("Friction/Slip stress", parameters.friction.slip_stress);
+    const auto directions =
+      values("Friction/First direction", parameters.friction.first_direction);
+    const auto vector = [&](const std::string &of, const std::string &text) {
+      const std::vector<double> numbers =
+        read_numbers(text, 3, source.locate(of), parameters.boundary.time);
+      return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
+    };
+    const auto formula = [&](const std::string &of, const std::string &text) {
+      return std::make_unique<ParsedFunction>(
+        text, 1, source.locate(of), parameters.boundary.time);
+    };
+
+    const auto corners = body.bounding_box().get_boundary_points();
+    const double size  = corners.first.distance(corners.second);
+
+    std::vector<ContactBoundary> boundaries;
+    std::set<types::boundary_id> ids;
+    for (std::size_t b = 0; b < names.size(); ++b)
+      {
+        ContactBoundary boundary;
+        boundary.id_ = body.boundary_names().id(names[b], source.locate(entry));
+        boundary.name_ = body.boundary_names().name(boundary.id_);
+        if (!ids.insert(boundary.id_).second)
+          throw InputError(source.describe(entry) + ", boundary " + names[b] +
+                           " stands twice, must stand once.");
+
+        boundary.obstacle_ = Obstacle::read(with_path(obstacles[b], source),
+                                            source.locate(obstacle_entry),
+                                            size,
+                                            parameters.boundary.time,
+                                            body.communicator());
+        boundary.gap_ = formula("Boundary conditions/Initial gap", gaps[b]);
+        const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
+        boundary.friction_ =
+          std::make_unique<FrictionData>(law,
+                                         coefficients[b],
+                                         slip_stresses[b],
+                                         directions[b],
+                                         source,
+                                         parameters.boundary.time);
+        boundary.displacement_ = vector(displacement_entry, displacements[b]);
+        boundary.force_        = vector(force_entry, forces[b]);
+        boundary.description_ =
+          obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
+          (boundary.displacement_.norm() > 0.
+             ? ", displaced " + displacements[b]
+             : "") +
+          (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
+          describe_friction(
+            law, coefficients[b], slip_stresses[b], directions[b]);
+        boundary.size_   = size;
+        boundary.source_ = &source;
+        boundaries.push_back(std::move(boundary));
+      }
+    return boundaries;
+  }
+
+
+
+  bool
+  ContactBoundary::place(ContactNode &node) const
+  {
+    node.gap = gap_->value(node.position);
+    if (!obstacle_)
+      return true;
+
+    const auto refuse = [&](const std::string &reason) {
+      throw InputError(source_->describe(obstacle_entry) + ", " + reason + ".");
+    };
+    const Obstacle::Value value = obstacle_->at(node.position);
+    const double slope          = value.gradient.norm();
+    // a formula's differences leave rounding where there is no slope
+    if (!(slope > 0.) || slope * size_ < 1e-8 * std::abs(value.psi))
+      refuse("has no normal for the contact node at " + text_of(node.position) +
+             ", the gradient of the distance must not vanish there");
+
+    node.gap += value.psi / slope;
+    if (node.gap < -size_)
+      refuse("is deeper in the body at " + text_of(node.position) +
+             " than the body is large, must be outside but for a small "
+             "interference");
+    const Tensor<1, 3> towards_obstacle = value.gradient / -slope;
+    const bool is_facing = towards_obstacle * node.normal >= facing_cosine;
+    if (!is_facing && node.gap < -rounding * size_)
+      refuse("contains the contact node at " + text_of(node.position) +
+             ", which faces away from its surface there, must face the "
+             "boundary '" +
+             name_ + "' wherever it is inside the body");
+    node.normal = towards_obstacle;
+    return is_facing;
+  }
+
+
+
+  double
+  ContactBoundary::initial_gap(const Point<3> &p) const
+  {
+    return gap_->value(p);
+  }
+
+
+
+  FrictionLaw
+  ContactBoundary::law() const
+  {
+    return friction_->law();
+  }
+
+
+
+  void
+  ContactBoundary::set_friction(ContactNode &node) const
+  {
+    friction_->set(node);
+  }
+
+
+
+  double
+  ContactBoundary::penetration(const Point<3> &p) const
+  {
+    if (!obstacle_)
+      return 0.;
+    const Obstacle::Value value = obstacle_->at(p);
+    const double slope          = value.gradient.norm();
+    return value.psi < 0. && slope > 0. ? -value.psi / slope : 0.;
+  }
+} // namespace stiction

@@ -1,0 +1,135 @@
+#include <stiction/base/boundary_functions.h>
+#include <stiction/base/errors.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const char *const direction_entry = "Friction/First direction";
+
+    // The conditions of the scaled problem grow with the square of the ratio
+    // of the axes.
+    constexpr double largest_ratio = 100.;
+  } // namespace
+
+
+
+  FrictionData::Values::Values(const ParameterFile &source,
+                               const std::string &entry,
+                               const std::string &expression,
+                               const double time)
+    : source(source)
+    , entry(entry)
+  {
+    const auto n_formulas =
+      1 + std::count(expression.begin(), expression.end(), ';');
+    if (n_formulas > 2)
+      throw InputError(source.describe(entry) +
+                       ", must be one formula, or two separated by ';' for "
+                       "the two principal directions.");
+    function =
+      std::make_unique<ParsedFunction>(expression,
+                                       static_cast<unsigned int>(n_formulas),
+                                       source.locate(entry),
+                                       time);
+  }
+
+
+
+  FrictionData::Values::~Values() = default;
+
+
+
+  std::array<double, 2>
+  FrictionData::Values::at(const Point<3> &p) const
+  {
+    const bool is_one   = function->n_components == 1;
+    const double first  = function->value(p, 0);
+    const double second = is_one ? first : function->value(p, 1);
+
+    const auto refuse = [&](const std::string &allowed) {
+      std::ostringstream message;
+      message << source.describe(entry) << ", gives " << first;
+      if (!is_one)
+        message << " and " << second;
+      message << " at (" << p << "), must be " << allowed << ".";
+      throw InputError(message.str());
+    };
+    if (first < 0. || second < 0.)
+      refuse(">= 0 everywhere");
+    if ((first == 0.) != (second == 0.))
+      refuse("> 0 along both principal directions or 0 along both");
+    if (std::max(first, second) > largest_ratio * std::min(first, second))
+      refuse("at most 100 times as large along one principal direction as "
+             "along the other");
+    return {{first, second}};
+  }
+
+
+
+  FrictionData::FrictionData(const FrictionLaw law,
+                             const std::string &coefficient,
+                             const std::string &slip_stress,
+                             const std::string &first_direction,
+                             const ParameterFile &source,
+                             const double time)
+    : source_(source)
+    , law_(law)
+  {
+    if (law == FrictionLaw::coulomb)
+      bound_ = std::make_unique<Values>(
+        source, "Friction/Coefficient", coefficient, time);
+    if (law == FrictionLaw::given)
+      bound_ = std::make_unique<Values>(
+        source, "Friction/Slip stress", slip_stress, time);
+    if (!Utilities::trim(first_direction).empty())
+      first_direction_ = std::make_unique<ParsedFunction>(
+        first_direction, 3, source.locate(direction_entry), time);
+  }
+
+
+
+  FrictionData::~FrictionData() = default;
+
+
+
+  void
+  FrictionData::set(ContactNode &node) const
+  {
+    if (law_ == FrictionLaw::frictionless)
+      return;
+    const bool is_coulomb = law_ == FrictionLaw::coulomb;
+    const auto values     = bound_->at(node.position);
+
+    std::optional<Tensor<1, 3>> direction;
+    if (first_direction_)
+      {
+        direction.emplace();
+        for (unsigned int c = 0; c < 3; ++c)
+          (*direction)[c] = first_direction_->value(node.position, c);
+      }
+    const std::optional<double> radius =
+      set_friction_ellipse(node, values[0], values[1], direction);
+    if (!radius)
+      {
+        std::ostringstream message;
+        message << source_.describe(direction_entry) << ", gives ("
+                << *direction << ") at (" << node.position
+                << "), must have a part tangential to the contact boundary "
+                   "everywhere.";
+        throw InputError(message.str());
+      }
+    (is_coulomb ? node.coefficient : node.slip_stress) = *radius;
+  }
+} // namespace stiction

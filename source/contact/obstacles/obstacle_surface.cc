@@ -1,0 +1,186 @@
+#include <stiction/contact/obstacles/obstacle_surface.h>
+#include <stiction/contact/obstacles/stl_file.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    using dealii::Point;
+    using dealii::Tensor;
+
+    // The point of a triangle nearest to another point, and the feature it lies
+    // on: 0 the triangle, 1...3 the edge that begins at that vertex, 4...6 the
+    // vertex.
+    struct Nearest
+    {
+      Point<3> point;
+      unsigned int feature;
+    };
+
+    Nearest
+    nearest_on_triangle(const std::array<Point<3>, 3> &v, const Point<3> &p)
+    {
+      const Tensor<1, 3> n = cross_product_3d(v[1] - v[0], v[2] - v[0]);
+      const Tensor<1, 3> h = p - v[0];
+      bool is_above        = true;
+      for (unsigned int k = 0; k < 3; ++k)
+        is_above =
+          is_above &&
+          cross_product_3d(n, v[(k + 1) % 3] - v[k]) * (p - v[k]) >= 0.;
+      if (is_above)
+        return {p - (h * n) / n.norm_square() * n, 0};
+
+      Nearest nearest{v[0], 4};
+      double smallest = std::numeric_limits<double>::infinity();
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const Tensor<1, 3> edge = v[(k + 1) % 3] - v[k];
+          const double s          = (p - v[k]) * edge / edge.norm_square();
+          const Nearest here      = s <= 0. ? Nearest{v[k], 4 + k}
+                                    : s >= 1.
+                                      ? Nearest{v[(k + 1) % 3], 4 + (k + 1) % 3}
+                                      : Nearest{v[k] + s * edge, 1 + k};
+          const double distance   = here.point.distance(p);
+          if (distance < smallest)
+            {
+              smallest = distance;
+              nearest  = here;
+            }
+        }
+      return nearest;
+    }
+  } // namespace
+
+
+
+  struct ObstacleSurface::Data
+  {
+    using Box = std::pair<dealii::BoundingBox<3>, unsigned int>;
+
+    TriangulatedSurface surface;
+    std::vector<Tensor<1, 3>> normals;        // of triangles, unit
+    std::vector<Tensor<1, 3>> vertex_normals; // angle-weighted
+    std::map<std::pair<unsigned int, unsigned int>, Tensor<1, 3>> edge_normals;
+    dealii::RTree<Box> tree;
+    double size = 0.;
+
+    std::array<Point<3>, 3>
+    corners(const unsigned int triangle) const
+    {
+      const auto &t = surface.triangles[triangle];
+      return {{surface.vertices[t[0]],
+               surface.vertices[t[1]],
+               surface.vertices[t[2]]}};
+    }
+
+    std::pair<unsigned int, unsigned int>
+    edge(const unsigned int triangle, const unsigned int k) const
+    {
+      const auto &t = surface.triangles[triangle];
+      return std::minmax({t[k], t[(k + 1) % 3]});
+    }
+
+    const Tensor<1, 3> &
+    normal(const unsigned int triangle, const unsigned int feature) const
+    {
+      return feature == 0 ? normals[triangle]
+             : feature < 4
+               ? edge_normals.at(edge(triangle, feature - 1))
+               : vertex_normals[surface.triangles[triangle][feature - 4]];
+    }
+  };
+
+
+
+  ObstacleSurface::ObstacleSurface(TriangulatedSurface surface)
+    : data_(std::make_unique<Data>())
+  {
+    data_->surface = std::move(surface);
+    data_->vertex_normals.resize(data_->surface.vertices.size());
+    std::vector<Data::Box> boxes;
+    for (unsigned int i = 0; i < data_->surface.triangles.size(); ++i)
+      {
+        const auto v   = data_->corners(i);
+        Tensor<1, 3> n = cross_product_3d(v[1] - v[0], v[2] - v[0]);
+        n /= n.norm();
+        data_->normals.push_back(n);
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const Tensor<1, 3> a = v[(k + 1) % 3] - v[k],
+                               b = v[(k + 2) % 3] - v[k];
+            const double angle =
+              std::atan2(cross_product_3d(a, b).norm(), a * b);
+            data_->vertex_normals[data_->surface.triangles[i][k]] += angle * n;
+            data_->edge_normals[data_->edge(i, k)] += n;
+          }
+        boxes.emplace_back(
+          dealii::BoundingBox<3>(std::vector<Point<3>>(v.begin(), v.end())), i);
+      }
+    data_->tree = dealii::pack_rtree(boxes);
+    const auto corners =
+      dealii::BoundingBox<3>(data_->surface.vertices).get_boundary_points();
+    data_->size = corners.first.distance(corners.second);
+  }
+
+
+
+  ObstacleSurface::~ObstacleSurface() = default;
+
+
+
+  const TriangulatedSurface *
+  ObstacleSurface::triangles() const
+  {
+    return &data_->surface;
+  }
+
+
+
+  Obstacle::Value
+  ObstacleSurface::at(const Point<3> &p) const
+  {
+    namespace bgi = boost::geometry::index;
+
+    // boxes come in the order of their distance
+    double distance = std::numeric_limits<double>::infinity();
+    Nearest nearest{};
+    unsigned int triangle = 0;
+    for (auto box = data_->tree.qbegin(
+           bgi::nearest(p, static_cast<unsigned int>(data_->normals.size())));
+         box != data_->tree.qend() &&
+         boost::geometry::distance(p, box->first) <= distance;
+         ++box)
+      {
+        const Nearest here =
+          nearest_on_triangle(data_->corners(box->second), p);
+        const double here_distance = here.point.distance(p);
+        if (here_distance < distance)
+          {
+            distance = here_distance;
+            nearest  = here;
+            triangle = box->second;
+          }
+      }
+
+    const Tensor<1, 3> &normal = data_->normal(triangle, nearest.feature);
+    const Tensor<1, 3> away    = p - nearest.point;
+    const double sign          = away * normal < 0. ? -1. : 1.;
+    Value value;
+    value.psi = sign * distance;
+    // on the surface the direction of the difference is rounding
+    if (nearest.feature == 0 || distance <= 1e-10 * data_->size)
+      value.gradient = normal.norm() > 0. ? normal / normal.norm() : normal;
+    else
+      value.gradient = away / value.psi;
+    return value;
+  }
+} // namespace stiction

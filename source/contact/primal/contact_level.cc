@@ -1,0 +1,406 @@
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/primal/contact_level.h>
+#include <stiction/contact/primal/contact_state.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
+#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
+#include <stiction/qp/contact_conditions.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Unknown by unknown, like all vectors over the contact nodes.
+    DofSubset
+    trace_of(const std::vector<types::global_dof_index> &first_dofs)
+    {
+      const std::size_t m = first_dofs.size();
+      std::vector<types::global_dof_index> dofs(3 * m);
+      for (std::size_t i = 0; i < m; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          dofs[i + c * m] = first_dofs[i] + c;
+      return DofSubset(std::move(dofs));
+    }
+
+    // The components of a node as bits.
+    constexpr unsigned char all_components = 7;
+
+    // Σ‖v_j‖ over chosen components of the owned nodes of all ranks.
+    template<typename Components>
+    double
+    sum_of_norms(const LA::Vector &v, const Components &chosen)
+    {
+      double sum               = 0.;
+      const double *const data = v.begin();
+      for (std::size_t i = 0; i < v.locally_owned_size() / 3; ++i)
+        if (chosen(i) == all_components)
+          sum += std::sqrt(data[3 * i] * data[3 * i] +
+                           data[3 * i + 1] * data[3 * i + 1] +
+                           data[3 * i + 2] * data[3 * i + 2]);
+        else if (chosen(i) != 0)
+          {
+            double square = 0.;
+            for (unsigned int c = 0; c < 3; ++c)
+              if ((chosen(i) >> c & 1) != 0)
+                square += data[3 * i + c] * data[3 * i + c];
+            sum += std::sqrt(square);
+          }
+      return Utilities::MPI::sum(sum, v.get_mpi_communicator());
+    }
+  } // namespace
+
+
+
+  ContactLevel::ContactLevel(const LinearElasticity &elasticity,
+                             const ContactSurface &surface)
+    : stiffness_(&elasticity.stiffness())
+    , load_(&elasticity.load())
+    , trace_(surface.trace())
+    , areas_(surface.areas())
+    , motion_(surface.motion())
+    , stiffness_of_cells_(surface.stiffness())
+    , boundary_area_(surface.boundary_area())
+    , slip_bound_(surface.slip_bound())
+  {
+    for (const auto dof : load_->locally_owned_elements())
+      if (elasticity.is_prescribed(dof))
+        {
+          fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
+          prescribed_.push_back(elasticity.prescribed_value(dof));
+        }
+    for (const ContactNode &node : surface.nodes())
+      frames_.push_back(node);
+    find_inner_nodes();
+    load_sum_ =
+      sum_of_norms(*load_, [](std::size_t) { return all_components; });
+  }
+
+
+
+  ContactLevel::ContactLevel(const ContactLevel &finer,
+                             const LinearElasticity &elasticity,
+                             const MeshHierarchy &hierarchy,
+                             const DofSubsetHierarchy &trace_hierarchy,
+                             const unsigned int level)
+    : own_stiffness_(
+        std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
+                                                    elasticity.materials()))
+    , stiffness_(own_stiffness_.get())
+    , own_load_(std::make_unique<LA::Vector>(
+        hierarchy.level(level).zero_vector<double>()))
+    , load_(own_load_.get())
+    , trace_(trace_of(trace_hierarchy.first_dofs(level)))
+    , boundary_area_(finer.boundary_area_)
+  {
+    const LevelTransfer &transfer = hierarchy.transfer(level + 1);
+    transfer.restrict_to(*own_load_, *finer.load_);
+
+    // coarse vertices are fine nodes, with their prescribed values
+    LA::Vector is_fixed = finer.mesh().zero_vector<double>();
+    LA::Vector values   = is_fixed;
+    for (std::size_t k = 0; k < finer.fixed_.size(); ++k)
+      {
+        is_fixed.local_element(finer.fixed_[k]) = 1.;
+        values.local_element(finer.fixed_[k])   = finer.prescribed_[k];
+      }
+    LA::Vector coarse_is_fixed = mesh().zero_vector<double>();
+    LA::Vector coarse_values   = coarse_is_fixed;
+    transfer.inject(coarse_is_fixed, is_fixed);
+    transfer.inject(coarse_values, values);
+    for (unsigned int k = 0; k < coarse_is_fixed.locally_owned_size(); ++k)
+      if (coarse_is_fixed.local_element(k) != 0.)
+        {
+          fixed_.push_back(k);
+          prescribed_.push_back(coarse_values.local_element(k));
+        }
+
+    const auto &on_finer  = trace_hierarchy.on_finer_level(level);
+    const auto &weights   = trace_hierarchy.prolongation(level + 1);
+    const auto n_vertices = static_cast<Eigen::Index>(on_finer.size());
+    const Eigen::VectorXd finer_offset      = finer.motion_.offset_at_start();
+    const Eigen::MatrixXd &finer_directions = finer.motion_.directions();
+    Eigen::VectorXd offset(3 * n_vertices);
+    Eigen::MatrixXd directions(3 * n_vertices, finer_directions.cols());
+    Eigen::VectorXd coefficient(n_vertices);
+    stiffness_of_cells_.softest = finer.stiffness_of_cells_.softest;
+    stiffness_of_cells_.youngs_moduli.resize(n_vertices);
+    for (Eigen::Index j = 0; j < n_vertices; ++j)
+      {
+        for (Eigen::Index c = 0; c < 3; ++c)
+          {
+            const Eigen::Index k       = on_finer[j] + c * finer.n_nodes();
+            offset(j + c * n_vertices) = finer_offset(k);
+            directions.row(j + c * n_vertices) = finer_directions.row(k);
+          }
+
+        coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
+        stiffness_of_cells_.youngs_moduli(j) =
+          finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
+        frames_.push_back(finer.frames_[on_finer[j]]);
+      }
+    motion_ = ObstacleMotion(std::move(offset), std::move(directions));
+    areas_  = weights.transpose() * finer.areas_;
+    const Eigen::VectorXd constant =
+      weights.transpose() * finer.slip_bound_.constant();
+    slip_bound_ = finer.slip_bound_.is_coulomb()
+                    ? qp::SlipBound::mixed(constant, coefficient)
+                    : qp::SlipBound::given(constant);
+    find_inner_nodes();
+    load_sum_ =
+      sum_of_norms(*load_, [](std::size_t) { return all_components; });
+  }
+
+
+
+  ContactLevel::~ContactLevel() = default;
+
+
+
+  const MeshLevel &
+  ContactLevel::mesh() const
+  {
+    return stiffness_->level();
+  }
+
+
+
+  void
+  ContactLevel::find_inner_nodes()
+  {
+    free_components_.assign(mesh().n_owned_nodes(), all_components);
+    for (const unsigned int k : fixed_)
+      free_components_[k / 3] &= static_cast<unsigned char>(~(1u << k % 3));
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (load_->in_local_range(trace_.dofs()[i]))
+        free_components_[mesh().local_node(trace_.dofs()[i])] = 0;
+  }
+
+
+
+  void
+  ContactLevel::prescribe(LA::Vector &u) const
+  {
+    for (std::size_t k = 0; k < fixed_.size(); ++k)
+      u.local_element(fixed_[k]) = prescribed_[k];
+  }
+
+
+
+  void
+  ContactLevel::clear_prescribed(LA::Vector &v) const
+  {
+    for (const unsigned int k : fixed_)
+      v.local_element(k) = 0.;
+  }
+
+
+
+  std::vector<double>
+  ContactLevel::prescribed_entries(const LA::Vector &v) const
+  {
+    std::vector<double> entries;
+    entries.reserve(fixed_.size());
+    for (const unsigned int k : fixed_)
+      entries.push_back(v.local_element(k));
+    return entries;
+  }
+
+
+
+  void
+  ContactLevel::set_prescribed_entries(const std::vector<double> &entries,
+                                       LA::Vector &v) const
+  {
+    for (std::size_t k = 0; k < fixed_.size(); ++k)
+      v.local_element(fixed_[k]) = entries[k];
+  }
+
+
+
+  void
+  ContactLevel::add_prescribed_entries(const double factor,
+                                       const std::vector<double> &entries,
+                                       LA::Vector &v) const
+  {
+    for (std::size_t k = 0; k < fixed_.size(); ++k)
+      v.local_element(fixed_[k]) += factor * entries[k];
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::nodal_stiffness() const
+  {
+    Eigen::VectorXd stiffness =
+      stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_.cwiseSqrt());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      stiffness(i) /= frames_[i].scales().cwiseAbs2().maxCoeff();
+    return stiffness;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::apply_B(const LA::Vector &v) const
+  {
+    Eigen::VectorXd local = trace_.restriction(v);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(
+        local, i, frames_[i].displacement_to_local(at_node(local, i)));
+    return local;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::contact_forces(const LA::Vector &R) const
+  {
+    return force_to_local(trace_.restriction(R));
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::penetration_and_slip(const LA::Vector &u) const
+  {
+    return apply_B(u) - motion_.offset();
+  }
+
+
+
+  void
+  ContactLevel::add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const
+  {
+    Eigen::VectorXd cartesian(w.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(
+        cartesian, i, frames_[i].displacement_to_cartesian(at_node(w, i)));
+    trace_.add_extension(cartesian, u);
+  }
+
+
+
+  void
+  ContactLevel::set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const
+  {
+    for (const auto dof : trace_.dofs())
+      if (dst.in_local_range(dof))
+        dst(dof) = 0.;
+    trace_.add_extension(force_to_cartesian(v), dst);
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::force_to_cartesian(const Eigen::VectorXd &lambda) const
+  {
+    Eigen::VectorXd force(lambda.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(force, i, frames_[i].force_to_cartesian(at_node(lambda, i)));
+    return force;
+  }
+
+
+
+  Eigen::VectorXd
+  ContactLevel::force_to_local(const Eigen::VectorXd &force) const
+  {
+    Eigen::VectorXd lambda(force.size());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(lambda, i, frames_[i].force_to_local(at_node(force, i)));
+    return lambda;
+  }
+
+
+
+  NodalConstraint
+  ContactLevel::support(const Eigen::Index node,
+                        const Eigen::Matrix3d &projection,
+                        const Eigen::Matrix3d &spring) const
+  {
+    const ContactFrame &frame = frames_[node];
+    const Eigen::Matrix3d R   = frame.axes();
+    const Eigen::Vector3d is_free =
+      (frame.scales().array() > 0.).matrix().cast<double>();
+    const Eigen::Matrix3d M = frame.scales().asDiagonal() * R;
+
+    NodalConstraint support;
+    support.projection =
+      R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
+    support.spring = M.transpose() * spring * M;
+    return support;
+  }
+
+
+
+  ContactLevel::Scales
+  ContactLevel::scales(const LA::Vector &u,
+                       const LA::Vector &R,
+                       const Eigen::VectorXd &lambda) const
+  {
+    // a prescribed node may be prescribed in some components only
+    double reactions = 0.;
+    for (std::size_t k = 0; k < fixed_.size();)
+      {
+        const unsigned int node = fixed_[k] / 3;
+        double square           = 0.;
+        for (; k < fixed_.size() && fixed_[k] / 3 == node; ++k)
+          square += R.local_element(fixed_[k]) * R.local_element(fixed_[k]);
+        reactions += std::sqrt(square);
+      }
+    double energy = 0.; // uᵀKu = uᵀ(f − R)
+    for (unsigned int k = 0; k < u.locally_owned_size(); ++k)
+      energy +=
+        u.local_element(k) * (load_->local_element(k) - R.local_element(k));
+    std::array<double, 2> sums{{reactions, energy}};
+    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
+                        u.get_mpi_communicator(),
+                        ArrayView<double>(sums.data(), sums.size()));
+
+    double contact_forces = 0.;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      contact_forces +=
+        at_node(lambda, i).cwiseProduct(frames_[i].scales()).norm();
+
+    Scales scales;
+    scales.force   = nonzero(std::max({load_sum_, sums[0], contact_forces}));
+    scales.scaling = contact_scaling(
+      scales.force, sums[1], areas_, boundary_area_, stiffness_of_cells_);
+    return scales;
+  }
+
+
+
+  double
+  ContactLevel::rounding_of_forces(const LA::Vector &u) const
+  {
+    const std::vector<double> blocks = stiffness().diagonal_blocks();
+    LA::Vector forces                = u;
+    for (std::size_t k = 0; k < forces.locally_owned_size(); ++k)
+      forces.begin()[k] *= unit_roundoff * blocks[9 * (k / 3) + 4 * (k % 3)];
+    return sum_of_norms(forces, [](std::size_t) { return all_components; });
+  }
+
+
+
+  double
+  ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
+  {
+    return sum_of_norms(
+      v, [&](const std::size_t i) { return free_components_[i]; });
+  }
+} // namespace stiction

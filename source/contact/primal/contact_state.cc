@@ -1,0 +1,71 @@
+#include <stiction/contact/primal/contact_level.h>
+#include <stiction/contact/primal/contact_state.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stiction
+{
+  ContactState::ContactState(const ContactLevel &problem)
+    : u(problem.mesh().zero_vector<double>())
+    , R(problem.mesh().zero_vector<double>())
+  {
+  }
+
+
+
+  void
+  ContactState::update(const ContactLevel &problem)
+  {
+    problem.stiffness().vmult(R, u);
+    R.sadd(-1., 1., problem.load());
+    lambda = problem.contact_forces(R);
+    w      = problem.penetration_and_slip(u);
+  }
+
+
+
+  ContactResidual::ContactResidual(const ContactLevel &problem,
+                                   const ContactState &state,
+                                   const qp::SlipBound &slip_bound)
+    : ContactResidual(problem,
+                      state,
+                      slip_bound,
+                      problem.scales(state.u, state.R, state.lambda))
+  {
+  }
+
+
+
+  ContactResidual::ContactResidual(const ContactLevel &problem,
+                                   const ContactState &state,
+                                   const qp::SlipBound &slip_bound,
+                                   const ContactLevel::Scales &scales)
+    : force_scale(scales.force)
+    , conditions(state.lambda,
+                 -state.w,
+                 slip_bound.at(state.lambda),
+                 scales.scaling)
+    , equilibrium(problem.sum_of_norms_inside(state.R) / scales.force)
+  {
+  }
+
+
+
+  double
+  ContactResidual::value() const
+  {
+    double largest = equilibrium;
+    for (const auto &figure : conditions.deciding_figures())
+      {
+        if (!std::isfinite(figure.second))
+          return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, figure.second);
+      }
+    return std::isfinite(largest) ? largest
+                                  : std::numeric_limits<double>::infinity();
+  }
+} // namespace stiction

@@ -1,0 +1,257 @@
+#include <stiction/contact/primal/contact_level.h>
+#include <stiction/contact/primal/level_newton.h>
+#include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
+#include <stiction/qp/advice.h>
+#include <stiction/qp/contact_scales.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/sets/slip_bound.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <string>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    // A linear system is solved until this part of what the contact conditions
+    // lack: from there on, other contact states are worth more.
+    constexpr double linear_part = 0.2;
+
+    // ... and never beyond this part of the tolerance.
+    constexpr double linear_part_of_tolerance = 0.3;
+
+    // Where there are no scales yet, the reduction of the first system.
+    constexpr double first_reduction = 0.1;
+
+    // ρ is changed if the residual falls by less than this in so many steps.
+    constexpr double required_fall     = 0.7;
+    constexpr std::size_t fall_horizon = 3;
+
+    // The factors on the first ρ that are tried in turn: mostly it was too
+    // large, cycling, rarely too small.
+    constexpr std::array<double, 6> rho_factors = {
+      {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
+
+    constexpr unsigned int max_fallbacks      = 8;
+    constexpr unsigned int max_fallback_steps = 60;
+    constexpr unsigned int max_approximations = 4;
+  } // namespace
+
+
+
+  LevelNewton::LevelNewton(const ContactLevel &problem,
+                           const unsigned int level,
+                           StiffnessPreconditioner &preconditioner,
+                           const Options &options)
+    : problem_(problem)
+    , level_(level)
+    , preconditioner_(preconditioner)
+    , options_(options)
+    , system_(problem, level, preconditioner)
+    , c_(options.first_c)
+  {
+  }
+
+
+
+  std::string
+  LevelNewton::solve(ContactState &state,
+                     Eigen::VectorXd lambda,
+                     const double tolerance,
+                     const unsigned int max_steps,
+                     const Observer &observer)
+  {
+    ContactResidual residual(problem_, state, problem_.slip_bound());
+    std::deque<double> history;
+    Pace pace;
+    unsigned int stalls = 0;
+
+    // Never less than a step: without contact forces there may be no scales,
+    // and then anything is small.
+    for (bool has_stepped = false;; has_stepped = true)
+      {
+        if (has_stepped && residual.value() <= tolerance)
+          {
+            // what the linear solver carried along is made anew
+            state.update(problem_);
+            residual = ContactResidual(problem_, state, problem_.slip_bound());
+            if (carries_rounding_only(residual,
+                                      problem_.rounding_of_forces(state.u)))
+              {
+                drop_contact_forces(state);
+                return {};
+              }
+            if (residual.value() <= tolerance)
+              return {};
+          }
+        if (statistics_.newton_steps >= max_steps)
+          return "the cap on Newton steps was met, " +
+                 pace.advice(tolerance, options_.other_method);
+        if (!options_.only_fallback)
+          {
+            step(state, lambda, residual, tolerance);
+            residual = ContactResidual(problem_, state, problem_.slip_bound());
+            lambda   = state.lambda;
+            observer(statistics_, residual);
+            history.push_back(residual.value());
+            pace.add(statistics_.newton_steps, residual.value());
+          }
+        if (!std::isfinite(residual.value()))
+          return "the iteration broke down: the displacement is no number";
+        const bool falls =
+          history.size() <= fall_horizon ||
+          history.back() <=
+            required_fall * history[history.size() - 1 - fall_horizon];
+        if (falls && !options_.only_fallback)
+          continue;
+
+        const double rounding = problem_.rounding_of_forces(state.u);
+        if (carries_rounding_only(residual, rounding))
+          {
+            drop_contact_forces(state);
+            return {};
+          }
+        if (is_rounding(residual.value(), rounding / residual.force_scale))
+          return "rounding prevents a smaller one, raise 'Contact "
+                 "solver/Tolerance' above that";
+
+        // change ρ, and every second time fall back as well
+        history.clear();
+        ++stalls;
+        c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
+        ++statistics_.rho_changes;
+        if (stalls % 2 == 1 && !options_.only_fallback)
+          continue;
+        if (statistics_.fallbacks == max_fallbacks || has_hard_systems())
+          return why_no_closer();
+        fall_back(state,
+                  residual.value(),
+                  tolerance,
+                  max_steps - statistics_.newton_steps);
+        residual = ContactResidual(problem_, state, problem_.slip_bound());
+        lambda   = state.lambda;
+        observer(statistics_, residual);
+      }
+  }
+
+
+
+  bool
+  LevelNewton::carries_rounding_only(const ContactResidual &residual,
+                                     const double rounding) const
+  {
+    return residual.force_scale < only_rounding * rounding &&
+           problem_.slip_bound().constant().isZero(0.);
+  }
+
+
+
+  void
+  LevelNewton::drop_contact_forces(ContactState &state) const
+  {
+    state.update(problem_);
+    state.lambda.setZero();
+  }
+
+
+
+  bool
+  LevelNewton::has_hard_systems() const
+  {
+    return system_.n_unfinished() > 0 && !preconditioner_.is_direct(level_) &&
+           2 * system_.n_unfinished() >= statistics_.newton_steps;
+  }
+
+
+
+  std::string
+  LevelNewton::why_no_closer() const
+  {
+    if (!has_hard_systems())
+      return "neither Newton steps nor the method of multipliers come "
+             "closer, " +
+             options_.other_method + advice_on_friction(problem_.slip_bound());
+    return "most linear systems were not solved in " +
+           std::to_string(NewtonSystem::max_directions) +
+           " iterations each (are cells flat, is a Poisson ratio near 0.5?), "
+           "and are too large to be factorised in every step, " +
+           options_.other_method;
+  }
+
+
+
+  void
+  LevelNewton::step(ContactState &state,
+                    const Eigen::VectorXd &lambda,
+                    const ContactResidual &residual,
+                    const double tolerance)
+  {
+    const PrimalActiveSet linearization(
+      lambda, state.w, c_ * problem_.nodal_stiffness(), problem_.slip_bound());
+    const double force_scale  = residual.force_scale;
+    const qp::Scaling scaling = residual.conditions.scaling();
+    const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
+
+    const auto is_enough = [&](const NewtonSystem::Progress &now) {
+      if (!has_scales)
+        return now.reduction <= first_reduction;
+      const double linear =
+        std::max(now.residual / force_scale,
+                 largest_at_nodes(now.contact_residual, scaling.force));
+      return linear <=
+             std::max(linear_part_of_tolerance * tolerance,
+                      linear_part *
+                        qp::natural_residual(
+                          now.lambda, -now.w, problem_.slip_bound(), scaling));
+    };
+    const unsigned int iterations =
+      system_.solve(state, linearization, is_enough);
+    statistics_.krylov_iterations += iterations;
+    ++statistics_.newton_steps;
+    note_factorization();
+  }
+
+
+
+  void
+  LevelNewton::note_factorization()
+  {
+    if (system_.is_factorized() && statistics_.factorized_from == 0)
+      statistics_.factorized_from = statistics_.newton_steps + 1;
+  }
+
+
+
+  void
+  LevelNewton::fall_back(ContactState &state,
+                         const double residual,
+                         const double tolerance,
+                         const unsigned int max_steps)
+  {
+    // one digit more each time, so that given friction gets there by this alone
+    ++statistics_.fallbacks;
+    const double target = std::max(0.5 * tolerance, 0.1 * residual);
+    MethodOfMultipliers multipliers(problem_, system_);
+    unsigned int steps = 0;
+    for (unsigned int k = 0; k < max_approximations && steps < max_steps; ++k)
+      {
+        const Eigen::VectorXd bound = problem_.slip_bound().at(state.lambda);
+        const auto effort =
+          multipliers.solve(state,
+                            bound,
+                            target,
+                            std::min(max_fallback_steps, max_steps - steps));
+        steps += effort.newton_steps;
+        statistics_.newton_steps += effort.newton_steps;
+        statistics_.krylov_iterations += effort.krylov_iterations;
+        if (ContactResidual(problem_, state, problem_.slip_bound()).value() <=
+            target)
+          break;
+      }
+    note_factorization();
+  }
+} // namespace stiction

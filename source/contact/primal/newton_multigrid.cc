@@ -1,0 +1,199 @@
+#include <stiction/base/interrupt.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/obstacles/pressed_obstacles.h>
+#include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace
+  {
+    // A coarse level need not be solved better than it approximates the next:
+    // from 0.1 to 1e-4 the steps on the finest level are the same.
+    constexpr double coarse_tolerance = 0.03;
+
+    // The certificate measures afresh: what is aimed at, as part of the
+    // tolerance.
+    constexpr double force_accuracy = 0.5;
+
+
+    std::vector<dealii::types::global_dof_index>
+    first_dofs(const ContactSurface &surface)
+    {
+      const auto &dofs = surface.trace().dofs();
+      return {dofs.begin(), dofs.begin() + surface.n_nodes()};
+    }
+  } // namespace
+
+
+
+  NewtonMultigrid::NewtonMultigrid(const LinearElasticity &elasticity,
+                                   const ContactSurface &surface,
+                                   const bool levels_in_use,
+                                   const LevelNewton::Options &options)
+    : options_(options)
+    , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
+    , trace_hierarchy_(hierarchy_, first_dofs(surface))
+    , multigrid_(elasticity, hierarchy_, trace_hierarchy_)
+    , problems_(hierarchy_.n_levels())
+    , statistics_(hierarchy_.n_levels())
+  {
+    problems_.back() = std::make_unique<ContactLevel>(elasticity, surface);
+    for (unsigned int l = finest_level(); l > 0; --l)
+      problems_[l - 1] = std::make_unique<ContactLevel>(
+        *problems_[l], elasticity, hierarchy_, trace_hierarchy_, l - 1);
+  }
+
+
+
+  ContactSolution
+  NewtonMultigrid::solve(const double tolerance,
+                         const unsigned int max_steps,
+                         const Observer &observer,
+                         ForceControl *const force_control)
+  {
+    state_ = std::make_unique<ContactState>(*problems_[0]);
+    problems_[0]->prescribe(state_->u);
+    state_->update(*problems_[0]);
+    Eigen::VectorXd lambda = Eigen::VectorXd::Zero(state_->lambda.size());
+    ContactStep row;
+    ContactSolution solution;
+    unsigned int steps = 0;
+    for (unsigned int l = 0; l < hierarchy_.n_levels(); ++l)
+      {
+        if (l > 0)
+          lambda = refine(l);
+        if (solution.interrupted)
+          continue; // the iterate is wanted on the finest level
+        const bool is_finest = l == finest_level();
+
+        const unsigned int iterations = row.iterations;
+        row.residual                  = 0.; // that of another problem
+        const auto after_step = [&](const LevelNewton::Statistics &statistics,
+                                    const ContactResidual &residual) {
+          statistics_[l] = statistics;
+          ++row.step;
+          row.unknowns   = hierarchy_.level(l).n_dofs();
+          row.iterations = iterations + statistics.krylov_iterations;
+          row.contraction =
+            row.residual > 0. ? residual.value() / row.residual : 0.;
+          row.residual     = residual.value();
+          row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
+          row.remark =
+            statistics.factorized_from == statistics.newton_steps + 1
+              ? "Linear systems take too many iterations (are cells flat, is a "
+                "Poisson ratio near 0.5?): with " +
+                  std::to_string(row.unknowns) +
+                  " unknowns they are factorised from here on."
+              : "";
+          observer(row);
+        };
+        try
+          {
+            solution.reason = solve_on_level(
+              l,
+              lambda,
+              is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
+              max_steps - steps,
+              after_step,
+              force_control);
+          }
+        catch (const Interrupted &)
+          {
+            solution.interrupted = true;
+          }
+
+        steps += statistics_[l].newton_steps;
+      }
+    solution.lambda    = state_->lambda;
+    solution.converged = solution.reason.empty() && !solution.interrupted;
+    return solution;
+  }
+
+
+
+  std::string
+  NewtonMultigrid::solve_on_level(const unsigned int level,
+                                  const Eigen::VectorXd &lambda,
+                                  const double tolerance,
+                                  const unsigned int max_steps,
+                                  const LevelNewton::Observer &observer,
+                                  ForceControl *const force_control)
+  {
+    ContactLevel &problem = *problems_[level];
+    LevelNewton newton(problem, level, multigrid_, options_);
+    if (!force_control)
+      {
+        const std::string reason =
+          newton.solve(*state_, lambda, tolerance, max_steps, observer);
+        statistics_[level] = newton.statistics();
+        return reason;
+      }
+
+    Eigen::VectorXd start = lambda;
+    return force_control->press(
+      [&](const double accuracy) {
+        problem.move_obstacles(force_control->distances());
+        state_->w = problem.penetration_and_slip(state_->u);
+        const std::string reason =
+          newton.solve(*state_, start, accuracy, max_steps, observer);
+        statistics_[level] = newton.statistics();
+        start              = state_->lambda;
+        const bool is_solved =
+          reason.empty() ||
+          ContactResidual(problem, *state_, problem.slip_bound()).value() <=
+            std::max(accuracy, tolerance);
+        auto outcome = outcome_of(
+          problem.motion().directions(),
+          state_->lambda,
+          -state_->w,
+          problem.scales(state_->u, state_->R, state_->lambda).force);
+        if (!is_solved)
+          outcome.reason = reason;
+        return outcome;
+      },
+      force_accuracy * tolerance,
+      tolerance);
+  }
+
+
+
+  Eigen::VectorXd
+  NewtonMultigrid::refine(const unsigned int level)
+  {
+    const ContactLevel &coarse = *problems_[level - 1];
+    const ContactLevel &fine   = *problems_[level];
+
+    // tractions are interpolated, forces belong to areas
+    const auto &weights  = trace_hierarchy_.prolongation(level);
+    const Eigen::Index m = coarse.n_nodes(), n = fine.n_nodes();
+    const Eigen::VectorXd coarse_force =
+      coarse.force_to_cartesian(state_->lambda);
+    Eigen::VectorXd force(3 * n);
+    for (unsigned int c = 0; c < 3; ++c)
+      force.segment(c * n, n) = fine.areas().cwiseProduct(
+        weights * coarse_force.segment(c * m, m).cwiseQuotient(coarse.areas()));
+    const Eigen::VectorXd lambda = fine.force_to_local(force);
+
+    auto state = std::make_unique<ContactState>(fine);
+    hierarchy_.transfer(level).prolongate(state->u, state_->u);
+    fine.prescribe(state->u);
+    state->update(fine);
+    state_ = std::move(state);
+    return lambda;
+  }
+
+
+
+  StiffnessPreconditioner &
+  NewtonMultigrid::free_preconditioner()
+  {
+    NodalSupports supports;
+    for (Eigen::Index i = 0; i < problems_.back()->n_nodes(); ++i)
+      supports.push_back(problems_.back()->support(i));
+    multigrid_.set_supports(finest_level(), supports);
+    return multigrid_;
+  }
+} // namespace stiction

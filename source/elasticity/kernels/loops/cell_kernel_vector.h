@@ -1,0 +1,38 @@
+#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_vector_h
+#define stiction_source_elasticity_kernels_loops_cell_kernel_vector_h
+
+#include "cell_kernel.h"
+
+// STICTION_VECTOR_BYTES is defined by the file that includes this.
+
+#define STICTION_INLINE static inline __attribute__((always_inline))
+
+namespace stiction::cell_kernel
+{
+  namespace
+  {
+    /// A register: as many numbers as fit, one of each element of a batch.
+    template<typename Number>
+    struct Register
+    {
+      static constexpr unsigned int lanes =
+        STICTION_VECTOR_BYTES / sizeof(Number);
+      typedef Number Type __attribute__((vector_size(STICTION_VECTOR_BYTES)));
+
+      // Wide registers are filled with one number at no cost, narrow ones
+      // read it repeated.
+#if STICTION_VECTOR_BYTES == 16
+      static constexpr bool repeats = true;
+      typedef Type Coefficient;
+#else
+      static constexpr bool repeats = false;
+      typedef Number Coefficient;
+#endif
+    };
+
+    template<typename Number>
+    using Vector = typename Register<Number>::Type;
+  } // namespace
+} // namespace stiction::cell_kernel
+
+#endif

@@ -1,0 +1,214 @@
+#include <stiction/base/errors.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/coarse_mesh.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  Body::Body(const GeometryParameters &geometry,
+             MPI_Comm communicator,
+             const std::function<void(double n_cells)> &check_size)
+    // all cells of a level exist on their owners, which later multigrid needs,
+    // and vertices come out the same on any partition
+    : triangulation_(
+        communicator,
+        Triangulation<3>::limit_level_difference_at_vertices,
+        parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
+    , fe_(FE_Q<3>(geometry.element_degree), 3)
+    , location_(geometry.location)
+    , mapping_(std::make_unique<MappingQ<3>>(geometry.element_degree))
+    , dof_handler_(triangulation_)
+  {
+    make_grid(geometry, check_size);
+    distribute_dofs();
+    collect_nodes();
+    find_bounding_box();
+  }
+
+
+
+  void
+  Body::make_grid(const GeometryParameters &geometry,
+                  const std::function<void(double n_cells)> &check_size)
+  {
+    if (geometry.is_brick())
+      {
+        Point<3> corner;
+        for (unsigned int d = 0; d < 3; ++d)
+          corner[d] = geometry.lengths[d];
+        GridGenerator::subdivided_hyper_rectangle(
+          triangulation_, geometry.subdivisions, Point<3>(), corner, true);
+        // deal.II colours the octants, too
+        for (const auto &cell : triangulation_.active_cell_iterators())
+          cell->set_material_id(0);
+        boundary_names_ = MeshNames::brick_boundaries();
+        material_names_ = MeshNames("material", {0}, {});
+        triangulation_.refine_global(geometry.global_refinement);
+        return;
+      }
+
+    const CoarseMesh coarse(geometry);
+    if (check_size)
+      check_size(coarse.triangulation().n_active_cells() *
+                 std::pow(8., geometry.global_refinement));
+    boundary_names_ = coarse.boundary_names();
+    material_names_ = coarse.material_names();
+    triangulation_.copy_triangulation(coarse.triangulation());
+    quadratic_cells_ = coarse.quadratic_cells();
+    triangulation_.refine_global(geometry.global_refinement);
+    shape_cells();
+    throw_on_all_ranks(communicator(), [&]() {
+      require_valid_cells(triangulation_, quadratic_cells_, location_);
+    });
+  }
+
+
+
+  void
+  Body::shape_cells()
+  {
+    if (quadratic_cells_.empty())
+      return;
+    quadratic_cells_.place_vertices(triangulation_);
+    if (fe_.degree == 1)
+      return;
+    const std::vector<Point<3>> &unit_points =
+      fe_.base_element(0).get_unit_support_points();
+    auto mapping = std::make_unique<MappingQCache<3>>(fe_.degree);
+    mapping->initialize(
+      triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
+        std::vector<Point<3>> points;
+        for (const Point<3> &p : unit_points)
+          points.push_back(quadratic_cells_.position(cell, p));
+        return points;
+      });
+    mapping_ = std::move(mapping);
+  }
+
+
+
+  void
+  Body::find_bounding_box()
+  {
+    // of the coarse cells, which every rank knows, and of those at hand: a
+    // curved body grows when it is refined; nodes may lie outside of the
+    // corners of curved cells
+    auto corners =
+      GridTools::compute_bounding_box(triangulation_).get_boundary_points();
+    if (fe_.degree > 1)
+      for (const Node &node : nodes_)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            corners.first[d]  = std::min(corners.first[d], node.position[d]);
+            corners.second[d] = std::max(corners.second[d], node.position[d]);
+          }
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        corners.first[d] =
+          Utilities::MPI::min(corners.first[d], communicator());
+        corners.second[d] =
+          Utilities::MPI::max(corners.second[d], communicator());
+      }
+    bounding_box_ = BoundingBox<3>(corners);
+  }
+
+
+
+  void
+  Body::set_material_ids(
+    const std::function<types::material_id(const Point<3> &)> &id_at)
+  {
+    std::vector<types::material_id> ids;
+    for (const auto &cell : triangulation_.cell_iterators_on_level(0))
+      ids.push_back(id_at(cell->center()));
+    std::size_t i = 0;
+    for (const auto &cell : triangulation_.cell_iterators_on_level(0))
+      cell->recursively_set_material_id(ids[i++]);
+    material_names_ = MeshNames("material", {ids.begin(), ids.end()}, {});
+  }
+
+
+
+  void
+  Body::refine(const std::vector<bool> &is_cut)
+  {
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
+        cell->set_refine_flag();
+    triangulation_.execute_coarsening_and_refinement();
+    shape_cells();
+    if (!quadratic_cells_.empty())
+      throw_on_all_ranks(communicator(), [&]() {
+        require_valid_cells(triangulation_, quadratic_cells_, location_);
+      });
+    distribute_dofs();
+    collect_nodes();
+  }
+
+
+
+  void
+  Body::distribute_dofs()
+  {
+    is_uniform_ = !triangulation_.has_hanging_nodes();
+    dof_handler_.distribute_dofs(fe_);
+    if (triangulation_.n_global_levels() > 1 && has_geometric_levels())
+      dof_handler_.distribute_mg_dofs(); // cheap next to the mesh
+    DoFTools::extract_locally_relevant_dofs(dof_handler_,
+                                            locally_relevant_dofs_);
+    hanging_nodes_.reinit(locally_relevant_dofs_);
+    if (!is_uniform_)
+      DoFTools::make_hanging_node_constraints(dof_handler_, hanging_nodes_);
+    hanging_nodes_.close();
+  }
+
+
+
+  void
+  Body::collect_nodes()
+  {
+    // three consecutive unknowns a node, on a cell too; a rank owns a range of
+    // them
+    const IndexSet &owned = locally_owned_dofs();
+    nodes_.resize(owned.n_elements() / 3);
+    std::vector<types::global_dof_index> dofs(fe_.n_dofs_per_cell());
+    FEValues<3> values(*mapping_,
+                       fe_.base_element(0),
+                       fe_.base_element(0).get_unit_support_points(),
+                       update_quadrature_points);
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          if (fe_.degree > 1)
+            values.reinit(cell);
+          for (unsigned int i = 0; i < dofs.size(); i += 3)
+            {
+              if (!owned.is_element(dofs[i]))
+                continue;
+              Node &node = nodes_[owned.index_within_set(dofs[i]) / 3];
+              std::copy_n(&dofs[i], 3, node.dofs.begin());
+              node.position = i / 3 < cell->n_vertices() // which come first
+                                ? cell->vertex(i / 3)
+                                : values.quadrature_point(i / 3);
+            }
+        }
+    types::global_dof_index n_hanging = 0;
+    for (const Node &node : nodes_)
+      n_hanging += is_hanging(node.dofs[0]) ? 1 : 0;
+    n_hanging_nodes_ = Utilities::MPI::sum(n_hanging, communicator());
+  }
+} // namespace stiction

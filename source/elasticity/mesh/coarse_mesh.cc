@@ -1,0 +1,242 @@
+#include <stiction/base/errors.h>
+#include <stiction/elasticity/mesh/coarse_mesh.h>
+#include <stiction/elasticity/mesh/readers/mesh_file.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Vertices = std::array<Point<3>, 8>; // in deal.II's order
+
+    double
+    determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
+    {
+      Tensor<2, 3> jacobian;
+      for (unsigned int v = 0; v < 8; ++v)
+        jacobian += outer_product(
+          Tensor<1, 3>(vertices[v]),
+          GeometryInfo<3>::d_linear_shape_function_gradient(unit_point, v));
+      return determinant(jacobian);
+    }
+
+    // Vertices show a cell that is folded before Gauss points do, which are
+    // what the stiffness needs.
+    bool
+    is_valid(const Vertices &vertices, const double smallest)
+    {
+      const double gauss = .5 - .5 / std::sqrt(3.);
+      for (const double inset : {0., gauss})
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            Point<3> p = GeometryInfo<3>::unit_cell_vertex(v);
+            for (unsigned int c = 0; c < 3; ++c)
+              p[c] = inset + (1. - 2. * inset) * p[c];
+            if (!(determinant_of_map(vertices, p) > smallest))
+              return false;
+          }
+      return true;
+    }
+
+    // The vertices of a cell with several faces on a sphere are flat if it is a
+    // good cell, with edges along the sphere: Gauss points alone count.
+    bool
+    is_valid(const QuadraticCells &cells,
+             const QuadraticCells::Cell &cell,
+             const double smallest)
+    {
+      static const QGauss<3> quadrature(3);
+      for (const Point<3> &p : quadrature.get_points())
+        if (!cells.empty() && !(cells.determinant(cell, p) > smallest))
+          return false;
+      return true;
+    }
+
+    // What an exception of many lines has to say, in one.
+    std::string
+    in_one_line(const ExceptionBase &exception)
+    {
+      std::ostringstream out;
+      exception.print_info(out);
+      std::string text;
+      for (const char c : out.str())
+        if (c != '\n' && c != '\t' && c != ' ')
+          text += c;
+        else if (!text.empty() && text.back() != ' ')
+          text += ' ';
+      while (!text.empty() && (text.back() == ' ' || text.back() == '.'))
+        text.pop_back();
+      return text.substr(0, 200);
+    }
+  } // namespace
+
+
+
+  CoarseMesh::CoarseMesh(const GeometryParameters &geometry)
+    : triangulation_(Triangulation<3>::none, false)
+  {
+    std::map<std::string, MeshNames::Id> boundaries, materials;
+    try
+      {
+        if (geometry.type == "cylinder")
+          {
+            make_cylinder(*geometry.radius, *geometry.length);
+            boundaries = {{"side", 0}, {"bottom", 1}, {"top", 2}};
+          }
+        else if (geometry.type == "half ball")
+          {
+            make_half_ball(*geometry.radius);
+            boundaries = {{"curved", 0}, {"flat", 1}};
+          }
+        else if (geometry.type == "generator")
+          generate(geometry);
+        else
+          {
+            const MeshData mesh =
+              read_mesh_file(geometry.mesh_file, geometry.location);
+            triangulation_.create_triangulation(
+              mesh.vertices, mesh.cells, mesh.faces);
+            quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
+            boundaries       = mesh.boundary_names;
+            materials        = mesh.material_names;
+          }
+      }
+    catch (const ExceptionBase &exception)
+      {
+        throw InputError(geometry.location +
+                         ", makes no mesh: " + in_one_line(exception) + ".");
+      }
+    require_valid_cells(triangulation_, quadratic_cells_, geometry.location);
+    set_names(boundaries, materials);
+  }
+
+
+
+  void
+  CoarseMesh::make_cylinder(const double radius, const double length)
+  {
+    // around the x axis, x from -length / 2; ids 0 hull, 1 left, 2 right
+    GridGenerator::subdivided_cylinder(
+      triangulation_,
+      static_cast<unsigned int>(std::max(1., std::round(length / radius))),
+      radius,
+      .5 * length);
+    GridTools::transform(
+      [&](const Point<3> &p) {
+        return Point<3>(p[1], p[2], p[0] + .5 * length);
+      },
+      triangulation_);
+    triangulation_.set_manifold(0, CylindricalManifold<3>(2));
+  }
+
+
+
+  void
+  CoarseMesh::make_half_ball(const double radius)
+  {
+    // the half x > 0; ids 0 curved, 1 flat
+    GridGenerator::half_hyper_ball(triangulation_, Point<3>(), radius);
+    GridTools::transform(
+      [&](const Point<3> &p) { return Point<3>(p[2], p[1], radius - p[0]); },
+      triangulation_);
+    triangulation_.set_manifold(0,
+                                SphericalManifold<3>(Point<3>(0., 0., radius)));
+  }
+
+
+
+  void
+  CoarseMesh::generate(const GeometryParameters &geometry)
+  {
+    Triangulation<3> generated(Triangulation<3>::none, false);
+    try
+      {
+        GridGenerator::generate_from_name_and_arguments(
+          generated, geometry.generator, geometry.generator_arguments);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw InputError(
+          geometry.location + ", does not take 'Generator arguments' = '" +
+          geometry.generator_arguments +
+          "', must get what deal.II's GridGenerator::" + geometry.generator +
+          "() has after the mesh, separated by ':'.");
+      }
+    if (generated.n_active_cells() == 0)
+      throw InputError(geometry.location + ", makes a mesh without cells.");
+    if (!generated.all_reference_cells_are_hyper_cube())
+      throw InputError(geometry.location + ", makes other cells than "
+                                           "hexahedra, must be a generator "
+                                           "of hexahedra.");
+    // what comes refined becomes a coarse mesh that every rank can share
+    GridGenerator::flatten_triangulation(generated, triangulation_);
+    for (const auto manifold : generated.get_manifold_ids())
+      if (manifold != numbers::flat_manifold_id)
+        triangulation_.set_manifold(manifold, generated.get_manifold(manifold));
+  }
+
+
+
+  void
+  CoarseMesh::set_names(const std::map<std::string, MeshNames::Id> &boundaries,
+                        const std::map<std::string, MeshNames::Id> &materials)
+  {
+    std::set<MeshNames::Id> boundary_ids, material_ids;
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      {
+        material_ids.insert(cell->material_id());
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            boundary_ids.insert(face->boundary_id());
+      }
+    boundary_names_ = MeshNames("boundary", boundary_ids, boundaries);
+    material_names_ = MeshNames("material", material_ids, materials);
+  }
+
+
+
+  void
+  require_valid_cells(const Triangulation<3> &triangulation,
+                      const QuadraticCells &quadratic_cells,
+                      const std::string &location)
+  {
+    for (const auto &cell : triangulation.cell_iterators())
+      {
+        if (cell->level_subdomain_id() == numbers::artificial_subdomain_id)
+          continue;
+        Vertices vertices;
+        for (unsigned int v = 0; v < 8; ++v)
+          vertices[v] = cell->vertex(v);
+        double size = 0.;
+        for (const Point<3> &vertex : vertices)
+          size = std::max(size, vertex.distance(vertices[0]));
+        const double smallest  = 1e-14 * size * size * size;
+        const bool has_corners = is_valid(vertices, smallest);
+        if (has_corners && is_valid(quadratic_cells, cell, smallest))
+          continue;
+        std::ostringstream message;
+        message << location << ", ";
+        if (cell->level() == 0)
+          message << "cell " << cell->index() + 1;
+        else
+          message << "a refined cell";
+        message << " with its centre at (" << cell->center()
+                << ") is inverted or degenerate, its "
+                << (has_corners ? "nodes" : "corners")
+                << " must make a hexahedron that is not folded.";
+        throw InputError(message.str());
+      }
+  }
+} // namespace stiction

@@ -1,0 +1,65 @@
+#include <stiction/base/boundary_functions.h>
+#include <stiction/base/errors.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/local_refinement.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  void
+  refine_contact_boundary(Body &body, const Parameters &parameters)
+  {
+    const std::string where = "Geometry/Contact refinement where";
+    const ParsedFunction is_refined(
+      parameters.geometry.contact_refinement_where,
+      1,
+      parameters.source.locate(where));
+    if (parameters.geometry.contact_refinement == 0)
+      return;
+    std::set<dealii::types::boundary_id> contact_boundaries;
+    for (const std::string &name :
+         split_at_bars(parameters.boundary.contact_boundary))
+      contact_boundaries.insert(body.boundary_names().id(
+        name,
+        parameters.source.locate("Boundary conditions/Contact boundary")));
+
+    using Cell           = dealii::Triangulation<3>::active_cell_iterator;
+    const auto is_wanted = [&](const Cell &cell, const unsigned int f) {
+      const auto face = cell->face(f);
+      return face->at_boundary() &&
+             contact_boundaries.count(face->boundary_id()) > 0 &&
+             is_refined.value(face->center()) > 0.;
+    };
+    // One layer of cut cells alone would end two small cells below the surface,
+    // where the large ones make themselves felt in the pressure.
+    const auto is_below_wanted = [&](const Cell &cell, const unsigned int f) {
+      if (cell->at_boundary(f) || cell->face(f)->has_children() ||
+          cell->neighbor_is_coarser(f))
+        return false;
+      return is_wanted(
+        cell->neighbor(f),
+        dealii::GeometryInfo<3>::opposite_face[cell->neighbor_of_neighbor(f)]);
+    };
+    for (unsigned int k = 0; k < parameters.geometry.contact_refinement; ++k)
+      {
+        std::vector<bool> is_cut(body.triangulation().n_active_cells());
+        throw_on_all_ranks(body.communicator(), [&]() {
+          for (const auto &cell : body.triangulation().active_cell_iterators())
+            if (cell->is_locally_owned())
+              for (const unsigned int f : cell->face_indices())
+                if (is_wanted(cell, f) || is_below_wanted(cell, f))
+                  is_cut[cell->active_cell_index()] = true;
+        });
+        body.refine(is_cut);
+      }
+  }
+} // namespace stiction

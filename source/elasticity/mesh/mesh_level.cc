@@ -1,0 +1,209 @@
+#include <stiction/elasticity/kernels/cell_stiffness.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The first unknowns of the vertices, in the numbering of the mesh or in
+    // that of its level.
+    template<typename Cell>
+    std::array<types::global_dof_index, 8>
+    first_dofs(const Cell &cell, const bool is_active)
+    {
+      std::array<types::global_dof_index, 8> dofs;
+      for (unsigned int v = 0; v < 8; ++v)
+        dofs[v] = is_active ? cell->vertex_dof_index(v, 0)
+                            : cell->mg_vertex_dof_index(cell->level(), v, 0);
+      return dofs;
+    }
+
+    // The rank of the first child owns the parent: it interpolates from the
+    // parent to all children, whoever owns those.
+    template<typename Cell>
+    bool
+    is_first_child(const Cell &cell)
+    {
+      return cell->level() > 0 &&
+             cell->parent()->child_index(0) == cell->index();
+    }
+  } // namespace
+
+
+
+  MeshLevel::MeshLevel(const Body &body)
+    : body_(body)
+    , is_active_(true)
+    , level_(0)
+  {
+    make_partitioner();
+  }
+
+
+
+  MeshLevel::MeshLevel(const Body &body, const unsigned int level)
+    : body_(body)
+    , is_active_(false)
+    , level_(level)
+  {
+    make_partitioner();
+  }
+
+
+
+  void
+  MeshLevel::make_partitioner()
+  {
+    const DoFHandler<3> &dof_handler = body_.dof_handler();
+    const IndexSet &owned            = is_active_
+                                         ? dof_handler.locally_owned_dofs()
+                                         : dof_handler.locally_owned_mg_dofs(level_);
+    std::vector<types::global_dof_index> ghosts;
+    const auto add = [&](const auto &cell) {
+      for (const auto dof : first_dofs(cell, is_active_))
+        if (!owned.is_element(dof))
+          for (unsigned int c = 0; c < 3; ++c)
+            ghosts.push_back(dof + c);
+    };
+    const auto add_with_siblings = [&](const auto &cell) {
+      add(cell);
+      if (is_first_child(cell))
+        for (unsigned int child = 1; child < 8; ++child)
+          {
+            const auto sibling = cell->parent()->child(child);
+            if (!is_active_ || sibling->is_active())
+              add(sibling);
+          }
+    };
+    if (!body_.has_geometric_levels())
+      {
+        // hanging nodes reach across cells
+        IndexSet others = body_.locally_relevant_dofs();
+        others.subtract_set(owned);
+        others.fill_index_vector(ghosts);
+      }
+    else if (Utilities::MPI::n_mpi_processes(body_.communicator()) > 1)
+      {
+        if (is_active_)
+          {
+            for (const auto &cell : dof_handler.active_cell_iterators())
+              if (cell->is_locally_owned())
+                add_with_siblings(cell);
+          }
+        else
+          for (const auto &cell :
+               dof_handler.mg_cell_iterators_on_level(level_))
+            if (cell->is_locally_owned_on_level())
+              add_with_siblings(cell);
+      }
+
+    std::sort(ghosts.begin(), ghosts.end());
+    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    IndexSet ghost_set(owned.size());
+    ghost_set.add_indices(ghosts.begin(), ghosts.end());
+    partitioner_ = std::make_shared<const Utilities::MPI::Partitioner>(
+      owned, ghost_set, body_.communicator());
+  }
+
+
+
+  MPI_Comm
+  MeshLevel::communicator() const
+  {
+    return body_.communicator();
+  }
+
+
+
+  unsigned int
+  MeshLevel::n_owned_nodes() const
+  {
+    return partitioner_->locally_owned_size() / 3;
+  }
+
+
+
+  unsigned int
+  MeshLevel::n_local_nodes() const
+  {
+    return n_owned_nodes() + partitioner_->n_ghost_indices() / 3;
+  }
+
+
+
+  types::global_dof_index
+  MeshLevel::n_dofs() const
+  {
+    return partitioner_->size();
+  }
+
+
+
+  unsigned int
+  MeshLevel::local_node(const types::global_dof_index first_dof) const
+  {
+    return partitioner_->global_to_local(first_dof) / 3;
+  }
+
+
+
+  types::global_dof_index
+  MeshLevel::first_dof(const unsigned int local_node) const
+  {
+    return partitioner_->local_to_global(3 * local_node);
+  }
+
+
+
+  template<typename Number>
+  LA::VectorOf<Number>
+  MeshLevel::zero_vector() const
+  {
+    return LA::VectorOf<Number>(partitioner_);
+  }
+
+  template LA::VectorOf<float>
+  MeshLevel::zero_vector<float>() const;
+  template LA::VectorOf<double>
+  MeshLevel::zero_vector<double>() const;
+
+
+
+  void
+  MeshLevel::for_each_cell(
+    const std::function<void(const HexahedralCell &)> &callback) const
+  {
+    HexahedralCell hexahedron{};
+    const auto visit = [&](const auto &cell) {
+      const auto dofs = first_dofs(cell, is_active_);
+      for (unsigned int v = 0; v < 8; ++v)
+        {
+          hexahedron.nodes[v] = local_node(dofs[v]);
+          for (unsigned int d = 0; d < 3; ++d)
+            hexahedron.vertices[v][d] = cell->vertex(v)[d];
+        }
+      hexahedron.material_id = cell->material_id();
+      callback(hexahedron);
+    };
+    const DoFHandler<3> &dof_handler = body_.dof_handler();
+    if (is_active_)
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            visit(cell);
+      }
+    else
+      for (const auto &cell : dof_handler.mg_cell_iterators_on_level(level_))
+        if (cell->is_locally_owned_on_level())
+          visit(cell);
+  }
+} // namespace stiction

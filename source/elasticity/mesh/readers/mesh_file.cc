@@ -1,0 +1,271 @@
+#include "mesh_text.h"
+
+#include <stiction/base/errors.h>
+#include <stiction/elasticity/mesh/readers/mesh_file.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <unordered_map>
+#include <vector>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    MeshData
+    read_by_extension(const std::string &file, const std::string &location)
+    {
+      const std::string kind = upper(std::filesystem::path(file).extension());
+      if (kind != ".MSH" && kind != ".INP" && kind != ".VTK")
+        throw InputError(location + ", must be a file .msh (Gmsh), .inp "
+                                    "(Abaqus) or .vtk (VTK).");
+      MeshText text(file, location);
+      return kind == ".MSH"   ? read_gmsh(text)
+             : kind == ".INP" ? read_abaqus(text)
+                              : read_vtk(text);
+    }
+
+    void
+    require_hexahedra(const MeshData &mesh, const std::string &location)
+    {
+      std::string others;
+      bool is_solid = !mesh.cells.empty();
+      for (const auto &kind : mesh.other_elements)
+        {
+          others += (others.empty() ? "" : ", ") + std::to_string(kind.second) +
+                    " " + kind.first;
+          is_solid = is_solid || kind.first == "tetrahedra" ||
+                     kind.first == "wedges" || kind.first == "pyramids";
+        }
+      if (!is_solid && (!others.empty() || !mesh.faces.boundary_quads.empty()))
+        throw InputError(location + ", has faces but no cells, must be a mesh "
+                                    "of a solid body.");
+      if (!is_solid)
+        throw InputError(location + ", has no elements, must be a mesh of "
+                                    "hexahedra.");
+      if (!others.empty())
+        throw InputError(location + ", has " + others +
+                         ", must be of hexahedra alone: in Gmsh recombine "
+                         "('Mesh.RecombineAll = 1' with transfinite or "
+                         "extruded volumes) or subdivide "
+                         "('Mesh.SubdivisionAlgorithm = 2', all hexas).");
+    }
+
+    // "hexahedron 7 with its centre at (1, 2, 3)", counted from 1 in the order
+    // of the file
+    std::string
+    describe_cell(const MeshData &mesh, const std::size_t number)
+    {
+      Point<3> centre;
+      for (const unsigned int v : mesh.cells[number].vertices)
+        centre += mesh.vertices[v] / 8.;
+      std::ostringstream out;
+      out << "hexahedron " << number + 1 << " with its centre at (" << centre
+          << ')';
+      return out.str();
+    }
+
+    // Which cells have a face in common, found by its sorted vertices.
+    class Faces
+    {
+    public:
+      Faces(MeshData &mesh, const std::string &location)
+        : mesh_(mesh)
+        , location_(location)
+        , pieces_(mesh.cells.size())
+      {
+        for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+          add_cell(i);
+      }
+
+      void
+      require_one_piece()
+      {
+        const std::size_t first = 0;
+        for (std::size_t i = first; i < mesh_.cells.size(); ++i)
+          if (pieces_.find_set(i) != pieces_.find_set(first))
+            throw InputError(location_ + ", " + describe_cell(mesh_, i) +
+                             " is not connected by faces with hexahedron 1, "
+                             "must be one body, in which neighbours have the "
+                             "same nodes.");
+      }
+
+      // Cells that meet at an edge or a vertex alone: neither has deal.II a
+      // mesh of them, nor do they make a body.
+      void
+      require_manifold()
+      {
+        std::vector<Part> edges, vertices;
+        for (unsigned int e = 0; e < GeometryInfo<3>::lines_per_cell; ++e)
+          edges.push_back({{GeometryInfo<3>::line_to_cell_vertices(e, 0),
+                            GeometryInfo<3>::line_to_cell_vertices(e, 1)}});
+        for (const unsigned int v : GeometryInfo<3>::vertex_indices())
+          vertices.push_back({{v, v}});
+        require_connected_around(edges, "edge");
+        require_connected_around(vertices, "node");
+      }
+
+      // and marks what is inside, which is no boundary
+      void
+      require_boundaries_fit()
+      {
+        std::map<Key, unsigned int> ids;
+        for (CellData<2> &face : mesh_.faces.boundary_quads)
+          {
+            const Key key = sorted(face.vertices);
+            if (cells_.count(key) == 0)
+              throw InputError(location_ +
+                               ", has a quadrilateral of boundary " +
+                               std::to_string(face.boundary_id) +
+                               " that is no face of a hexahedron, faces and "
+                               "hexahedra must have the same nodes.");
+            const auto known = ids.emplace(key, face.boundary_id);
+            if (known.first->second != face.boundary_id)
+              throw InputError(location_ + ", has a face of " +
+                               describe_cell(mesh_, cells_.at(key).first) +
+                               " on the boundaries " +
+                               std::to_string(known.first->second) + " and " +
+                               std::to_string(face.boundary_id) +
+                               ", must be on one.");
+            if (cells_.at(key).n == 2)
+              face.boundary_id = numbers::internal_face_boundary_id;
+          }
+      }
+
+    private:
+      using Key = std::vector<unsigned int>; // sorted
+
+      static Key
+      sorted(Key vertices)
+      {
+        std::sort(vertices.begin(), vertices.end());
+        return vertices;
+      }
+
+      using Part = std::array<unsigned int, 2>; // local: an edge or, twice
+                                                // the same, a vertex
+
+      std::uint64_t
+      key(const std::size_t cell, const Part &part) const
+      {
+        const auto &of_cell = mesh_.cells[cell].vertices;
+        const auto ends     = std::minmax(of_cell[part[0]], of_cell[part[1]]);
+        return (static_cast<std::uint64_t>(ends.first) << 32) | ends.second;
+      }
+
+      // All cells with an edge or vertex in common must be reached from each
+      // other through faces that have it, too.
+      void
+      require_connected_around(const std::vector<Part> &parts,
+                               const std::string &name)
+      {
+        const std::size_t n = parts.size();
+        boost::disjoint_sets_with_storage<> around(n * mesh_.cells.size());
+        for (const auto &face : cells_)
+          if (face.second.n == 2)
+            for (std::size_t p = 0; p < n; ++p)
+              {
+                const std::uint64_t common = key(face.second.first, parts[p]);
+                for (std::size_t q = 0; q < n; ++q)
+                  if (key(face.second.second, parts[q]) == common &&
+                      is_in(face.first, common))
+                    around.union_set(n * face.second.first + p,
+                                     n * face.second.second + q);
+              }
+        std::unordered_map<std::uint64_t, std::size_t> first;
+        for (std::size_t i = 0; i < n * mesh_.cells.size(); ++i)
+          {
+            const std::size_t other =
+              first.emplace(key(i / n, parts[i % n]), i).first->second;
+            if (around.find_set(i) != around.find_set(other))
+              throw InputError(
+                location_ + ", " + describe_cell(mesh_, other / n) + " and " +
+                describe_cell(mesh_, i / n) + " meet at a single " + name +
+                ", hexahedra that touch must be connected by "
+                "faces around it.");
+          }
+      }
+
+      static bool
+      is_in(const Key &face, const std::uint64_t part)
+      {
+        return std::binary_search(face.begin(), face.end(), part >> 32) &&
+               std::binary_search(face.begin(), face.end(), part & 0xffffffff);
+      }
+
+      void
+      add_cell(const std::size_t number)
+      {
+        const auto &in_order = mesh_.cells[number].vertices;
+        const Key vertices   = sorted(in_order);
+        if (std::adjacent_find(vertices.begin(), vertices.end()) !=
+            vertices.end())
+          throw InputError(location_ + ", " + describe_cell(mesh_, number) +
+                           " has a node twice, must have eight nodes.");
+
+        for (const unsigned int f : GeometryInfo<3>::face_indices())
+          {
+            Key key;
+            for (unsigned int v = 0; v < 4; ++v)
+              key.push_back(
+                in_order[GeometryInfo<3>::face_to_cell_vertices(f, v)]);
+            key                = sorted(key);
+            Neighbours &shared = cells_[key];
+            if (shared.n == 0)
+              shared.first = number;
+            else
+              {
+                shared.second = number;
+                pieces_.union_set(shared.first, number);
+              }
+            if (++shared.n > 2)
+              throw InputError(location_ + ", " + describe_cell(mesh_, number) +
+                               " shares a face with two others, at most two "
+                               "hexahedra may have a face in common.");
+          }
+        if (!cells_by_vertices_.insert(vertices).second)
+          throw InputError(location_ + ", " + describe_cell(mesh_, number) +
+                           " stands twice, must stand once.");
+      }
+
+      struct Neighbours
+      {
+        std::size_t first = 0, second = 0;
+        unsigned int n = 0;
+      };
+
+      MeshData &mesh_;
+      const std::string &location_;
+      boost::disjoint_sets_with_storage<> pieces_; // of connected cells
+      std::map<Key, Neighbours> cells_;
+      std::set<Key> cells_by_vertices_;
+    };
+  } // namespace
+
+
+
+  MeshData
+  read_mesh_file(const std::string &file, const std::string &location)
+  {
+    MeshData mesh = read_by_extension(file, location);
+    require_hexahedra(mesh, location);
+    GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, mesh.faces);
+    Faces faces(mesh, location);
+    faces.require_one_piece();
+    faces.require_manifold();
+    faces.require_boundaries_fit();
+    GridTools::consistently_order_cells(mesh.cells);
+    return mesh;
+  }
+} // namespace stiction

@@ -1,0 +1,405 @@
+#include <stiction/base/boundary_functions.h>
+#include <stiction/base/did_you_mean.h>
+#include <stiction/base/errors.h>
+#include <stiction/elasticity/kernels/cell_stiffness.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stiction
+{
+  namespace
+  {
+    using dealii::types::material_id;
+    using dealii::Utilities::split_string_list;
+    using dealii::Utilities::trim;
+
+    bool
+    is_sane(const double value)
+    {
+      return value >= 1e-30 && value <= 1e30;
+    }
+
+    double
+    largest(const std::map<material_id, Material> &materials,
+            double Material::*const modulus)
+    {
+      double value = 0.;
+      for (const auto &material : materials)
+        value = std::max(value, material.second.*modulus);
+      return value;
+    }
+
+    // One entry of the form 'material : words | material : words ...'.
+    class MaterialList
+    {
+    public:
+      MaterialList(const Parameters &parameters,
+                   const std::string &entry,
+                   const std::string &value,
+                   std::string form)
+        : location_(parameters.source.describe(entry))
+        , form_(std::move(form))
+        , parts_(trim(value).empty() ? std::vector<std::string>()
+                                     : split_string_list(value, '|'))
+      {
+      }
+
+      // Calls back with the id and the words of each.
+      template<typename Callback>
+      void
+      for_each(const Body &body, const Callback &callback) const
+      {
+        std::vector<material_id> seen;
+        for (const std::string &part : parts_)
+          {
+            const std::size_t colon = part.find(':');
+            const std::string name  = trim(part.substr(0, colon));
+            if (colon == std::string::npos || name.empty())
+              refuse("must read " + form_ + ", several separated by '|'");
+            const material_id id = body.material_names().id(name, location_);
+            if (std::find(seen.begin(), seen.end(), id) != seen.end())
+              refuse("material " + name + " stands twice, must stand once");
+            seen.push_back(id);
+            std::vector<std::string> words =
+              split_string_list(part.substr(colon + 1), ';');
+            for (std::string &word : words)
+              word = trim(word);
+            callback(id, name, words);
+          }
+      }
+
+      double
+      number(const std::string &word) const
+      {
+        char *end          = nullptr;
+        const double value = std::strtod(word.c_str(), &end);
+        if (word.empty() || *end != '\0' ||
+            word.find_first_of("xX") != std::string::npos)
+          refuse("'" + word + "' is not a number, must read " + form_ +
+                 ", several separated by '|'");
+        return value;
+      }
+
+      [[noreturn]] void
+      refuse(const std::string &reason) const
+      {
+        throw InputError(location_ + ", " + reason + ".");
+      }
+
+      const std::string &
+      form() const
+      {
+        return form_;
+      }
+
+    private:
+      const std::string location_, form_;
+      const std::vector<std::string> parts_;
+    };
+
+    Material
+    read_isotropic(const MaterialList &list,
+                   const std::string &name,
+                   const std::vector<std::string> &words)
+    {
+      const double E  = list.number(words[1]);
+      const double nu = list.number(words[2]);
+      if (!is_sane(E))
+        list.refuse("Young's modulus of material " + name + " is " + words[1] +
+                    ", must be a number > 0, from 1e-30 to 1e30");
+      if (!(nu > -1. && nu < 0.5))
+        list.refuse("Poisson's ratio of material " + name + " is " + words[2] +
+                    ", must be above -1 and below 0.5");
+      return Material::isotropic(E, nu);
+    }
+
+    Material
+    read_orthotropic(const MaterialList &list,
+                     const std::string &name,
+                     const std::vector<std::string> &words)
+    {
+      std::array<double, 9> numbers{};
+      for (unsigned int i = 0; i < 9; ++i)
+        {
+          numbers[i] = list.number(words[i + 1]);
+          if ((i < 3 || i >= 6) && !is_sane(numbers[i]))
+            list.refuse("a modulus of material " + name + " is " +
+                        words[i + 1] +
+                        ", must be a number > 0, from 1e-30 to 1e30");
+        }
+      try
+        {
+          return Material::orthotropic(numbers);
+        }
+      catch (const std::domain_error &)
+        {
+          list.refuse("material " + name +
+                      " would give energy when strained, nu12^2 E2/E1, nu13^2 "
+                      "E3/E1, nu23^2 E3/E2 and their sum with 2 nu12 nu13 nu23 "
+                      "E3/E1 must be below 1");
+        }
+    }
+
+    Material
+    read_material(const MaterialList &list,
+                  const std::string &name,
+                  const std::vector<std::string> &words)
+    {
+      if (words.size() == 3 && words[0] == "isotropic")
+        return read_isotropic(list, name, words);
+      if (words.size() == 10 && words[0] == "orthotropic")
+        return read_orthotropic(list, name, words);
+      list.refuse("material " + name + " must read " + list.form() +
+                  did_you_mean(words[0], {"isotropic", "orthotropic"}));
+    }
+  } // namespace
+
+
+
+  Material
+  Material::isotropic(const double E, const double nu)
+  {
+    Material material;
+    material.is_isotropic   = true;
+    material.lame_lambda    = E * nu / ((1. + nu) * (1. - 2. * nu));
+    material.shear_modulus  = E / (2. * (1. + nu));
+    material.youngs_modulus = E;
+
+    const auto unit = dealii::unit_symmetric_tensor<3>();
+    material.stiffness =
+      material.lame_lambda * outer_product(unit, unit) +
+      2. * material.shear_modulus * dealii::identity_tensor<3>();
+    return material;
+  }
+
+
+
+  Material
+  Material::orthotropic(const std::array<double, 9> &E1_to_G23)
+  {
+    const double *const E  = &E1_to_G23[0];
+    const double *const nu = &E1_to_G23[3];
+    const double *const G  = &E1_to_G23[6];
+
+    // the compliance of the normal strains, without units: times √(E_a E_b)
+    Eigen::Matrix3d compliance = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d root;
+    unsigned int pair = 0; // 12, 13, 23
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        root(a) = std::sqrt(E[a]);
+        for (unsigned int b = a + 1; b < 3; ++b, ++pair)
+          compliance(a, b) = compliance(b, a) =
+            -nu[pair] * std::sqrt(E[b] / E[a]);
+      }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(compliance);
+    if (!(eigen.eigenvalues()(0) > 1e-10))
+      throw std::domain_error("the stiffness is not positive definite");
+    const Eigen::Matrix3d normal =
+      root.asDiagonal() * compliance.inverse() * root.asDiagonal();
+
+    Material material;
+    material.is_isotropic   = false;
+    material.lame_lambda    = 0.;
+    material.shear_modulus  = std::max({G[0], G[1], G[2]});
+    material.youngs_modulus = std::max({E[0], E[1], E[2]});
+    pair                    = 0;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        material.stiffness[a][a][a][a] = normal(a, a);
+        for (unsigned int b = a + 1; b < 3; ++b, ++pair)
+          {
+            material.stiffness[a][a][b][b] = normal(a, b);
+            material.stiffness[b][b][a][a] = normal(a, b);
+            material.stiffness[a][b][a][b] = G[pair];
+          }
+      }
+    return material;
+  }
+
+
+
+  dealii::SymmetricTensor<2, 3>
+  Material::stress(const dealii::SymmetricTensor<2, 3> &strain) const
+  {
+    if (is_isotropic)
+      return lame_lambda * trace(strain) *
+               dealii::unit_symmetric_tensor<3, double>() +
+             2. * shear_modulus * strain;
+    return stiffness * strain;
+  }
+
+
+
+  Materials::Materials(const Body &body, const Parameters &parameters)
+    : have_mean_dilatation_(parameters.has_mean_dilatation())
+  {
+    const MaterialParameters &common = parameters.material;
+    const std::set<material_id> ids(body.material_names().ids().begin(),
+                                    body.material_names().ids().end());
+    std::set<material_id> without_stiffness = ids, without_density = ids;
+    if (common.youngs_modulus && common.poisson_ratio)
+      {
+        for (const material_id id : ids)
+          by_id_[id] =
+            Material::isotropic(*common.youngs_modulus, *common.poisson_ratio);
+        without_stiffness.clear();
+      }
+
+    const MaterialList materials(parameters,
+                                 "Material/Materials",
+                                 parameters.material.materials,
+                                 "'material : isotropic; E; nu' or 'material : "
+                                 "orthotropic; E1; E2; E3; nu12; nu13; nu23; "
+                                 "G12; G13; G23'");
+    materials.for_each(
+      body,
+      [&](const material_id id, const std::string &name, const auto &words) {
+        by_id_[id] = read_material(materials, name, words);
+        without_stiffness.erase(id);
+      });
+    const auto require_all = [&](const std::set<material_id> &without,
+                                 const std::string &entry,
+                                 const std::string &list,
+                                 const std::string &line) {
+      if (!without.empty())
+        throw InputError(parameters.source.describe_missing(entry) + ", and '" +
+                         list + "' says nothing of material " +
+                         body.material_names().describe(*without.begin()) +
+                         ", write into the section 'Material' " + line +
+                         ", or the material into '" + list + "'.");
+    };
+    require_all(without_stiffness,
+                common.youngs_modulus ? "Material/Poisson ratio"
+                                      : "Material/Young's modulus",
+                "Materials",
+                "such as 'set Young's modulus = 2.1e11' and 'set Poisson "
+                "ratio = 0.3'");
+    if (common.density)
+      {
+        for (auto &material : by_id_)
+          material.second.density = *common.density;
+        without_density.clear();
+      }
+
+    const MaterialList densities(parameters,
+                                 "Material/Densities",
+                                 parameters.material.densities,
+                                 "'material : density'");
+    densities.for_each(
+      body,
+      [&](const material_id id, const std::string &name, const auto &words) {
+        if (words.size() != 1)
+          densities.refuse("material " + name + " must read " +
+                           densities.form());
+        const double density = densities.number(words[0]);
+        if (density != 0. && !is_sane(density))
+          densities.refuse("the density of material " + name + " is " +
+                           words[0] +
+                           ", must be 0 or a number > 0, from 1e-30 to "
+                           "1e30");
+        by_id_.at(id).density = density;
+        without_density.erase(id);
+      });
+    if (!parameters.boundary.gravity.empty())
+      require_all(without_density,
+                  "Material/Density",
+                  "Densities",
+                  "such as 'set Density = 7850', of which 'Boundary "
+                  "conditions/Gravity' makes weight");
+  }
+
+
+
+  bool
+  Materials::are_simple() const
+  {
+    return !have_mean_dilatation_ &&
+           std::all_of(by_id_.begin(), by_id_.end(), [](const auto &entry) {
+             return entry.second.is_isotropic;
+           });
+  }
+
+
+
+  void
+  Materials::assign(HexahedralCell &cell, const double unit) const
+  {
+    const Material &material = of(cell.material_id);
+    cell.lame_lambda         = material.lame_lambda / unit;
+    cell.shear_modulus       = material.shear_modulus / unit;
+  }
+
+
+
+  double
+  Materials::smallest_youngs_modulus() const
+  {
+    return std::min_element(by_id_.begin(),
+                            by_id_.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.second.youngs_modulus <
+                                     b.second.youngs_modulus;
+                            })
+      ->second.youngs_modulus;
+  }
+
+
+
+  double
+  Materials::largest_youngs_modulus() const
+  {
+    return largest(by_id_, &Material::youngs_modulus);
+  }
+
+
+
+  double
+  Materials::largest_shear_modulus() const
+  {
+    return largest(by_id_, &Material::shear_modulus);
+  }
+
+
+
+  void
+  assign_material_ids(Body &body, const Parameters &parameters)
+  {
+    if (trim(parameters.material.material_ids).empty())
+      return;
+    const std::string entry = "Material/Material ids";
+    const ParsedFunction formula(parameters.material.material_ids,
+                                 1,
+                                 parameters.source.locate(entry),
+                                 parameters.boundary.time);
+    // every rank knows the coarse mesh
+    body.set_material_ids([&](const dealii::Point<3> &centre) {
+      const double id = formula.value(centre);
+      if (!(id >= 0. && id <= 1000. && id == std::floor(id)))
+        {
+          std::ostringstream message;
+          message << parameters.source.describe(entry) << ", gives " << id
+                  << " at (" << centre
+                  << "), must be an integer from 0 to 1000.";
+          throw InputError(message.str());
+        }
+      return static_cast<material_id>(id);
+    });
+  }
+} // namespace stiction

@@ -1,0 +1,259 @@
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/multigrid/level_transfer.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The nodes of a coarse cell after refinement, 3 × 3 × 3: the child and
+    // its vertex where node i is found, and the coarse vertices around it.
+    struct FineNode
+    {
+      unsigned int child, vertex;
+      std::vector<unsigned int> coarse_vertices;
+    };
+
+    std::vector<FineNode>
+    fine_nodes_of_a_cell()
+    {
+      std::vector<FineNode> nodes(27);
+      for (unsigned int i = 0; i < 27; ++i)
+        {
+          FineNode &node                       = nodes[i];
+          const std::array<unsigned int, 3> at = {{i % 3, i / 3 % 3, i / 9}};
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const unsigned int child = at[d] == 2 ? 1 : 0;
+              node.child += child << d;
+              node.vertex += (at[d] - child) << d;
+            }
+          for (unsigned int v = 0; v < 8; ++v)
+            {
+              bool is_near = true;
+              for (unsigned int d = 0; d < 3; ++d)
+                is_near = is_near && (at[d] == 1 || at[d] / 2 == (v >> d & 1));
+              if (is_near)
+                node.coarse_vertices.push_back(v);
+            }
+        }
+      return nodes;
+    }
+
+    // fine += P coarse
+    template<typename Rows, typename Number>
+    void
+    gather(const Rows &rows, Number *fine, const Number *coarse)
+    {
+      constexpr std::size_t n =
+        std::tuple_size<typename Rows::value_type>() - 1;
+      constexpr Number weight = Number(1.) / n;
+      for (const auto &row : rows)
+        {
+          Number sum[3] = {};
+          for (std::size_t k = 1; k <= n; ++k)
+            for (unsigned int c = 0; c < 3; ++c)
+              sum[c] += coarse[3 * std::size_t(row[k]) + c];
+          for (unsigned int c = 0; c < 3; ++c)
+            fine[3 * std::size_t(row[0]) + c] += weight * sum[c];
+        }
+    }
+
+    template<typename Rows, typename Number>
+    void
+    scatter(const Rows &rows, Number *coarse, const Number *fine)
+    {
+      constexpr std::size_t n =
+        std::tuple_size<typename Rows::value_type>() - 1;
+      constexpr Number weight = Number(1.) / n;
+      for (const auto &row : rows)
+        {
+          Number share[3];
+          for (unsigned int c = 0; c < 3; ++c)
+            share[c] = weight * fine[3 * std::size_t(row[0]) + c];
+          for (std::size_t k = 1; k <= n; ++k)
+            for (unsigned int c = 0; c < 3; ++c)
+              coarse[3 * std::size_t(row[k]) + c] += share[c];
+        }
+    }
+  } // namespace
+
+
+
+  LevelTransfer::LevelTransfer(const Body &body,
+                               const unsigned int fine_level,
+                               const MeshLevel &coarse,
+                               const MeshLevel &fine)
+    : coarse_(coarse)
+    , fine_(fine)
+  {
+    const DoFHandler<3> &dof_handler = body.dof_handler();
+    const auto nodes                 = fine_nodes_of_a_cell();
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(body.communicator());
+
+    const auto for_each_node = [&](const auto &visit) {
+      for (const auto &cell :
+           dof_handler.mg_cell_iterators_on_level(fine_level - 1))
+        if (cell->is_locally_owned_on_level() && cell->has_children())
+          for (const FineNode &node : nodes)
+            visit(cell,
+                  node,
+                  fine.local_node(
+                    cell->child(node.child)
+                      ->mg_vertex_dof_index(fine_level, node.vertex, 0)));
+    };
+
+    // Several ranks see a fine node between their coarse cells: the first of
+    // them interpolates to it.
+    std::vector<bool> is_mine(fine.n_local_nodes(), true);
+    if (Utilities::MPI::n_mpi_processes(body.communicator()) > 1)
+      {
+        auto first_rank = fine.zero_vector<double>();
+        for (unsigned int i = 0; i < 3 * fine.n_local_nodes(); ++i)
+          first_rank.local_element(i) = std::numeric_limits<double>::max();
+        for_each_node(
+          [&](const auto &, const FineNode &, const unsigned int i) {
+            first_rank.local_element(3 * i) = rank;
+          });
+        first_rank.compress(VectorOperation::min);
+        first_rank.update_ghost_values();
+        for (unsigned int i = 0; i < fine.n_local_nodes(); ++i)
+          is_mine[i] = first_rank.local_element(3 * i) == rank;
+      }
+
+    const auto add = [&](auto &rows,
+                         const auto &cell,
+                         const FineNode &node,
+                         const unsigned int fine_node) {
+      auto &row = rows.emplace_back();
+      row[0]    = fine_node;
+      for (unsigned int k = 0; k < node.coarse_vertices.size(); ++k)
+        row[k + 1] = coarse.local_node(cell->mg_vertex_dof_index(
+          fine_level - 1, node.coarse_vertices[k], 0));
+    };
+    for_each_node(
+      [&](const auto &cell, const FineNode &node, const unsigned int i) {
+        if (!is_mine[i])
+          return;
+        is_mine[i] = false; // only once
+        switch (node.coarse_vertices.size())
+          {
+            case 1:
+              return add(vertices_, cell, node, i);
+            case 2:
+              return add(edges_, cell, node, i);
+            case 4:
+              return add(faces_, cell, node, i);
+            default:
+              return add(cells_, cell, node, i);
+          }
+      });
+  }
+
+
+
+  template<typename Number>
+  void
+  LevelTransfer::prolongate(LA::VectorOf<Number> &fine,
+                            const LA::VectorOf<Number> &coarse) const
+  {
+    fine = Number(0.);
+    prolongate_add(fine, coarse);
+  }
+
+
+
+  template<typename Number>
+  void
+  LevelTransfer::prolongate_add(LA::VectorOf<Number> &fine,
+                                const LA::VectorOf<Number> &coarse) const
+  {
+    // the ghosts of the fine vector are zero, and take what goes to others
+    coarse.update_ghost_values();
+    gather(vertices_, fine.begin(), coarse.begin());
+    gather(edges_, fine.begin(), coarse.begin());
+    gather(faces_, fine.begin(), coarse.begin());
+    gather(cells_, fine.begin(), coarse.begin());
+    coarse.zero_out_ghost_values();
+    fine.compress(VectorOperation::add);
+  }
+
+
+
+  template<typename Number>
+  void
+  LevelTransfer::restrict_to(LA::VectorOf<Number> &coarse,
+                             const LA::VectorOf<Number> &fine) const
+  {
+    fine.update_ghost_values();
+    coarse = Number(0.);
+    scatter(vertices_, coarse.begin(), fine.begin());
+    scatter(edges_, coarse.begin(), fine.begin());
+    scatter(faces_, coarse.begin(), fine.begin());
+    scatter(cells_, coarse.begin(), fine.begin());
+    fine.zero_out_ghost_values();
+    coarse.compress(VectorOperation::add);
+  }
+
+
+
+  template<typename Number>
+  void
+  LevelTransfer::inject(LA::VectorOf<Number> &coarse,
+                        const LA::VectorOf<Number> &fine) const
+  {
+    fine.update_ghost_values();
+    coarse = Number(0.);
+    scatter(vertices_, coarse.begin(), fine.begin());
+    fine.zero_out_ghost_values();
+    coarse.compress(VectorOperation::add);
+  }
+
+
+
+  void
+  LevelTransfer::for_each_row(
+    const std::function<void(unsigned int, const unsigned int *, unsigned int)>
+      &callback) const
+  {
+    const auto visit = [&](const auto &rows) {
+      for (const auto &row : rows)
+        callback(row[0], &row[1], static_cast<unsigned int>(row.size() - 1));
+    };
+    visit(vertices_);
+    visit(edges_);
+    visit(faces_);
+    visit(cells_);
+  }
+
+
+
+  template void
+  LevelTransfer::prolongate(LA::VectorOf<float> &,
+                            const LA::VectorOf<float> &) const;
+  template void
+  LevelTransfer::prolongate(LA::VectorOf<double> &,
+                            const LA::VectorOf<double> &) const;
+  template void
+  LevelTransfer::prolongate_add(LA::VectorOf<float> &,
+                                const LA::VectorOf<float> &) const;
+  template void
+  LevelTransfer::restrict_to(LA::VectorOf<float> &,
+                             const LA::VectorOf<float> &) const;
+  template void
+  LevelTransfer::restrict_to(LA::VectorOf<double> &,
+                             const LA::VectorOf<double> &) const;
+  template void
+  LevelTransfer::inject(LA::VectorOf<float> &,
+                        const LA::VectorOf<float> &) const;
+  template void
+  LevelTransfer::inject(LA::VectorOf<double> &,
+                        const LA::VectorOf<double> &) const;
+} // namespace stiction

@@ -1,0 +1,29 @@
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+
+#include <stdexcept>
+
+namespace stiction
+{
+  MeshHierarchy::MeshHierarchy(const Body &body,
+                               const MeshLevel &mesh,
+                               const bool levels_in_use)
+    : mesh_(mesh)
+  {
+    const unsigned int n = body.triangulation().n_global_levels();
+    if (!levels_in_use || n == 1)
+      return;
+    if (!body.has_geometric_levels())
+      throw std::logic_error("the mesh has no levels of cells alike");
+    // so that vectors of the mesh are vectors of its last level
+    if (body.dof_handler().locally_owned_dofs() !=
+        body.dof_handler().locally_owned_mg_dofs(n - 1))
+      throw std::logic_error("the mesh is not numbered like its last level");
+
+    for (unsigned int l = 0; l + 1 < n; ++l)
+      coarser_.push_back(std::make_unique<MeshLevel>(body, l));
+    for (unsigned int l = 1; l < n; ++l)
+      transfers_.push_back(
+        std::make_unique<LevelTransfer>(body, l, level(l - 1), level(l)));
+  }
+} // namespace stiction

@@ -1,0 +1,294 @@
+#include "multigrid_level.h"
+
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/multigrid/coarse_solver.h>
+#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
+#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/base/partitioner.h>
+
+#include <cmath>
+#include <utility>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The largest eigenvalue is a local matter, the same on all fine levels: it
+    // is estimated up to this size.
+    constexpr types::global_dof_index max_estimated = 300000;
+
+    // Up to this many unknowns a factorisation takes seconds, and a gigabyte or
+    // two.
+    constexpr types::global_dof_index max_factorized = 100000;
+
+    template<typename To, typename From>
+    void
+    copy(To &to, const From &from, const double factor = 1.)
+    {
+      for (unsigned int k = 0; k < from.locally_owned_size(); ++k)
+        to.local_element(k) =
+          static_cast<typename To::value_type>(factor * from.local_element(k));
+    }
+
+    // The scale of numbers of this size that costs them no digit.
+    double
+    power_of_two(const double size)
+    {
+      return size > 0. ? std::ldexp(1., std::ilogb(size)) : 1.;
+    }
+    // Whether a solver made for one serves the other: the same directions are
+    // held, and the springs differ by little.
+    bool
+    are_alike(const NodalSupports &a, const NodalSupports &b)
+    {
+      constexpr double little = 0.1;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].projection != b[i].projection ||
+            (a[i].spring - b[i].spring).squaredNorm() >
+              little * little * a[i].spring.squaredNorm())
+          return false;
+      return true;
+    }
+  } // namespace
+
+
+
+  // The coarsest level, in double precision and true units like its solver.
+  struct Multigrid::Coarse
+  {
+    Coarse(const LinearElasticity &elasticity,
+           const MeshLevel &mesh,
+           const LA::Vector &fixed,
+           const std::vector<types::global_dof_index> &first_dofs,
+           const NodalSupports &supports,
+           const bool is_direct)
+      : solver(elasticity, mesh, fixed, first_dofs, supports, is_direct)
+      , fixed(fixed)
+      , b(fixed)
+      , x(fixed)
+      , transferred(mesh.zero_vector<float>())
+      , supports(supports)
+    {
+      for (std::size_t i = 0; i < first_dofs.size(); ++i)
+        if (mesh.partitioner()->in_local_range(first_dofs[i]))
+          nodes.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
+    }
+
+    void
+    set_supports(const NodalSupports &new_supports)
+    {
+      if (are_alike(supports, new_supports))
+        return;
+      supports = new_supports;
+      solver.set_supports(supports);
+    }
+
+    void
+    project(LA::Vector &v) const
+    {
+      for (unsigned int k = 0; k < v.locally_owned_size(); ++k)
+        if (fixed.local_element(k) != 0.)
+          v.local_element(k) = 0.;
+      for (const auto &node : nodes)
+        {
+          Eigen::Map<Eigen::Vector3d> at_node(v.begin() + node.first);
+          at_node = (supports[node.second].projection * at_node).eval();
+        }
+    }
+
+    // x for b
+    void
+    solve()
+    {
+      project(b);
+      solver.vmult(x, b);
+      project(x);
+    }
+
+    CoarseSolver solver;
+    LA::Vector fixed, b, x;
+    Level::Vector transferred;
+    std::vector<std::pair<unsigned int, std::size_t>> nodes; // unknown, place
+    NodalSupports supports;
+  };
+
+
+
+  Multigrid::Multigrid(const LinearElasticity &elasticity,
+                       const MeshHierarchy &hierarchy,
+                       const DofSubsetHierarchy &supported_nodes)
+    : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
+                         elasticity.body().bounding_box().side_length(0)))
+    , elasticity_(elasticity)
+    , hierarchy_(hierarchy)
+    , supported_nodes_(supported_nodes)
+    , levels_(hierarchy.n_levels() - 1)
+    , coarse_(hierarchy.n_levels())
+    , is_factorized_(hierarchy.n_levels(), false)
+  {
+    float eigenvalue = 0.f;
+    for (unsigned int l = 1; l < hierarchy.n_levels(); ++l)
+      {
+        levels_[l - 1] = std::make_unique<Level>(elasticity,
+                                                 hierarchy.level(l),
+                                                 unit_,
+                                                 fixed_on(l),
+                                                 supported_nodes.first_dofs(l));
+        if (l == 1 || hierarchy.level(l).n_dofs() <= max_estimated)
+          eigenvalue = levels_[l - 1]->estimate_largest_eigenvalue();
+        levels_[l - 1]->set_largest_eigenvalue(eigenvalue);
+      }
+    coarse_[0] = make_coarse(
+      0, NodalSupports(supported_nodes.first_dofs(0).size()), false);
+  }
+
+
+
+  Multigrid::~Multigrid() = default;
+
+
+
+  std::unique_ptr<Multigrid::Coarse>
+  Multigrid::make_coarse(const unsigned int level,
+                         const NodalSupports &supports,
+                         const bool is_direct) const
+  {
+    return std::make_unique<Coarse>(elasticity_,
+                                    hierarchy_.level(level),
+                                    fixed_on(level),
+                                    supported_nodes_.first_dofs(level),
+                                    supports,
+                                    is_direct);
+  }
+
+
+
+  LA::Vector
+  Multigrid::fixed_on(const unsigned int level) const
+  {
+    LA::Vector fixed = elasticity_.zero_vector();
+    for (const auto dof : fixed.locally_owned_elements())
+      if (elasticity_.constraints().is_constrained(dof))
+        fixed(dof) = 1.;
+    for (unsigned int l = hierarchy_.n_levels() - 1; l > level; --l)
+      {
+        LA::Vector coarse = hierarchy_.level(l - 1).zero_vector<double>();
+        hierarchy_.transfer(l).inject(coarse, fixed);
+        fixed = coarse;
+      }
+    return fixed;
+  }
+
+
+
+  bool
+  Multigrid::is_direct(const unsigned int level) const
+  {
+    return coarse_[level] && coarse_[level]->solver.is_direct();
+  }
+
+
+
+  bool
+  Multigrid::factorize(const unsigned int level)
+  {
+    if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized)
+      return false;
+    is_factorized_[level] = true;
+    return true;
+  }
+
+
+
+  void
+  Multigrid::set_supports(const unsigned int level,
+                          const NodalSupports &supports)
+  {
+    auto &coarse_solver = coarse_[level];
+    if (is_factorized_[level] && !is_direct(level))
+      coarse_solver = make_coarse(level, supports, true);
+    else if (coarse_solver)
+      coarse_solver->set_supports(supports);
+    if (coarse_solver)
+      return;
+    levels_[level - 1]->set_supports(supports);
+
+    const auto &on_finer = supported_nodes_.on_finer_level(level - 1);
+    NodalSupports coarse(on_finer.size());
+    for (std::size_t j = 0; j < coarse.size(); ++j)
+      coarse[j].projection = supports[on_finer[j]].projection;
+    const auto &prolongation = supported_nodes_.prolongation(level);
+    for (Eigen::Index j = 0; j < prolongation.outerSize(); ++j)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(prolongation, j);
+           entry;
+           ++entry)
+        coarse[j].spring += entry.value() * supports[entry.row()].spring;
+    for (NodalConstraint &support : coarse)
+      support.spring =
+        (support.projection * support.spring * support.projection).eval();
+    set_supports(level - 1, coarse);
+  }
+
+
+
+  double
+  Multigrid::vmult(const unsigned int level,
+                   LA::VectorOf<float> &dst,
+                   const LA::Vector &src)
+  {
+    const double scale = power_of_two(src.linfty_norm());
+    if (coarse_[level])
+      {
+        Coarse &coarse = *coarse_[level];
+        copy(coarse.b, src, 1. / scale);
+        coarse.solve();
+        copy(dst, coarse.x, unit_);
+      }
+    else
+      {
+        Level &finest = *levels_[level - 1];
+        copy(finest.b, src, 1. / scale);
+        finest.project(finest.b);
+        cycle(level);
+        dst.swap(finest.x); // which is made anew by every cycle
+      }
+    return scale / unit_;
+  }
+
+
+
+  void
+  Multigrid::cycle(const unsigned int level)
+  {
+    Level &fine = *levels_[level - 1];
+    fine.smooth_from_zero(fine.x, fine.b);
+
+    Level::Vector &r = fine.scratch();
+    fine.residual(r, fine.x, fine.b);
+    const LevelTransfer &transfer = hierarchy_.transfer(level);
+    if (coarse_[level - 1])
+      {
+        Coarse &coarse = *coarse_[level - 1];
+        transfer.restrict_to(coarse.transferred, r);
+        copy(coarse.b, coarse.transferred);
+        coarse.solve();
+        copy(coarse.transferred, coarse.x, unit_);
+        transfer.prolongate_add(fine.x, coarse.transferred);
+      }
+    else
+      {
+        Level &coarse = *levels_[level - 2];
+        transfer.restrict_to(coarse.b, r);
+        coarse.project(coarse.b);
+        cycle(level - 1);
+        transfer.prolongate_add(fine.x, coarse.x);
+      }
+    fine.project(fine.x);
+    fine.smooth(fine.x, fine.b);
+  }
+} // namespace stiction

@@ -1,0 +1,252 @@
+#include "multigrid_level.h"
+
+#include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace
+  {
+    using Vector = LA::VectorOf<float>;
+
+    // Products of the unknowns in a smoothing.
+    constexpr unsigned int smoother_degree = 2;
+
+    Eigen::Map<Eigen::Vector3f>
+    at(Vector &v, const unsigned int node)
+    {
+      return Eigen::Map<Eigen::Vector3f>(v.begin() + 3 * std::size_t(node));
+    }
+    Eigen::Map<const Eigen::Vector3f>
+    at(const Vector &v, const unsigned int node)
+    {
+      return Eigen::Map<const Eigen::Vector3f>(v.begin() +
+                                               3 * std::size_t(node));
+    }
+
+    // The inverse of P A P + S within the range of P. In double precision, as
+    // springs may be stiff.
+    Eigen::Matrix3f
+    inverse_in_range(const Eigen::Matrix3d &P,
+                     const Eigen::Matrix3d &A,
+                     const Eigen::Matrix3d &S)
+    {
+      const Eigen::Matrix3d held =
+        (A.trace() / 3.) * (Eigen::Matrix3d::Identity() - P);
+      return (P * (P * A * P + S + held).inverse() * P).cast<float>();
+    }
+  } // namespace
+
+
+
+  Multigrid::Level::Level(
+    const LinearElasticity &elasticity,
+    const MeshLevel &mesh,
+    const double unit,
+    const LA::Vector &fixed,
+    const std::vector<dealii::types::global_dof_index> &first_dofs)
+    : x(mesh.zero_vector<float>())
+    , b(mesh.zero_vector<float>())
+    , unit_(unit)
+    , K_(mesh, elasticity.materials(), unit)
+    , inverse_diagonal_(mesh.zero_vector<float>())
+    , product_(mesh.zero_vector<float>())
+    , direction_(mesh.zero_vector<float>())
+  {
+    const std::vector<float> blocks = K_.diagonal_blocks();
+    for (unsigned int i = 0; i < mesh.n_owned_nodes(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        inverse_diagonal_.local_element(3 * i + c) =
+          1.f / blocks[9 * std::size_t(i) + 4 * c];
+    for (unsigned int k = 0; k < 3 * mesh.n_owned_nodes(); ++k)
+      if (fixed.local_element(k) != 0.)
+        {
+          fixed_.push_back(k);
+          inverse_diagonal_.local_element(k) = 0.f;
+        }
+    for (std::size_t i = 0; i < first_dofs.size(); ++i)
+      if (mesh.partitioner()->in_local_range(first_dofs[i]))
+        {
+          Node node;
+          node.local   = mesh.local_node(first_dofs[i]);
+          node.in_list = i;
+          node.block =
+            Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(
+              &blocks[9 * std::size_t(node.local)]);
+          nodes_.push_back(node);
+        }
+    set_supports(NodalSupports(first_dofs.size()));
+    largest_eigenvalue_ = 0.f;
+  }
+
+
+
+  float
+  Multigrid::Level::estimate_largest_eigenvalue()
+  {
+    // conjugate gradients are a Lanczos process
+    struct FreeOperator
+    {
+      const Level &level;
+      void
+      vmult(Vector &dst, const Vector &src) const
+      {
+        level.K_.vmult(dst, src);
+        level.project(dst);
+      }
+    };
+    Vector diagonal_inverse = inverse_diagonal_;
+    for (const Node &node : nodes_)
+      at(diagonal_inverse, node.local) = node.block.diagonal().cwiseInverse();
+    const dealii::DiagonalMatrix<Vector> preconditioner(diagonal_inverse);
+
+    // a right-hand side with parts in all eigenvectors
+    for (const auto i : b.locally_owned_elements())
+      b(i) = static_cast<float>(i % 11) - 5.f;
+    project(b);
+    double largest = 0.;
+    dealii::IterationNumberControl control(15, 1e-6 * b.l2_norm());
+    dealii::SolverCG<Vector> lanczos(control);
+    lanczos.connect_eigenvalues_slot([&](const std::vector<double> &values) {
+      for (const double value : values)
+        largest = std::max(largest, value);
+    });
+    x = 0.f;
+    lanczos.solve(FreeOperator{*this}, x, b, preconditioner);
+    // the process sees it from below
+    return static_cast<float>(1.1 * largest);
+  }
+
+
+
+  void
+  Multigrid::Level::set_supports(const NodalSupports &supports)
+  {
+    for (Node &node : nodes_)
+      {
+        node.projection = supports[node.in_list].projection.cast<float>();
+        const Eigen::Matrix3d spring = supports[node.in_list].spring / unit_;
+        node.spring                  = spring.cast<float>();
+        node.inverse                 = inverse_in_range(
+          supports[node.in_list].projection, node.block.cast<double>(), spring);
+        at(inverse_diagonal_, node.local).setZero();
+      }
+  }
+
+
+
+  void
+  Multigrid::Level::project(Vector &v) const
+  {
+    for (const unsigned int k : fixed_)
+      v.local_element(k) = 0.f;
+    for (const Node &node : nodes_)
+      at(v, node.local) = (node.projection * at(v, node.local)).eval();
+  }
+
+
+
+  template<Multigrid::Level::Known known>
+  void
+  Multigrid::Level::smoothing_step(Vector &x,
+                                   const Vector &b,
+                                   const unsigned int k)
+  {
+    const auto j     = static_cast<float>(k);
+    const float keep = (2.f * j - 1.f) / (2.f * j + 3.f);
+    const float take =
+      (8.f * j + 4.f) / ((2.f * j + 3.f) * largest_eigenvalue_);
+
+    for (Node &node : nodes_)
+      {
+        Eigen::Vector3f r = at(b, node.local);
+        if (known != Known::nothing)
+          r -= node.projection * at(product_, node.local) +
+               node.spring * at(x, node.local);
+        node.step = take * (node.inverse * r);
+      }
+
+    const std::size_t n      = x.locally_owned_size();
+    float *const d           = direction_.begin();
+    float *const u           = x.begin();
+    const float *const rhs   = b.begin();
+    const float *const Ku    = product_.begin();
+    const float *const scale = inverse_diagonal_.begin();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        if (known == Known::nothing)
+          u[i] = d[i] = take * scale[i] * rhs[i];
+        else if (known == Known::no_direction)
+          {
+            d[i] = take * scale[i] * (rhs[i] - Ku[i]);
+            u[i] += d[i];
+          }
+        else
+          {
+            d[i] = keep * d[i] + take * scale[i] * (rhs[i] - Ku[i]);
+            u[i] += d[i];
+          }
+      }
+    for (const Node &node : nodes_)
+      {
+        at(direction_, node.local) += node.step;
+        at(x, node.local) += node.step;
+      }
+  }
+
+
+
+  void
+  Multigrid::Level::smooth(Vector &x, const Vector &b)
+  {
+    K_.vmult(product_, x);
+    smoothing_step<Known::no_direction>(x, b, 0);
+    smooth_on(x, b);
+  }
+
+
+
+  void
+  Multigrid::Level::smooth_from_zero(Vector &x, const Vector &b)
+  {
+    smoothing_step<Known::nothing>(x, b, 0);
+    smooth_on(x, b);
+  }
+
+
+
+  void
+  Multigrid::Level::smooth_on(Vector &x, const Vector &b)
+  {
+    for (unsigned int k = 1; k < smoother_degree; ++k)
+      {
+        K_.vmult(product_, x);
+        smoothing_step<Known::everything>(x, b, k);
+      }
+  }
+
+
+
+  void
+  Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const
+  {
+    K_.vmult(r, x);
+    const std::size_t n    = x.locally_owned_size();
+    float *const dst       = r.begin();
+    const float *const rhs = b.begin();
+    for (std::size_t k = 0; k < n; ++k)
+      dst[k] = rhs[k] - dst[k];
+    for (const Node &node : nodes_)
+      at(r, node.local) -= node.spring * at(x, node.local);
+    project(r);
+  }
+} // namespace stiction

@@ -1,0 +1,151 @@
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
+#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/multigrid/multigrid.h>
+#include <stiction/elasticity/solvers/multigrid_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/solver_cg.h>
+
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  namespace
+  {
+    constexpr unsigned int max_iterations = 500;
+
+    // K with the rows and columns of the given unknowns left out.
+    struct ConstrainedOperator
+    {
+      const StiffnessOperator<double> &K;
+      const std::vector<unsigned int> &fixed;
+
+      void
+      vmult(LA::Vector &dst, const LA::Vector &src) const
+      {
+        K.vmult(dst, src); // src is zero there
+        for (const unsigned int k : fixed)
+          dst.local_element(k) = 0.;
+      }
+    };
+
+    struct Preconditioner
+    {
+      StiffnessPreconditioner &multigrid;
+      const unsigned int level;
+      mutable LA::VectorOf<float> scratch;
+
+      void
+      vmult(LA::Vector &dst, const LA::Vector &src) const
+      {
+        const double factor = multigrid.vmult(level, scratch, src);
+        for (unsigned int k = 0; k < dst.locally_owned_size(); ++k)
+          dst.local_element(k) = factor * scratch.local_element(k);
+      }
+    };
+  } // namespace
+
+
+
+  struct MultigridSolver::Levels
+  {
+    explicit Levels(const LinearElasticity &elasticity)
+      : hierarchy(elasticity.body(), elasticity.mesh())
+      , no_supports(hierarchy, {})
+      , multigrid(elasticity, hierarchy, no_supports)
+    {
+    }
+
+    MeshHierarchy hierarchy;
+    DofSubsetHierarchy no_supports;
+    Multigrid multigrid;
+  };
+
+
+
+  MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
+                                   const double relative_residual)
+    : StiffnessSolver(elasticity)
+    , levels_(std::make_unique<Levels>(elasticity))
+    , preconditioner_(&levels_->multigrid)
+    , level_(levels_->hierarchy.n_levels() - 1)
+    , relative_residual_(relative_residual)
+  {
+  }
+
+
+
+  MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
+                                   StiffnessPreconditioner &preconditioner,
+                                   const unsigned int level,
+                                   const double relative_residual)
+    : StiffnessSolver(elasticity)
+    , preconditioner_(&preconditioner)
+    , level_(level)
+    , relative_residual_(relative_residual)
+  {
+  }
+
+
+
+  MultigridSolver::~MultigridSolver() = default;
+
+
+
+  unsigned int
+  MultigridSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  {
+    // prescribed unknowns stand in src multiplied with the diagonal entry
+    std::vector<unsigned int> fixed;
+    LA::Vector prescribed = elasticity_.zero_vector();
+    bool is_moved         = false;
+    for (const auto dof : src.locally_owned_elements())
+      if (elasticity_.is_prescribed(dof))
+        {
+          fixed.push_back(src.get_partitioner()->global_to_local(dof));
+          is_moved = is_moved || src(dof) != 0.;
+        }
+    LA::Vector b = src;
+    for (const unsigned int k : fixed)
+      b.local_element(k) = 0.;
+    is_moved = dealii::Utilities::MPI::max(is_moved ? 1 : 0,
+                                           src.get_mpi_communicator()) == 1;
+    if (is_moved)
+      {
+        const LA::Vector diagonal = elasticity_.stiffness_diagonal();
+        for (const unsigned int k : fixed)
+          prescribed.local_element(k) =
+            src.local_element(k) / diagonal.local_element(k);
+      }
+
+    dealii::SolverControl control(max_iterations,
+                                  relative_residual_ * b.l2_norm());
+    dealii::SolverCG<LA::Vector> cg(control);
+    dst = 0.;
+    try
+      {
+        cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed},
+                 dst,
+                 b,
+                 Preconditioner{*preconditioner_,
+                                level_,
+                                elasticity_.mesh().zero_vector<float>()});
+      }
+    catch (const dealii::SolverControl::NoConvergence &failure)
+      {
+        throw std::runtime_error(
+          "conjugate gradients with multigrid did not converge in " +
+          std::to_string(failure.last_step) +
+          " iterations, use 'Stiffness solver/Type = mumps'.");
+      }
+    dst += prescribed;
+    return control.last_step();
+  }
+} // namespace stiction

@@ -1,0 +1,58 @@
+#include <stiction/elasticity/linear_algebra/dof_subset.h>
+#include <stiction/elasticity/solvers/amg_solver.h>
+#include <stiction/elasticity/solvers/multigrid_solver.h>
+#include <stiction/elasticity/solvers/mumps_solver.h>
+#include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace stiction
+{
+  StiffnessSolver::StiffnessSolver(const LinearElasticity &elasticity)
+    : elasticity_(elasticity)
+  {
+  }
+
+
+
+  std::unique_ptr<StiffnessSolver>
+  StiffnessSolver::create(const std::string &type,
+                          const LinearElasticity &elasticity,
+                          const double relative_residual)
+  {
+    if (type == "amg")
+      return std::make_unique<AmgSolver>(elasticity, relative_residual);
+    if (type == "multigrid")
+      return std::make_unique<MultigridSolver>(elasticity, relative_residual);
+    return std::make_unique<MumpsSolver>(elasticity);
+  }
+
+
+
+  void
+  StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
+  {
+    n_iterations_ += do_solve(dst, src);
+    ++n_solves_;
+  }
+
+
+
+  Eigen::MatrixXd
+  StiffnessSolver::compliance(const DofSubset &trace)
+  {
+    Eigen::MatrixXd C(trace.size(), trace.size());
+    LA::Vector unit_force   = elasticity_.zero_vector();
+    LA::Vector displacement = elasticity_.zero_vector();
+    for (Eigen::Index j = 0; j < trace.size(); ++j)
+      {
+        unit_force = 0.;
+        trace.add_extension(Eigen::VectorXd::Unit(trace.size(), j), unit_force);
+        displacement = 0.;
+        solve(displacement, unit_force);
+        C.col(j) = trace.restriction(displacement);
+      }
+    return 0.5 * (C + C.transpose());
+  }
+} // namespace stiction

@@ -1,0 +1,227 @@
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/model/loads.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/model/prescribed_displacement.h>
+#include <stiction/elasticity/stiffness/assembled_stiffness.h>
+#include <stiction/elasticity/stiffness/cell_material.h>
+#include <stiction/elasticity/stiffness/constrained_matrix.h>
+#include <stiction/elasticity/stiffness/element_stiffness.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <stdexcept>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  LinearElasticity::LinearElasticity(const Body &body,
+                                     const Parameters &parameters)
+    : body_(body)
+    , materials_(std::make_unique<Materials>(body, parameters))
+    , prescribed_displacement_(
+        std::make_unique<PrescribedDisplacement>(body, parameters))
+    , mesh_(std::make_unique<MeshLevel>(body))
+  {
+    loads_ =
+      std::make_unique<Loads>(body, *prescribed_displacement_, parameters);
+    make_constraints();
+    make_stiffness();
+    load_ = std::make_unique<LA::Vector>(zero_vector());
+    loads_->assemble(*materials_, *load_);
+    constrain_load();
+    if (parameters.needs_stiffness_matrix())
+      constrain_stiffness();
+  }
+
+
+
+  LinearElasticity::~LinearElasticity() = default;
+
+
+
+  bool
+  LinearElasticity::is_hanging(const types::global_dof_index dof) const
+  {
+    return body_.is_hanging(dof);
+  }
+
+
+
+  void
+  LinearElasticity::distribute(LA::Vector &u) const
+  {
+    if (body_.n_hanging_nodes() > 0)
+      body_.hanging_nodes().distribute(u);
+  }
+
+
+
+  const LA::SparseMatrix &
+  LinearElasticity::constrained_stiffness() const
+  {
+    if (!constrained_stiffness_)
+      throw std::logic_error("the stiffness matrix was not assembled");
+    return *constrained_stiffness_;
+  }
+
+
+
+  LA::Vector
+  LinearElasticity::stiffness_diagonal() const
+  {
+    LA::Vector diagonal              = zero_vector();
+    const std::vector<double> blocks = stiffness_->diagonal_blocks();
+    for (std::size_t i = 0; i < blocks.size() / 9; ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        diagonal.local_element(3 * i + c) = blocks[9 * i + 4 * c];
+    return diagonal;
+  }
+
+
+
+  const LA::Vector &
+  LinearElasticity::constrained_load() const
+  {
+    return *constrained_load_;
+  }
+
+
+
+  const LA::Vector &
+  LinearElasticity::load() const
+  {
+    return *load_;
+  }
+
+
+
+  LA::Vector
+  LinearElasticity::zero_vector() const
+  {
+    return mesh_->zero_vector<double>();
+  }
+
+
+
+  LA::Vector
+  LinearElasticity::internal_force(const LA::Vector &u) const
+  {
+    LA::Vector force = zero_vector();
+    stiffness_->vmult(force, u);
+    return force;
+  }
+
+
+
+  void
+  LinearElasticity::make_constraints()
+  {
+    constraints_.reinit(body_.locally_relevant_dofs());
+    constraints_.merge(body_.hanging_nodes());
+    prescribed_displacement_->add_to(constraints_);
+    constraints_.close();
+  }
+
+
+
+  void
+  LinearElasticity::constrain_load()
+  {
+    LA::Vector prescribed = zero_vector();
+    bool is_moved         = false;
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        {
+          prescribed(dof) = prescribed_value(dof);
+          is_moved        = is_moved || prescribed(dof) != 0.;
+        }
+    constrained_load_ = std::make_unique<LA::Vector>(*load_);
+    if (Utilities::MPI::max(is_moved ? 1 : 0, body_.communicator()) == 1)
+      *constrained_load_ -= internal_force(prescribed);
+
+    const LA::Vector diagonal = stiffness_diagonal();
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        (*constrained_load_)(dof) = diagonal(dof) * prescribed(dof);
+  }
+
+
+
+  void
+  LinearElasticity::make_stiffness()
+  {
+    if (body_.has_geometric_levels() && materials_->are_simple())
+      stiffness_ =
+        std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
+    else
+      stiffness_ = std::make_unique<StiffnessOperator<double>>(
+        *mesh_, assemble_stiffness(body_, [&](const auto &cell) {
+          return CellMaterial{materials_->of(cell->material_id()).stiffness,
+                              materials_->have_mean_dilatation()};
+        }));
+  }
+
+
+
+  void
+  LinearElasticity::constrain_stiffness()
+  {
+    if (stiffness_->matrix() == nullptr)
+      {
+        assemble_simple_stiffness();
+        return;
+      }
+    LA::Vector fixed = zero_vector();
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        fixed(dof) = 1.;
+    constrained_stiffness_ =
+      ConstrainedMatrix(*stiffness_->matrix(), fixed, {}).release();
+  }
+
+
+
+  void
+  LinearElasticity::assemble_simple_stiffness()
+  {
+    const DoFHandler<3> &dof_handler = body_.dof_handler();
+    const IndexSet &owned            = body_.locally_owned_dofs();
+    const IndexSet &relevant         = body_.locally_relevant_dofs();
+    const MPI_Comm comm              = body_.communicator();
+
+    DynamicSparsityPattern pattern(relevant);
+    DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints_, true);
+    SparsityTools::distribute_sparsity_pattern(pattern, owned, comm, relevant);
+    constrained_stiffness_ = std::make_unique<LA::SparseMatrix>();
+    constrained_stiffness_->reinit(owned, owned, pattern, comm);
+
+    ElementStiffness element_stiffness;
+    std::vector<types::global_dof_index> indices(24);
+    mesh_->for_each_cell([&](HexahedralCell cell) {
+      materials_->assign(cell);
+      for (unsigned int v = 0; v < 8; ++v)
+        for (unsigned int c = 0; c < 3; ++c)
+          indices[3 * v + c] = mesh_->first_dof(cell.nodes[v]) + c;
+      constraints_.distribute_local_to_global(
+        element_stiffness(cell), indices, *constrained_stiffness_);
+    });
+    constrained_stiffness_->compress(VectorOperation::add);
+  }
+
+
+
+  void
+  LinearElasticity::require_support() const
+  {
+    prescribed_displacement_->require_support(constraints_);
+  }
+} // namespace stiction

@@ -1,0 +1,445 @@
+// obstacle.vtu: what the contact boundaries may touch, for pictures.
+
+#include <stiction/base/errors.h>
+#include <stiction/base/files.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/obstacles/obstacle.h>
+#include <stiction/contact/obstacles/stl_file.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/results/vtu.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Polygons with the contact boundary that each belongs to.
+    struct ObstacleFaces
+    {
+      std::vector<Point<3>> vertices;
+      std::vector<std::vector<std::size_t>> polygons;
+      std::vector<types::boundary_id> boundaries;
+
+      template<typename Points>
+      void
+      add(const Points &points, const types::boundary_id boundary)
+      {
+        polygons.emplace_back();
+        for (const Point<3> &p : points)
+          {
+            polygons.back().push_back(vertices.size());
+            vertices.push_back(p);
+          }
+        boundaries.push_back(boundary);
+      }
+    };
+
+
+
+    // From a node of this boundary to the foundation; nothing where it is no
+    // contact node of it.
+    std::optional<Tensor<1, 3>>
+    way_to_foundation(const Body &body,
+                      const ContactSurface &surface,
+                      const types::boundary_id boundary,
+                      const types::global_dof_index first_dof)
+    {
+      if (body.is_hanging(first_dof))
+        {
+          Tensor<1, 3> sum;
+          for (const auto &master :
+               *body.hanging_nodes().get_constraint_entries(first_dof))
+            {
+              const auto way =
+                way_to_foundation(body, surface, boundary, master.first);
+              if (!way)
+                return std::nullopt;
+              sum += master.second * *way;
+            }
+          return sum;
+        }
+      const Eigen::Index i = surface.node_of(first_dof);
+      if (i < 0 ||
+          surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
+        return std::nullopt;
+      // undone is what a partly held node makes of its normal and gap
+      const ContactNode &node   = surface.nodes()[i];
+      const Tensor<1, 3> normal = node.gap_growth / node.gap_growth.norm();
+      return (node.gap + node.gap_growth * node.prescribed_displacement) /
+             node.gap_growth.norm() * normal;
+    }
+
+
+
+    // The faces of the contact boundaries with a foundation, moved to it; on
+    // rank 0 those of all ranks. Corners that are no contact nodes are moved
+    // like the others of their face. Collective.
+    void
+    add_foundations(const Body &body,
+                    const ContactSurface &surface,
+                    ObstacleFaces &faces)
+    {
+      using Quadrilateral = std::array<double, 13>; // boundary, corners
+      std::vector<Quadrilateral> mine;
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const auto &face : cell->face_iterators())
+            {
+              if (!face->at_boundary() ||
+                  !surface.is_contact_boundary(face->boundary_id()) ||
+                  surface.boundary(face->boundary_id()).obstacle() != nullptr)
+                continue;
+              std::array<std::optional<Tensor<1, 3>>, 4> ways;
+              Tensor<1, 3> mean;
+              unsigned int n = 0;
+              for (unsigned int v = 0; v < 4; ++v)
+                {
+                  ways[v] = way_to_foundation(body,
+                                              surface,
+                                              face->boundary_id(),
+                                              face->vertex_dof_index(v, 0));
+                  mean += ways[v].value_or(Tensor<1, 3>());
+                  n += ways[v] ? 1 : 0;
+                }
+              if (n == 0)
+                continue;
+              Quadrilateral corners;
+              corners[0] = face->boundary_id();
+              // around the face
+              const std::array<unsigned int, 4> around = {{0, 1, 3, 2}};
+              for (unsigned int k = 0; k < 4; ++k)
+                {
+                  const unsigned int v = around[k];
+                  const Point<3> p =
+                    face->vertex(v) + ways[v].value_or(mean / n) +
+                    surface.obstacle_displacement(face->boundary_id());
+                  std::copy_n(p.begin_raw(), 3, &corners[1 + 3 * k]);
+                }
+              mine.push_back(corners);
+            }
+      for (const auto &theirs :
+           Utilities::MPI::gather(body.communicator(), mine))
+        for (const Quadrilateral &corners : theirs)
+          {
+            std::array<Point<3>, 4> points;
+            for (unsigned int k = 0; k < 4; ++k)
+              std::copy_n(&corners[1 + 3 * k], 3, points[k].begin_raw());
+            faces.add(points, static_cast<types::boundary_id>(corners[0]));
+          }
+    }
+
+
+
+    // The distance from an obstacle as it is, moved and with its initial gap.
+    class MovedObstacle
+    {
+    public:
+      MovedObstacle(const ContactBoundary &boundary,
+                    const Tensor<1, 3> &displacement)
+        : boundary_(boundary)
+        , displacement_(displacement)
+      {
+      }
+
+      // ψ is a distance to first order, the gradient a unit vector. Nothing
+      // where the user's formulas have no value or the gradient no direction.
+      std::optional<Obstacle::Value>
+      at(const Point<3> &p) const
+      {
+        try
+          {
+            const Point<3> from   = p - displacement_;
+            Obstacle::Value value = boundary_.obstacle()->at(from);
+            const double slope    = value.gradient.norm();
+            if (!(slope > 0.))
+              return std::nullopt;
+            value.psi = value.psi / slope + boundary_.initial_gap(from);
+            value.gradient /= slope;
+            return value;
+          }
+        catch (const InputError &)
+          {
+            return std::nullopt;
+          }
+      }
+
+      // The point of the surface near another one, which is kept if there is
+      // none within this reach.
+      Point<3>
+      nearest(const Point<3> &p, const double reach) const
+      {
+        Point<3> x = p;
+        for (unsigned int step = 0; step < 5; ++step)
+          {
+            const auto value = at(x);
+            if (!value)
+              return p;
+            if (std::abs(value->psi) <= 1e-12 * reach)
+              break;
+            x -= value->psi * value->gradient;
+          }
+        return x.distance(p) <= reach ? x : p;
+      }
+
+    private:
+      const ContactBoundary &boundary_;
+      const Tensor<1, 3> displacement_;
+    };
+
+
+
+    // Where to look for the surface of an obstacle: around the nodes of the
+    // contact boundary, and where the nearest of them meets it.
+    BoundingBox<3>
+    neighbourhood(const ContactSurface &surface, const std::size_t boundary)
+    {
+      std::vector<Point<3>> points;
+      double smallest = std::numeric_limits<double>::max();
+      Point<3> touched;
+      const Eigen::VectorXd gaps = surface.gaps();
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        if (surface.nodes()[i].boundary == boundary)
+          {
+            const ContactNode &node = surface.nodes()[i];
+            points.push_back(node.position);
+            if (gaps(i) < smallest)
+              {
+                smallest = gaps(i);
+                touched  = node.position + gaps(i) * node.normal;
+              }
+          }
+      points.push_back(touched);
+      BoundingBox<3> box(points);
+      const auto corners  = box.get_boundary_points();
+      const double length = corners.first.distance(corners.second);
+      box.extend(length > 0.
+                   ? 0.2 * length
+                   : 0.2 * surface.boundaries()[boundary].body_size());
+      return box;
+    }
+
+
+
+    // The cubes of a box that the surface of an obstacle cuts. At each corner
+    // of those the distance is known.
+    void
+    make_cut_cubes(const MovedObstacle &obstacle,
+                   const BoundingBox<3> &box,
+                   const double longest,
+                   Triangulation<3> &cubes)
+    {
+      const Point<3> corner = box.get_boundary_points().first;
+      std::array<std::size_t, 3> n;
+      std::vector<std::vector<double>> widths(3);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          // odd, so that planes through the middle cut the cells
+          n[c] = 2 * static_cast<std::size_t>(
+                       std::ceil(box.side_length(c) / longest * 20.)) +
+                 1;
+          widths[c].assign(n[c], box.side_length(c) / n[c]);
+        }
+
+      Table<3, double> distance(n[0] + 1, n[1] + 1, n[2] + 1);
+      for (std::size_t i = 0; i <= n[0]; ++i)
+        for (std::size_t j = 0; j <= n[1]; ++j)
+          for (std::size_t k = 0; k <= n[2]; ++k)
+            {
+              const auto value = obstacle.at(
+                corner +
+                Point<3>(i * widths[0][0], j * widths[1][0], k * widths[2][0]));
+              distance(i, j, k) =
+                value ? value->psi : std::numeric_limits<double>::quiet_NaN();
+            }
+
+      Table<3, types::material_id> is_cut(n[0], n[1], n[2]);
+      bool is_any_cut = false;
+      for (std::size_t i = 0; i < n[0]; ++i)
+        for (std::size_t j = 0; j < n[1]; ++j)
+          for (std::size_t k = 0; k < n[2]; ++k)
+            {
+              unsigned int below = 0, above = 0;
+              for (unsigned int v = 0; v < 8; ++v)
+                {
+                  const double d =
+                    distance(i + (v & 1), j + (v >> 1 & 1), k + (v >> 2));
+                  below += d < 0. ? 1 : 0;
+                  above += d >= 0. ? 1 : 0;
+                }
+              const bool cut  = below > 0 && above > 0 && below + above == 8;
+              is_cut(i, j, k) = cut ? 0 : numbers::invalid_material_id;
+              is_any_cut |= cut;
+            }
+      if (is_any_cut)
+        GridGenerator::subdivided_hyper_rectangle(
+          cubes, widths, corner, is_cut);
+    }
+
+
+
+    // The zero set of the distance, by marching cubes, its vertices then moved
+    // onto the surface.
+    void
+    add_zero_set(const MovedObstacle &obstacle,
+                 const BoundingBox<3> &box,
+                 const types::boundary_id boundary,
+                 ObstacleFaces &faces)
+    {
+      const double longest =
+        std::max({box.side_length(0), box.side_length(1), box.side_length(2)});
+      Triangulation<3> cubes;
+      make_cut_cubes(obstacle, box, longest, cubes);
+      if (cubes.n_active_cells() == 0)
+        return;
+      const FE_Q<3> fe(1);
+      DoFHandler<3> dof_handler(cubes);
+      dof_handler.distribute_dofs(fe);
+
+      Vector<double> distance(dof_handler.n_dofs());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            // rounding may carry a vertex out of where the formula has a value
+            const auto value = obstacle.at(cell->vertex(v));
+            distance(cell->vertex_dof_index(v, 0)) = value ? value->psi : 0.;
+          }
+      std::vector<Point<3>> vertices;
+      std::vector<CellData<2>> triangles;
+      GridTools::MarchingCubeAlgorithm<3, Vector<double>>(
+        StaticMappingQ1<3>::mapping, fe)
+        .process(dof_handler, distance, 0., vertices, triangles);
+      for (Point<3> &p : vertices)
+        p = obstacle.nearest(p, longest / 40.);
+      for (const auto &triangle : triangles)
+        {
+          std::array<Point<3>, 3> points;
+          for (unsigned int k = 0; k < 3; ++k)
+            points[k] = vertices[triangle.vertices[k]];
+          faces.add(points, boundary);
+        }
+    }
+
+
+
+    // The triangles of an obstacle that is made of them.
+    void
+    add_triangles(const TriangulatedSurface &triangulated,
+                  const ContactBoundary &boundary,
+                  const Tensor<1, 3> &displacement,
+                  ObstacleFaces &faces)
+    {
+      for (const auto &triangle : triangulated.triangles)
+        {
+          std::array<Point<3>, 3> points;
+          for (unsigned int k = 0; k < 3; ++k)
+            points[k] = triangulated.vertices[triangle[k]];
+          Tensor<1, 3> normal =
+            cross_product_3d(points[1] - points[0], points[2] - points[0]);
+          normal /= normal.norm();
+          try
+            {
+              for (Point<3> &p : points)
+                p += displacement - boundary.initial_gap(p) * normal;
+            }
+          catch (const InputError &)
+            {
+              continue; // no gap is defined there
+            }
+          faces.add(points, boundary.id());
+        }
+    }
+
+
+
+    void
+    write_faces(std::ostream &file, const ObstacleFaces &faces)
+    {
+      file.precision(9);
+      file << "<?xml version=\"1.0\"?>\n"
+           << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+              "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
+           << "<Piece NumberOfPoints=\"" << faces.vertices.size()
+           << "\" NumberOfCells=\"" << faces.polygons.size() << "\">\n";
+      const auto begin = [&](const std::string &attributes) {
+        file << "<DataArray " << attributes << " format=\"ascii\">\n";
+      };
+      const std::string end = "</DataArray>\n";
+
+      file << "<Points>\n";
+      begin("type=\"Float64\" NumberOfComponents=\"3\"");
+      for (const Point<3> &p : faces.vertices)
+        file << p << '\n';
+      file << end << "</Points>\n<Cells>\n";
+      begin("type=\"Int64\" Name=\"connectivity\"");
+      for (const auto &polygon : faces.polygons)
+        for (std::size_t k = 0; k < polygon.size(); ++k)
+          file << polygon[k] << (k + 1 < polygon.size() ? ' ' : '\n');
+      file << end;
+      begin("type=\"Int64\" Name=\"offsets\"");
+      std::size_t offset = 0;
+      for (const auto &polygon : faces.polygons)
+        file << (offset += polygon.size()) << '\n';
+      file << end;
+      begin("type=\"UInt8\" Name=\"types\"");
+      for (const auto &polygon : faces.polygons)
+        file << (polygon.size() == 3 ? 5 : 9) << '\n';
+      file << end << "</Cells>\n<CellData Scalars=\"boundary\">\n";
+      begin("type=\"Int32\" Name=\"boundary\"");
+      for (const auto boundary : faces.boundaries)
+        file << boundary << '\n';
+      file << end << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    }
+  } // namespace
+
+
+
+  void
+  write_obstacles(const std::string &directory,
+                  const LinearElasticity &elasticity,
+                  const ContactSurface &surface)
+  {
+    const Body &body = elasticity.body();
+    ObstacleFaces faces;
+    add_foundations(body, surface, faces);
+    throw_on_all_ranks(body.communicator(), [&]() {
+      if (Utilities::MPI::this_mpi_process(body.communicator()) != 0)
+        return;
+      for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
+        {
+          const ContactBoundary &boundary = surface.boundaries()[b];
+          const Tensor<1, 3> displacement =
+            surface.obstacle_displacement(boundary.id());
+          if (boundary.obstacle() == nullptr)
+            continue;
+          if (const auto *triangles = boundary.obstacle()->triangles())
+            add_triangles(*triangles, boundary, displacement, faces);
+          else
+            add_zero_set(MovedObstacle(boundary, displacement),
+                         neighbourhood(surface, b),
+                         boundary.id(),
+                         faces);
+        }
+      write_file(directory + "/obstacle.vtu",
+                 [&](std::ostream &file) { write_faces(file, faces); });
+    });
+  }
+} // namespace stiction

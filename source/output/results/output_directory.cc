@@ -1,0 +1,162 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/files.h>
+#include <stiction/base/log.h>
+#include <stiction/output/results/convergence_history.h>
+#include <stiction/output/results/output_directory.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <regex>
+#include <utility>
+#include <vector>
+
+namespace stiction
+{
+  namespace
+  {
+    bool
+    is_first(MPI_Comm communicator)
+    {
+      return dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    }
+
+    // Whether a file is one that a run writes at its end, by its name.
+    bool
+    is_ours(const std::string &name)
+    {
+      static const std::regex names(
+        "(solution|contact|obstacle)(\\.[0-9]{4,})?\\.(vtu|pvtu|pvd)"
+        "|summary\\.json|(convergence|forces|displacement|contact)\\.csv"
+        "|picture\\.png");
+      return std::regex_match(name, names);
+    }
+
+    void
+    remove_earlier_run(const std::string &directory)
+    {
+      namespace fs = std::filesystem;
+      std::error_code error; // what cannot be removed cannot be written either
+      std::vector<fs::path> files;
+      for (const auto &entry : fs::directory_iterator(directory, error))
+        if (entry.is_regular_file(error) &&
+            is_ours(entry.path().filename().string()))
+          files.push_back(entry.path());
+      for (const fs::path &file : files)
+        fs::remove(file, error);
+    }
+
+    // Of all directories: in which, and the entry that says so.
+    std::vector<std::pair<std::string, std::string>>
+    directories(const Parameters &parameters)
+    {
+      std::vector<std::pair<std::string, std::string>> all;
+      if (!parameters.output.export_directory.empty())
+        all.emplace_back(parameters.output.export_directory,
+                         parameters.source.describe("Output/Export directory"));
+      all.emplace_back(parameters.output.directory,
+                       parameters.source.describe("Output/Directory"));
+      return all;
+    }
+  } // namespace
+
+
+
+  void
+  require_writable_output(const Parameters &parameters, MPI_Comm communicator)
+  {
+    throw_on_all_ranks(communicator, [&]() {
+      if (is_first(communicator))
+        for (const auto &[directory, entry] : directories(parameters))
+          require_writable(directory, entry);
+    });
+  }
+
+
+
+  void
+  open_output_directory(const Parameters &parameters,
+                        Log &log,
+                        MPI_Comm communicator)
+  {
+    const std::string &directory = parameters.output.directory;
+    throw_on_all_ranks(communicator, [&]() {
+      if (!is_first(communicator))
+        return;
+      for (const auto &[name, entry] : directories(parameters))
+        {
+          std::error_code error;
+          std::filesystem::create_directories(name, error);
+          if (error)
+            throw InputError(entry +
+                             ", cannot be written to, must be a directory that "
+                             "exists or can be made.");
+          require_writable(name + "/.", entry);
+        }
+      log.open_file(directory + "/log.txt"); // which overwrites it
+      remove_earlier_run(directory);
+      write_file(directory + "/used_parameters.prm",
+                 [&](std::ostream &out) { out << parameters.used_file(); });
+    });
+  }
+
+
+
+  void
+  write_history(const ConvergenceHistory &history,
+                const std::string &directory,
+                MPI_Comm communicator)
+  {
+    throw_on_all_ranks(communicator, [&]() {
+      if (is_first(communicator))
+        write_file(directory + "/convergence.csv",
+                   [&](std::ostream &out) { history.write(out); });
+    });
+  }
+
+
+
+  void
+  write_summary(const nlohmann::json &summary,
+                const std::string &directory,
+                MPI_Comm communicator)
+  {
+    throw_on_all_ranks(communicator, [&]() {
+      if (is_first(communicator))
+        write_file(directory + "/summary.json", [&](std::ostream &out) {
+          // paths may have any bytes
+          out << summary.dump(
+                   2, ' ', false, nlohmann::json::error_handler_t::replace)
+              << '\n';
+        });
+    });
+  }
+
+
+
+  nlohmann::json
+  program_to_json(MPI_Comm communicator)
+  {
+    return {{"name", "stiction"},
+            {"version", STICTION_VERSION},
+            {"dealii", DEAL_II_PACKAGE_VERSION},
+            {"build_type", STICTION_BUILD_TYPE},
+            {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator)}};
+  }
+
+
+
+  double
+  peak_memory(MPI_Comm communicator)
+  {
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    return dealii::Utilities::MPI::sum(
+      static_cast<double>(memory.VmHWM) / 1024., communicator);
+  }
+} // namespace stiction

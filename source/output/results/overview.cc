@@ -1,0 +1,238 @@
+#include <stiction/base/log.h>
+#include <stiction/base/units.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/loads.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/model/prescribed_displacement.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/results/overview.h>
+#include <stiction/parameters/memory.h>
+#include <stiction/parameters/parameters.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/table_handler.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    print(Log &log, const TableHandler &table)
+    {
+      std::stringstream out;
+      table.write_text(out, TableHandler::org_mode_table);
+      std::string line;
+      while (std::getline(out, line))
+        log.line("  " + line.substr(0, line.find_last_not_of(' ') + 1));
+    }
+
+    std::string
+    number(const double value)
+    {
+      return format("%.4g", value);
+    }
+
+    // Components that are rounding, also of vectors of this size from which it
+    // was computed, are zero.
+    std::string
+    vector(const Tensor<1, 3> &v, const double size = 0.)
+    {
+      return format_vector("%.4g", {{v[0], v[1], v[2]}}, size);
+    }
+
+    Tensor<1, 3>
+    sum_of_loads(const LinearElasticity &elasticity)
+    {
+      const Body &body = elasticity.body();
+      Tensor<1, 3> sum;
+      for (const Body::Node &node : body.locally_owned_nodes())
+        for (unsigned int c = 0; c < 3; ++c)
+          sum[c] += elasticity.load()(node.dofs[c]);
+      return Utilities::MPI::sum(sum, body.communicator());
+    }
+
+    std::string
+    describe(const Material &material)
+    {
+      const double lambda = material.lame_lambda, G = material.shear_modulus;
+      return (material.is_isotropic
+                ? "isotropic, E = " + number(material.youngs_modulus) +
+                    ", nu = " + number(lambda / (2. * (lambda + G)))
+                : "orthotropic, largest modulus " +
+                    number(material.youngs_modulus)) +
+             (material.density > 0. ? ", density " + number(material.density)
+                                    : std::string());
+    }
+
+    void
+    print_size(Log &log, const Body &body, const Units &units)
+    {
+      const auto corners = body.bounding_box().get_boundary_points();
+      log.line("Body");
+      log.line(format("  %-24s ", label("from", units.length).c_str()) +
+               vector(corners.first));
+      log.line(format("  %-24s ", label("to", units.length).c_str()) +
+               vector(corners.second));
+    }
+
+    void
+    print_boundaries(Log &log,
+                     const LinearElasticity &elasticity,
+                     const ContactSurface &surface,
+                     const Units &units)
+    {
+      const Body &body = elasticity.body();
+      TableHandler table;
+      for (const auto &boundary : elasticity.loads().on_boundaries())
+        {
+          const std::string held =
+            elasticity.prescribed_displacement().components(boundary.first);
+          table.add_value("boundary",
+                          body.boundary_names().describe(boundary.first));
+          table.add_value(label("area", units.area),
+                          number(boundary.second.area));
+          table.add_value("prescribed", held.empty() ? "-" : held);
+          table.add_value(label("resultant of its load", units.force),
+                          boundary.second.force.norm() > 0.
+                            ? vector(boundary.second.force)
+                            : std::string("-"));
+          table.add_value(
+            "contact",
+            std::string(surface.is_contact_boundary(boundary.first) ? "yes"
+                                                                    : "-"));
+        }
+      log.line("Boundaries");
+      print(log, table);
+
+      log.line("  " +
+               label("all loads, those inside the body too", units.force) +
+               ": " + vector(sum_of_loads(elasticity)));
+      log.line("  free rigid-body motions: none");
+    }
+
+    void
+    print_contact(Log &log, const ContactSurface &surface, const Units &units)
+    {
+      // where the parameter file puts the obstacles, not where the search for
+      // the place of a pressed one begins
+      const Eigen::VectorXd gaps =
+        surface.motion().offset_at_start().head(surface.n_nodes());
+      TableHandler table;
+      for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
+        {
+          double smallest = std::numeric_limits<double>::max();
+          double largest = -smallest, area = 0.;
+          unsigned int n = 0, n_inside = 0;
+          for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+            if (surface.nodes()[i].boundary == b)
+              {
+                const double gap = gaps(i);
+                ++n;
+                n_inside += gap < 0. ? 1 : 0;
+                area += surface.areas()(i);
+                smallest = std::min(smallest, gap);
+                largest  = std::max(largest, gap);
+              }
+          table.add_value("contact boundary", surface.boundaries()[b].name());
+          table.add_value("nodes", n);
+          table.add_value(label("their area", units.area), number(area));
+          table.add_value(label("smallest gap", units.length),
+                          number(smallest));
+          table.add_value(label("largest gap", units.length), number(largest));
+          table.add_value("nodes with interference", n_inside);
+          const Tensor<1, 3> &force = surface.boundaries()[b].force();
+          table.add_value(label("obstacle pressed on by", units.force),
+                          force.norm() > 0. ? vector(force) : std::string("-"));
+        }
+      log.line("Contact");
+      print(log, table);
+    }
+  } // namespace
+
+
+
+  void
+  print_applied(Log &log,
+                const LinearElasticity &elasticity,
+                const ContactSurface &surface)
+  {
+    const Body &body = elasticity.body();
+    const PrescribedDisplacement &support =
+      elasticity.prescribed_displacement();
+    const Loads &loads = elasticity.loads();
+    const auto line    = [&](const char *what, const std::string &text) {
+      log.line(format("  %-10s ", what) + text);
+    };
+
+    log.line("Applied");
+    for (const auto &place : support.description())
+      line(place.second.find('=') == std::string::npos ? "held" : "moved",
+           place.first + ": " + place.second);
+
+    // with its rounding, for what is left of it
+    Tensor<1, 3> inside = sum_of_loads(elasticity);
+    const double size   = inside.norm();
+    for (const auto &boundary : loads.on_boundaries())
+      {
+        inside -= boundary.second.force;
+        const std::string text = loads.description(boundary.first);
+        if (!text.empty())
+          line("load",
+               body.boundary_names().name(boundary.first) + ": " + text +
+                 "; resultant " + vector(boundary.second.force));
+      }
+    if (!loads.description_inside().empty())
+      line("load",
+           "inside: " + loads.description_inside() + "; resultant " +
+             vector(inside, size));
+
+    for (const ContactBoundary &boundary : surface.boundaries())
+      line("contact",
+           body.boundary_names().name(boundary.id()) + ": " +
+             boundary.description());
+
+    for (const auto id : body.material_names().ids())
+      line("material",
+           body.material_names().describe(id) + ": " +
+             describe(elasticity.materials().of(id)));
+  }
+
+
+
+  void
+  print_overview(Log &log,
+                 const LinearElasticity &elasticity,
+                 const ContactSurface &surface,
+                 const Parameters &parameters)
+  {
+    const Body &body  = elasticity.body();
+    const Units units = Units::named(parameters.output.units);
+    print_size(log, body, units);
+    print_boundaries(log, elasticity, surface, units);
+    print_contact(log, surface, units);
+
+    const double mesh = memory_for_mesh(
+      parameters,
+      static_cast<double>(body.triangulation().n_global_active_cells()));
+    const double dual =
+      memory_for_dual_operator(parameters,
+                               3. * static_cast<double>(surface.n_nodes()),
+                               body.communicator());
+    log.line("Memory, estimated");
+    log.line(format("  mesh and elastic solves  %.3g GB", mesh / 1e9));
+    log.line(format("  dual operator            %.3g GB", dual / 1e9));
+    log.line(format("  available                %.3g GB",
+                    available_memory(body.communicator()) / 1e9));
+  }
+} // namespace stiction

@@ -1,0 +1,183 @@
+#include <stiction/base/interrupted.h>
+#include <stiction/qp/advice.h>
+#include <stiction/qp/certified_solve.h>
+#include <stiction/qp/contact_scales.h>
+#include <stiction/qp/operators/dual_operator.h>
+#include <stiction/qp/verifier.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    // The scales of zero contact forces are those of a body that falls through
+    // its foundation; they are taken afresh once the residual is this small.
+    constexpr double coarse_residual = 1e-2;
+
+    // What the method's residual has to reach, as a part of the tolerance: the
+    // verifier measures in scales of the next iterate.
+    constexpr double safety = 0.5;
+
+    // The relative overlap up to which no contact forces at all are the answer.
+    constexpr double rest_tolerance = 1e-9;
+
+    // Judgements without a new smallest residual before giving up.
+    constexpr unsigned int max_idle_judgements = 3;
+
+    // Other figures decide too: a complementarity of more than the KKT residual
+    // (where the pressure is above p0) asks for a smaller one.
+    double
+    share_of_kkt(const ContactConditions &conditions)
+    {
+      const auto &figures  = conditions.contact_figures();
+      const double largest = std::max({figures.kkt_residual,
+                                       figures.penetration,
+                                       figures.complementarity,
+                                       figures.cone_violation});
+      return largest > 0. ? std::max(figures.kkt_residual / largest, 0.01) : 1.;
+    }
+
+
+    // The verifier's scales, unless they are rounding or a convention: a body that
+    // is only moved has neither load nor strain as long as there are no contact
+    // forces. Then those of the forces count that would undo h node by node,
+    // and always where no contact forces at all are to be the answer.
+    qp::Scaling
+    usable_scaling(const ContactConditions &conditions,
+                   const DualOperator &Q,
+                   const double tolerance)
+    {
+      constexpr double rounding = 1e-6;
+
+      qp::Scaling scaling      = conditions.scaling();
+      const auto [force, work] = decoupled_scales(Q);
+      const double total       = scaling.force.sum();
+      const bool is_answer =
+        conditions.lambda().isZero(0.) && conditions.is_solved(tolerance);
+      if (force > 0. && (is_answer || total < rounding * force))
+        {
+          scaling.force *= force / total;
+          scaling.displacement = work / force;
+        }
+      return scaling;
+    }
+  } // namespace
+
+
+
+  ContactSolution
+  certified_solve(DualMethod &method,
+                  const DualOperator &Q,
+                  const qp::SlipBound &slip_bound,
+                  Verifier &verifier,
+                  const double tolerance,
+                  const unsigned int max_iterations,
+                  const std::string &other_method,
+                  const std::function<void(const ContactStep &)> &observer,
+                  Eigen::VectorXd lambda)
+  {
+    ContactSolution solution;
+    const bool is_cold = lambda.size() == 0;
+    solution.lambda =
+      is_cold ? Eigen::VectorXd(Eigen::VectorXd::Zero(3 * Q.n_nodes()))
+              : std::move(lambda);
+    const ContactConditions *conditions = &verifier.verify(solution.lambda);
+    DualIterate iterate{solution.lambda, conditions->gradient()};
+
+    ContactStep row;
+    Pace pace;
+    row.residual = conditions->contact_figures().kkt_residual;
+
+    double target = std::max(
+      is_cold ? coarse_residual : std::min(coarse_residual, 0.3 * row.residual),
+      0.5 * tolerance);
+    double smallest         = row.residual;
+    unsigned int iterations = 0, idle = 0;
+    qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
+
+    // No contact forces at all leave nothing to measure an overlap by: they are
+    // the answer if there is none, whatever the tolerance.
+    const auto accuracy = [&]() {
+      return solution.lambda.isZero(0.) ? std::min(tolerance, rest_tolerance)
+                                        : tolerance;
+    };
+    // in both scales: they must be right in those of the problem, too
+    const auto is_content = [&]() {
+      return conditions->is_solved(tolerance) &&
+             ContactConditions(solution.lambda,
+                               conditions->gradient(),
+                               slip_bound.at(solution.lambda),
+                               scaling)
+               .converged(accuracy());
+    };
+    while (!is_content())
+      {
+        StoppingRule rule;
+        rule.residual         = target;
+        rule.change           = std::max(tolerance, target);
+        rule.max_iterations   = max_iterations - iterations;
+        const auto after_step = [&](const DualMethod::Step &step) {
+          row.contraction =
+            row.residual > 0. ? step.residual / row.residual : 0.;
+          ++row.step;
+          row.iterations += step.inner_iterations;
+          row.multiplications = Q.n_multiplications();
+          row.residual        = step.residual;
+          row.change          = step.change;
+          row.normal_force    = iterate.lambda.head(Q.n_nodes()).sum();
+          pace.add(row.iterations, row.residual);
+          observer(row);
+        };
+        DualMethodResult result;
+        try
+          {
+            result =
+              method.solve(iterate, slip_bound, scaling, rule, after_step);
+          }
+        catch (const Interrupted &)
+          {
+            solution.interrupted = true;
+          }
+        iterations += result.iterations;
+        solution.lambda  = iterate.lambda;
+        conditions       = &verifier.verify(solution.lambda);
+        iterate.gradient = conditions->gradient();
+        scaling          = usable_scaling(*conditions, Q, tolerance);
+        if (is_content())
+          break;
+        if (solution.interrupted)
+          return solution;
+
+        const double residual = conditions->contact_figures().kkt_residual;
+        idle                  = residual < 0.9 * smallest ? 0 : idle + 1;
+        smallest              = std::min(smallest, residual);
+        const double goal     = safety * accuracy() * share_of_kkt(*conditions);
+        if (result.converged && target <= goal && !method.limitation().empty())
+          solution.reason = method.limitation();
+        else if (iterations >= max_iterations)
+          solution.reason =
+            "the cap of " + std::to_string(max_iterations) +
+            " iterations was met, " +
+            pace.advice(tolerance,
+                        other_method + advice_on_friction(slip_bound));
+        else if (result.stagnated || idle >= max_idle_judgements ||
+                 !std::isfinite(residual))
+          solution.reason =
+            is_rounding(residual, conditions->rounding())
+              ? "rounding prevents a smaller one, raise 'Contact "
+                "solver/Tolerance' above that"
+              : (result.reason.empty() ? "the method makes no further progress"
+                                       : result.reason) +
+                  ", " + other_method + advice_on_friction(slip_bound);
+        if (!solution.reason.empty())
+          return solution;
+
+        target = target > goal ? goal : 0.3 * target;
+      }
+    solution.converged = true;
+    return solution;
+  }
+} // namespace stiction

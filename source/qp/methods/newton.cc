@@ -1,0 +1,199 @@
+#include <stiction/qp/methods/coulomb_fixed_point.h>
+#include <stiction/qp/methods/mpgp.h>
+#include <stiction/qp/methods/newton.h>
+#include <stiction/qp/solvers/interior_point.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace stiction
+{
+  namespace
+  {
+    // The part of the error that is left to Newton again after a fallback.
+    constexpr double fallback_reduction = 0.3;
+
+    // A fallback that gains nothing twice running has met rounding.
+    constexpr unsigned int max_idle_fallbacks = 2;
+
+    // A step of the interior point method factorises a matrix of three times
+    // this order, which takes about 10 s.
+    constexpr Eigen::Index max_nodes_factorized = 2000;
+
+    // It starts far away each time, and its last steps gain digits quickly: so
+    // much more than asked for is solved at once.
+    constexpr double interior_point_reduction = 1e-3;
+  } // namespace
+
+
+
+  struct Newton::Run
+  {
+    DualIterate &iterate;
+    const qp::SlipBound &slip_bound;
+    const qp::Scaling &scaling;
+    const StoppingRule &rule;
+    const Observer &observer;
+    DualMethodResult result;
+
+    unsigned int
+    iterations_left() const
+    {
+      return rule.max_iterations - result.iterations;
+    }
+
+    bool
+    is_done() const
+    {
+      return result.converged || result.iterations >= rule.max_iterations;
+    }
+
+    // To be told of each step from here on.
+    std::function<void(unsigned int, double)>
+    reporter()
+    {
+      return [this, before = iterate.lambda](unsigned int,
+                                             const double residual) mutable {
+        result.change = relative_change(iterate.lambda, before);
+        before        = iterate.lambda;
+        observer({1, residual, result.change});
+      };
+    }
+  };
+
+
+
+  Newton::Newton(const DualOperator &Q, const unsigned int max_steps_in_a_run)
+    : Q_(Q)
+    , block_(Q, DualBlock::all)
+    , newton_(block_, Q.nodal_compliance())
+    , max_steps_in_a_run_(max_steps_in_a_run)
+  {
+  }
+
+
+
+  DualMethodStatistics
+  Newton::statistics() const
+  {
+    DualMethodStatistics all = statistics_;
+    if (proven_)
+      all += proven_->statistics();
+    return all;
+  }
+
+
+
+  DualMethodResult
+  Newton::solve(DualIterate &iterate,
+                const qp::SlipBound &slip_bound,
+                const qp::Scaling &scaling,
+                const StoppingRule &rule,
+                const Observer &observer)
+  {
+    Run run{iterate, slip_bound, scaling, rule, observer, {}};
+    double smallest             = std::numeric_limits<double>::infinity();
+    unsigned int idle_fallbacks = 0;
+    bool tries_inside           = can_factorize();
+    while (true)
+      {
+        run_newton(run);
+        if (run.is_done())
+          break;
+        if (can_factorize() && !is_direct_)
+          {
+            newton_.solve_directly(*Q_.matrix());
+            is_direct_ = true;
+            continue;
+          }
+        if (tries_inside)
+          run_interior_point(run);
+        tries_inside = false;
+        if (run.is_done())
+          break;
+
+        const double residual = run.result.residual;
+        idle_fallbacks = residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
+        smallest       = std::min(smallest, residual);
+        run.result.stagnated = idle_fallbacks > max_idle_fallbacks;
+        if (run.result.stagnated)
+          break;
+        fall_back(run);
+        if (run.is_done())
+          break;
+      }
+    return run.result;
+  }
+
+
+
+  bool
+  Newton::can_factorize() const
+  {
+    return Q_.matrix() != nullptr && Q_.n_nodes() <= max_nodes_factorized;
+  }
+
+
+
+  void
+  Newton::run_newton(Run &run)
+  {
+    const qp::NewtonStatistics statistics =
+      newton_.solve(run.iterate.lambda,
+                    run.iterate.gradient,
+                    run.slip_bound,
+                    run.scaling,
+                    run.rule.residual,
+                    std::min(max_steps_in_a_run_, run.iterations_left()),
+                    run.reporter());
+    statistics_.newton_steps += statistics.steps;
+    statistics_.krylov_iterations += statistics.krylov_iterations;
+    run.result.iterations += statistics.steps;
+    run.result.residual  = statistics.residual;
+    run.result.converged = statistics.converged;
+  }
+
+
+
+  void
+  Newton::run_interior_point(Run &run)
+  {
+    const qp::InteriorPointStatistics statistics =
+      qp::InteriorPoint(*Q_.matrix())
+        .solve(run.iterate.lambda,
+               run.iterate.gradient,
+               run.slip_bound,
+               run.scaling,
+               interior_point_reduction * run.rule.residual,
+               run.iterations_left(),
+               run.reporter());
+    statistics_.interior_point_steps += statistics.steps;
+    run.result.iterations += statistics.steps;
+    run.result.residual  = statistics.residual;
+    run.result.converged = statistics.residual <= run.rule.residual;
+  }
+
+
+
+  void
+  Newton::fall_back(Run &run)
+  {
+    ++statistics_.fallbacks;
+    if (!proven_ && !run.slip_bound.is_coulomb())
+      proven_ = std::make_unique<Mpgp>(Q_);
+    else if (!proven_)
+      proven_ = std::make_unique<CoulombFixedPoint>(
+        std::make_unique<Newton>(Q_, max_steps_in_a_run_));
+    StoppingRule stretch;
+    stretch.residual       = fallback_reduction * run.result.residual;
+    stretch.change         = std::numeric_limits<double>::infinity();
+    stretch.max_iterations = run.iterations_left();
+    const DualMethodResult stretch_result = proven_->solve(
+      run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
+    run.result.iterations += stretch_result.iterations;
+    run.result.residual  = stretch_result.residual;
+    run.result.change    = stretch_result.change;
+    run.result.converged = stretch_result.residual <= run.rule.residual;
+  }
+} // namespace stiction

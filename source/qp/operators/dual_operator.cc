@@ -1,0 +1,164 @@
+#include <stiction/qp/operators/dual_operator.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    unsigned long
+    thirds(const DualBlock block)
+    {
+      switch (block)
+        {
+          case DualBlock::normal:
+            return 1;
+          case DualBlock::tangential:
+            return 2;
+          default:
+            return 3;
+        }
+    }
+  } // namespace
+
+
+
+  DualOperator::DualOperator(const Eigen::Index n_nodes)
+    : n_nodes_(n_nodes)
+  {
+  }
+
+
+
+  void
+  DualOperator::set_right_hand_side(Eigen::VectorXd h)
+  {
+    h_ = std::move(h);
+  }
+
+
+
+  void
+  DualOperator::vmult(const DualBlock rows,
+                      const DualBlock columns,
+                      Eigen::VectorXd &dst,
+                      const Eigen::VectorXd &src) const
+  {
+    n_ninths_ += thirds(rows) * thirds(columns);
+    apply(rows, columns, dst, src);
+  }
+
+
+
+  Eigen::Index
+  DualOperator::begin(const DualBlock block) const
+  {
+    return block == DualBlock::tangential ? n_nodes_ : 0;
+  }
+
+
+
+  Eigen::Index
+  DualOperator::length(const DualBlock block) const
+  {
+    return static_cast<Eigen::Index>(thirds(block)) * n_nodes_;
+  }
+
+
+
+  const Eigen::VectorXd &
+  DualOperator::nodal_compliance() const
+  {
+    if (nodal_compliance_.size() == 0)
+      nodal_compliance_ = compute_nodal_compliance();
+    return nodal_compliance_;
+  }
+
+
+
+  DecoupledScales
+  decoupled_scales(const DualOperator &Q)
+  {
+    const Eigen::Index m     = Q.n_nodes();
+    const Eigen::VectorXd &h = Q.right_hand_side();
+    const Eigen::VectorXd &c = Q.nodal_compliance();
+    DecoupledScales result;
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        // nothing has to undo an open gap
+        const double size =
+          Eigen::Vector3d(std::max(h(i), 0.), h(i + m), h(i + 2 * m)).norm();
+        result.force += size / c(i);
+        result.work += size * size / c(i);
+      }
+    return result;
+  }
+
+
+
+  // ---------------------------------------------------- DenseDualOperator
+
+  DenseDualOperator::DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h)
+    : DualOperator(Q.rows() / 3)
+    , Q_(std::move(Q))
+  {
+    eigen_assert(Q_.rows() == Q_.cols() && Q_.rows() == h.size());
+    set_right_hand_side(std::move(h));
+  }
+
+
+
+  Eigen::VectorXd
+  DenseDualOperator::compute_nodal_compliance() const
+  {
+    const Eigen::Index m = n_nodes();
+    return (Q_.diagonal().head(m) + Q_.diagonal().segment(m, m) +
+            Q_.diagonal().tail(m)) /
+           3.;
+  }
+
+
+
+  void
+  DenseDualOperator::apply(const DualBlock rows,
+                           const DualBlock columns,
+                           Eigen::VectorXd &dst,
+                           const Eigen::VectorXd &src) const
+  {
+    const auto block =
+      Q_.block(begin(rows), begin(columns), length(rows), length(columns));
+    if (rows == columns) // reads half of the block, and memory is what it costs
+      dst.noalias() = block.selfadjointView<Eigen::Lower>() * src;
+    else
+      dst.noalias() = block * src;
+  }
+
+
+
+  // ---------------------------------------------------- DualOperatorBlock
+
+  DualOperatorBlock::DualOperatorBlock(const DualOperator &Q,
+                                       const DualBlock block)
+    : Q_(Q)
+    , block_(block)
+  {
+  }
+
+
+
+  Eigen::Index
+  DualOperatorBlock::size() const
+  {
+    return static_cast<Eigen::Index>(thirds(block_)) * Q_.n_nodes();
+  }
+
+
+
+  void
+  DualOperatorBlock::apply(Eigen::VectorXd &dst,
+                           const Eigen::VectorXd &src) const
+  {
+    Q_.vmult(block_, block_, dst, src);
+  }
+} // namespace stiction

@@ -1,0 +1,262 @@
+#include <stiction/qp/sets/feasible_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace stiction::qp
+{
+  namespace
+  {
+    // A projected point sits on its circle only up to rounding. Inside by
+    // less than this part of the radius counts as on it; were it missed, the
+    // node would be moved by conjugate gradients into a zero-length step.
+    constexpr double on_circle = 1. - 1e-12;
+  } // namespace
+
+
+
+  FeasibleSet::FeasibleSet(const Eigen::Index n_nodes,
+                           const unsigned int n_components)
+    : n_nodes_(n_nodes)
+    , n_components_(n_components)
+  {
+  }
+
+
+
+  double
+  FeasibleSet::natural_residual(const Eigen::VectorXd &x,
+                                const Eigen::VectorXd &gradient,
+                                const Scaling &scaling) const
+  {
+    eigen_assert(scaling.force.size() == n_nodes_);
+    eigen_assert(scaling.weight.size() == 0 ||
+                 scaling.weight.size() == n_nodes_);
+
+    const Eigen::VectorXd force_per_weight =
+      scaling.weight.size() == 0 ? scaling.force
+                                 : scaling.force.cwiseQuotient(scaling.weight);
+    Eigen::VectorXd y(size());
+    for (unsigned int c = 0; c < n_components_; ++c)
+      y.segment(c * n_nodes_, n_nodes_) =
+        x.segment(c * n_nodes_, n_nodes_) -
+        force_per_weight.cwiseProduct(
+          gradient.segment(c * n_nodes_, n_nodes_)) /
+          scaling.displacement;
+    project(y);
+
+    double largest = 0.;
+    for (Eigen::Index i = 0; i < n_nodes_; ++i)
+      {
+        double square = 0.;
+        for (unsigned int c = 0; c < n_components_; ++c)
+          {
+            const Eigen::Index k = i + c * n_nodes_;
+            square += (x(k) - y(k)) * (x(k) - y(k));
+          }
+        const double residual = std::sqrt(square) / scaling.force(i);
+        if (std::isnan(residual))
+          return residual; // std::max would drop it
+        largest = std::max(largest, residual);
+      }
+    return largest;
+  }
+
+
+
+  // ------------------------------------------------------------ HalfLines
+
+  HalfLines::HalfLines(const Eigen::Index n_nodes)
+    : FeasibleSet(n_nodes, 1)
+  {
+  }
+
+
+
+  void
+  HalfLines::project(Eigen::VectorXd &x) const
+  {
+    eigen_assert(x.size() == size());
+    for (double &entry : x)
+      if (entry < 0.) // a NaN stays one
+        entry = 0.;
+  }
+
+
+
+  void
+  HalfLines::split(const Eigen::VectorXd &x,
+                   const Eigen::VectorXd &gradient,
+                   const double step,
+                   Eigen::VectorXd &free,
+                   Eigen::VectorXd &chopped) const
+  {
+    eigen_assert(x.size() == size() && gradient.size() == size());
+    (void)step; // on a half-line the chopped gradient does not depend on it
+    free.setZero(size());
+    chopped.setZero(size());
+    for (Eigen::Index i = 0; i < size(); ++i)
+      if (x(i) > 0.)
+        free(i) = gradient(i);
+      else
+        chopped(i) = std::min(gradient(i), 0.);
+  }
+
+
+
+  double
+  HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
+                                   const Eigen::VectorXd &d) const
+  {
+    double alpha = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < size(); ++i)
+      if (d(i) < 0.)
+        alpha = std::min(alpha, -x(i) / d(i));
+    return alpha;
+  }
+
+
+
+  // ---------------------------------------------------------------- Discs
+
+  Discs::Discs(Eigen::VectorXd radii)
+    : FeasibleSet(radii.size(), 2)
+    , radii_(std::move(radii))
+  {
+    for (const double radius : radii_)
+      if (!(radius >= 0.))
+        throw std::invalid_argument("the radius of a disc must be >= 0");
+  }
+
+
+
+  void
+  Discs::project(Eigen::VectorXd &x) const
+  {
+    eigen_assert(x.size() == size());
+    const Eigen::Index m = n_nodes();
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const double norm = std::hypot(x(i), x(i + m));
+        if (norm > radii_(i))
+          {
+            x(i) *= radii_(i) / norm;
+            x(i + m) *= radii_(i) / norm;
+          }
+      }
+  }
+
+
+
+  bool
+  Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
+  {
+    return std::hypot(x(i), x(i + n_nodes())) >= on_circle * radii_(i);
+  }
+
+
+
+  void
+  Discs::split(const Eigen::VectorXd &x,
+               const Eigen::VectorXd &gradient,
+               const double step,
+               Eigen::VectorXd &free,
+               Eigen::VectorXd &chopped) const
+  {
+    eigen_assert(x.size() == size() && gradient.size() == size());
+    const Eigen::Index m = n_nodes();
+
+    Eigen::VectorXd projected = x - step * gradient;
+    project(projected);
+
+    free.setZero(size());
+    chopped.setZero(size());
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (const Eigen::Index k : {i, i + m})
+        if (is_active(x, i))
+          chopped(k) = (x(k) - projected(k)) / step;
+        else
+          free(k) = gradient(k);
+  }
+
+
+
+  double
+  Discs::largest_feasible_step(const Eigen::VectorXd &x,
+                               const Eigen::VectorXd &d) const
+  {
+    const Eigen::Index m = n_nodes();
+    double alpha         = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const double a = d(i) * d(i) + d(i + m) * d(i + m);
+        if (a == 0.)
+          continue;
+        // Positive root of a α² + 2 b α − c = 0, in the form that does not
+        // cancel. c is how far inside the node is, never negative.
+        const double b    = x(i) * d(i) + x(i + m) * d(i + m);
+        const double r    = std::hypot(x(i), x(i + m));
+        const double c    = std::max(0., (radii_(i) - r) * (radii_(i) + r));
+        const double root = std::sqrt(b * b + a * c);
+        alpha = std::min(alpha, b > 0. ? c / (b + root) : (root - b) / a);
+      }
+    return alpha;
+  }
+
+
+
+  // -------------------------------------------------- HalfLinesTimesDiscs
+
+  HalfLinesTimesDiscs::HalfLinesTimesDiscs(Eigen::VectorXd radii)
+    : FeasibleSet(radii.size(), 3)
+    , half_lines_(radii.size())
+    , discs_(std::move(radii))
+  {
+  }
+
+
+
+  void
+  HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
+  {
+    eigen_assert(x.size() == size());
+    const Eigen::Index m = n_nodes();
+    Eigen::VectorXd xn = x.head(m), xt = x.tail(2 * m);
+    half_lines_.project(xn);
+    discs_.project(xt);
+    x << xn, xt;
+  }
+
+
+
+  void
+  HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
+                             const Eigen::VectorXd &gradient,
+                             const double step,
+                             Eigen::VectorXd &free,
+                             Eigen::VectorXd &chopped) const
+  {
+    const Eigen::Index m = n_nodes();
+    Eigen::VectorXd free_n, chopped_n, free_t, chopped_t;
+    half_lines_.split(x.head(m), gradient.head(m), step, free_n, chopped_n);
+    discs_.split(x.tail(2 * m), gradient.tail(2 * m), step, free_t, chopped_t);
+    free.resize(size());
+    chopped.resize(size());
+    free << free_n, free_t;
+    chopped << chopped_n, chopped_t;
+  }
+
+
+
+  double
+  HalfLinesTimesDiscs::largest_feasible_step(const Eigen::VectorXd &x,
+                                             const Eigen::VectorXd &d) const
+  {
+    const Eigen::Index m = n_nodes();
+    return std::min(half_lines_.largest_feasible_step(x.head(m), d.head(m)),
+                    discs_.largest_feasible_step(x.tail(2 * m), d.tail(2 * m)));
+  }
+} // namespace stiction::qp

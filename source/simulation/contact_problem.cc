@@ -1,0 +1,389 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/files.h>
+#include <stiction/base/interrupt.h>
+#include <stiction/base/log.h>
+#include <stiction/contact/certificate/body_verifier.h>
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/dual/schur_complement.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/obstacles/pressed_obstacles.h>
+#include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/local_refinement.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/support_reactions.h>
+#include <stiction/output/results/convergence_history.h>
+#include <stiction/output/results/output_directory.h>
+#include <stiction/output/results/overview.h>
+#include <stiction/output/results/report.h>
+#include <stiction/parameters/memory.h>
+#include <stiction/parameters/parameters.h>
+#include <stiction/simulation/adaptive_refinement.h>
+#include <stiction/simulation/blas_choice.h>
+#include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/cores.h>
+#include <stiction/simulation/missing_entries.h>
+#include <stiction/simulation/reference_costs.h>
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <nlohmann/json.hpp>
+
+
+namespace stiction
+{
+  namespace
+  {
+    // Fewer are made in a second or two.
+    constexpr double cells_worth_a_word = 2e5;
+  } // namespace
+
+
+
+  ContactProblem::ContactProblem(const Parameters &parameters,
+                                 MPI_Comm communicator)
+    : parameters_(parameters)
+    , communicator_(communicator)
+    , log_(std::make_unique<Log>(communicator))
+    , history_(std::make_unique<ConvergenceHistory>(
+        *log_,
+        step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
+        parameters.contact_solver.is_primal(),
+        parameters.output.print_progress,
+        parameters.refinement.adaptive_steps > 0))
+  {
+    if (parameters.output.print_progress)
+      phases_.announce(*log_);
+    if (parameters.refinement.adaptive_steps > 0)
+      refinement_ = std::make_unique<AdaptiveRefinement>(parameters);
+  }
+
+
+
+  ContactProblem::~ContactProblem() = default;
+
+
+
+  bool
+  ContactProblem::run()
+  {
+    {
+      const auto total = phases_.scope("total");
+      make_grid();
+      assemble_system();
+      make_contact_surface();
+      print_applied(*log_, *elasticity_, *surface_);
+      require_writable_output(parameters_, communicator_);
+      solve_and_certify();
+      while (refine_mesh())
+        {
+          assemble_system();
+          make_contact_surface();
+          solve_and_certify();
+        }
+      estimate_mesh();
+      if (!solution_->interrupted)
+        measure_reference_costs();
+      output_results();
+      export_problem();
+    }
+    summarize();
+    report();
+    return solution_->converged;
+  }
+
+
+
+  void
+  ContactProblem::solve_and_certify()
+  {
+    {
+      const auto contact_solve = phases_.scope("contact_solve");
+      if (parameters_.contact_solver.is_primal())
+        {
+          set_up_multigrid();
+          open_output();
+          solve_for_displacements();
+        }
+      else
+        {
+          set_up_stiffness_solver();
+          set_up_dual_operator();
+          open_output();
+          solve_for_contact_forces();
+        }
+    }
+    certify();
+  }
+
+
+
+  bool
+  ContactProblem::refine_mesh()
+  {
+    if (!refinement_)
+      return false;
+    std::vector<bool> is_cut;
+    {
+      const auto phase = phases_.scope("error_estimate");
+      refinement_->add_mesh(*elasticity_,
+                            *surface_,
+                            solution_->converged,
+                            verifier_->displacement(),
+                            solution_->lambda,
+                            verifier_->certificate().strain_energy());
+      is_cut = refinement_->cells_to_cut(*elasticity_, *surface_);
+    }
+    log_->line(refinement_->remark());
+    if (refinement_->is_finished())
+      return false;
+    if (is_interrupted(communicator_))
+      {
+        solution_->interrupted = true;
+        log_->line("INTERRUPTED: the mesh is refined no further.");
+        return false;
+      }
+
+    // in the order of who knows whom
+    verifier_.reset();
+    newton_.reset();
+    method_.reset();
+    schur_.reset();
+    stiffness_solver_.reset();
+    surface_.reset();
+    elasticity_.reset();
+    const auto phase = phases_.scope("mesh");
+    body_->refine(is_cut);
+    describe_body();
+    history_->begin_mesh();
+    return true;
+  }
+
+
+
+  void
+  ContactProblem::validate()
+  {
+    make_grid();
+    assemble_system();
+    make_contact_surface();
+    require_writable_output(parameters_, communicator_);
+    print_applied(*log_, *elasticity_, *surface_);
+    print_overview(*log_, *elasticity_, *surface_, parameters_);
+    log_->line("The input is valid; nothing was solved.");
+  }
+
+
+
+  void
+  ContactProblem::make_grid()
+  {
+    const auto phase = phases_.scope("mesh");
+    describe_machine();
+    bool is_said          = false; // the size of a file is known later
+    const auto check_size = [&](const double n_cells) {
+      require_memory_for_mesh(parameters_, n_cells, communicator_);
+      if (n_cells > cells_worth_a_word && !is_said)
+        log_->line(format("Making a mesh of about %.3g cells; the run will "
+                          "take some %.2g GB of memory",
+                          n_cells,
+                          memory_for_mesh(parameters_, n_cells) / 1e9));
+      is_said = is_said || n_cells > cells_worth_a_word;
+    };
+    check_size(parameters_.geometry.n_cells());
+    body_ =
+      std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
+    require_complete(parameters_, body_->boundary_names());
+    assign_material_ids(*body_, parameters_);
+    refine_contact_boundary(*body_, parameters_);
+    describe_body();
+    describe_choices();
+  }
+
+
+
+  void
+  ContactProblem::describe_choices() const
+  {
+    if (parameters_.material.volume_strain == "automatic" &&
+        parameters_.has_mean_dilatation())
+      log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
+                        parameters_.material.largest_poisson_ratio()));
+    if (parameters_.contact_solver.is_primal() &&
+        parameters_.stiffness_solver.type == "automatic" &&
+        !parameters_.is_matrix_free())
+      {
+        const std::string why = parameters_.why_no_geometric_levels();
+        log_->line(
+          "Algebraic multigrid, which takes some 40 times as long for "
+          "an unknown as geometric multigrid: that is not there with " +
+          (why.empty() ? std::string("'Global refinement' 0") : why));
+      }
+  }
+
+
+
+  void
+  ContactProblem::describe_machine()
+  {
+    if (!parameters_.performance.print_timing)
+      return;
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(communicator_);
+    log_->line(format("stiction %s (deal.II %s, %s, %u rank%s)",
+                      STICTION_VERSION,
+                      DEAL_II_PACKAGE_VERSION,
+                      STICTION_BUILD_TYPE,
+                      n_ranks,
+                      n_ranks == 1 ? "" : "s"));
+    if (!blas_remark().empty())
+      log_->line(blas_remark());
+    const SharedCores shared = shared_cores(communicator_);
+    if (shared.n_ranks > shared.n_cores)
+      log_->line(format("WARNING: %u ranks share %u core%s, which is slower "
+                        "than as many ranks as cores.",
+                        shared.n_ranks,
+                        shared.n_cores,
+                        shared.n_cores == 1 ? "" : "s"));
+  }
+
+
+
+  void
+  ContactProblem::describe_body()
+  {
+    log_->line(
+      format("Body: %llu cells, %llu nodes, %llu unknowns",
+             static_cast<unsigned long long>(
+               body_->triangulation().n_global_active_cells()),
+             static_cast<unsigned long long>(body_->n_nodes()),
+             static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    if (body_->n_hanging_nodes() > 0)
+      log_->line(
+        format("Hanging nodes: %llu",
+               static_cast<unsigned long long>(body_->n_hanging_nodes())));
+  }
+
+
+
+  void
+  ContactProblem::assemble_system()
+  {
+    const auto phase = phases_.scope("assembly");
+    elasticity_      = std::make_unique<LinearElasticity>(*body_, parameters_);
+  }
+
+
+
+  void
+  ContactProblem::make_contact_surface()
+  {
+    const auto phase = phases_.scope("mesh");
+    surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
+    elasticity_->require_support();
+    require_load(parameters_, body_->boundary_names(), *surface_);
+    control_forces();
+    const std::string law = parameters_.friction.name();
+    require_memory_for_dual_operator(parameters_,
+                                     3. *
+                                       static_cast<double>(surface_->n_nodes()),
+                                     communicator_);
+    log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
+                      static_cast<long long>(surface_->n_nodes()),
+                      static_cast<long long>(3 * surface_->n_nodes()),
+                      law == "coulomb" ? "Coulomb friction"
+                      : law == "given" ? "given friction"
+                      : law == "mixed" ? "several laws of friction"
+                                       : "no friction"));
+    if (surface_->n_facing_away() > 0)
+      log_->line(
+        format("  %llu nodes face away from the obstacle and are none",
+               static_cast<unsigned long long>(surface_->n_facing_away())));
+    if (!parameters_.output.export_directory.empty() &&
+        surface_->slip_bound().is_mixed())
+      throw InputError(
+        parameters_.source.describe("Output/Export directory") +
+        ", problem files know one law of friction for all nodes, "
+        "so 'Friction/Law' must not have both 'given' and "
+        "'coulomb'.");
+  }
+
+
+
+  void
+  ContactProblem::control_forces()
+  {
+    if (surface_->pressing_forces().size() == 0)
+      return;
+    if (!force_control_)
+      {
+        const auto corners = body_->bounding_box().get_boundary_points();
+        force_control_     = std::make_unique<ForceControl>(
+          surface_->pressing_forces(),
+          range_of_search(surface_->motion(),
+                          surface_->areas(),
+                          surface_->pressing_forces(),
+
+                          elasticity_->materials().largest_youngs_modulus(),
+                          corners.first.distance(corners.second)));
+      }
+
+    surface_->move_obstacles(force_control_->distances());
+  }
+
+
+
+  void
+  ContactProblem::open_output()
+  {
+    if (has_output_)
+      return; // since an earlier mesh
+    has_output_ = true;
+    open_output_directory(parameters_, *log_, communicator_);
+    keep_iterate_when_interrupted();
+  }
+
+
+
+  void
+  ContactProblem::estimate_mesh()
+  {
+    if (refinement_)
+      mesh_error_ = refinement_->mesh_error();
+    else if (parameters_.refinement.estimate_error && solution_->converged)
+      {
+        const auto phase = phases_.scope("error_estimate");
+        mesh_error_      = estimate_mesh_error(
+          *elasticity_, *surface_, verifier_->displacement(), solution_->lambda);
+      }
+  }
+
+
+
+  void
+  ContactProblem::measure_reference_costs()
+  {
+    const auto phase = phases_.scope("yardsticks");
+    if (parameters_.performance.measure_one_elastic_solve)
+      {
+        const ElasticSolveCost cost =
+          measure_elastic_solve(*elasticity_, parameters_.is_matrix_free());
+        elastic_solve_iterations_ = cost.iterations;
+        phases_.set("elastic_solve", cost.seconds);
+        phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);
+      }
+    if (parameters_.performance.measure_factorizations)
+      {
+        const FactorizationCost cost = measure_factorizations(
+          *elasticity_, schur_ ? schur_->matrix() : nullptr);
+        phases_.set("sparse_factorization", cost.sparse_seconds);
+        if (cost.dense_seconds > 0.)
+          phases_.set("dual_cholesky", cost.dense_seconds);
+      }
+  }
+} // namespace stiction
