@@ -4,14 +4,11 @@
 #include <stiction/base/log.h>
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/certificate.h>
-#include <stiction/contact/dual/schur_complement.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
-#include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
 #include <stiction/elasticity/model/materials.h>
-#include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
 #include <stiction/output/results/convergence_history.h>
@@ -20,6 +17,7 @@
 #include <stiction/output/results/report.h>
 #include <stiction/parameters/memory.h>
 #include <stiction/parameters/parameters.h>
+#include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
@@ -77,7 +75,8 @@ namespace stiction
       make_grid();
       assemble_system();
       make_contact_surface();
-      print_applied(*log_, *elasticity_, *surface_);
+      print_applied(
+        *log_, *discretization_->elasticity, *discretization_->surface);
       require_writable_output(parameters_, communicator_);
       solve_and_certify();
       while (refine_mesh())
@@ -102,23 +101,31 @@ namespace stiction
   void
   ContactProblem::solve_and_certify()
   {
+    auto &[elasticity, surface, solver] = *discretization_;
     {
       const auto contact_solve = phases_.scope("contact_solve");
-      if (parameters_.contact_solver.is_primal())
-        {
-          set_up_multigrid();
-          open_output();
-          solve_for_displacements();
-        }
-      else
-        {
-          set_up_stiffness_solver();
-          set_up_dual_operator();
-          open_output();
-          solve_for_contact_forces();
-        }
+      solver                   = ContactSolver::create({parameters_,
+                                                        *elasticity,
+                                                        *surface,
+                                                        force_control_.get(),
+                                                        *log_,
+                                                        phases_});
+      open_output();
+      solution_ = std::make_unique<ContactSolution>(
+        solver->solve([&](const ContactStep &step) { finish_step(step); }));
     }
-    certify();
+    solver->certify(*solution_);
+  }
+
+
+
+  void
+  ContactProblem::finish_step(const ContactStep &step)
+  {
+    history_->add(step);
+    if (!step.remark.empty() && parameters_.output.print_progress)
+      log_->line(step.remark);
+    stop_if_interrupted(communicator_);
   }
 
 
@@ -131,13 +138,14 @@ namespace stiction
     std::vector<bool> is_cut;
     {
       const auto phase = phases_.scope("error_estimate");
-      refinement_->add_mesh(*elasticity_,
-                            *surface_,
+      refinement_->add_mesh(*discretization_->elasticity,
+                            *discretization_->surface,
                             solution_->converged,
-                            verifier_->displacement(),
+                            displacement(),
                             solution_->lambda,
-                            verifier_->certificate().strain_energy());
-      is_cut = refinement_->cells_to_cut(*elasticity_, *surface_);
+                            certificate().strain_energy());
+      is_cut = refinement_->cells_to_cut(*discretization_->elasticity,
+                                         *discretization_->surface);
     }
     log_->line(refinement_->remark());
     if (refinement_->is_finished())
@@ -149,14 +157,7 @@ namespace stiction
         return false;
       }
 
-    // in the order of who knows whom
-    verifier_.reset();
-    newton_.reset();
-    method_.reset();
-    schur_.reset();
-    stiffness_solver_.reset();
-    surface_.reset();
-    elasticity_.reset();
+    discretization_.reset();
     const auto phase = phases_.scope("mesh");
     body_->refine(is_cut);
     describe_body();
@@ -173,8 +174,12 @@ namespace stiction
     assemble_system();
     make_contact_surface();
     require_writable_output(parameters_, communicator_);
-    print_applied(*log_, *elasticity_, *surface_);
-    print_overview(*log_, *elasticity_, *surface_, parameters_);
+    print_applied(
+      *log_, *discretization_->elasticity, *discretization_->surface);
+    print_overview(*log_,
+                   *discretization_->elasticity,
+                   *discretization_->surface,
+                   parameters_);
     log_->line("The input is valid; nothing was solved.");
   }
 
@@ -275,7 +280,9 @@ namespace stiction
   ContactProblem::assemble_system()
   {
     const auto phase = phases_.scope("assembly");
-    elasticity_      = std::make_unique<LinearElasticity>(*body_, parameters_);
+    discretization_  = std::make_unique<Discretization>();
+    discretization_->elasticity =
+      std::make_unique<LinearElasticity>(*body_, parameters_);
   }
 
 
@@ -283,29 +290,32 @@ namespace stiction
   void
   ContactProblem::make_contact_surface()
   {
-    const auto phase = phases_.scope("mesh");
-    surface_ = std::make_unique<ContactSurface>(*elasticity_, parameters_);
-    elasticity_->require_support();
-    require_load(parameters_, body_->boundary_names(), *surface_);
+    const auto phase         = phases_.scope("mesh");
+    discretization_->surface = std::make_unique<ContactSurface>(
+      *discretization_->elasticity, parameters_);
+    discretization_->elasticity->require_support();
+    require_load(
+      parameters_, body_->boundary_names(), *discretization_->surface);
     control_forces();
     const std::string law = parameters_.friction.name();
-    require_memory_for_dual_operator(parameters_,
-                                     3. *
-                                       static_cast<double>(surface_->n_nodes()),
-                                     communicator_);
-    log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
-                      static_cast<long long>(surface_->n_nodes()),
-                      static_cast<long long>(3 * surface_->n_nodes()),
-                      law == "coulomb" ? "Coulomb friction"
-                      : law == "given" ? "given friction"
-                      : law == "mixed" ? "several laws of friction"
-                                       : "no friction"));
-    if (surface_->n_facing_away() > 0)
-      log_->line(
-        format("  %llu nodes face away from the obstacle and are none",
-               static_cast<unsigned long long>(surface_->n_facing_away())));
+    require_memory_for_dual_operator(
+      parameters_,
+      3. * static_cast<double>(discretization_->surface->n_nodes()),
+      communicator_);
+    log_->line(
+      format("Contact: %lld nodes, %lld dual unknowns, %s",
+             static_cast<long long>(discretization_->surface->n_nodes()),
+             static_cast<long long>(3 * discretization_->surface->n_nodes()),
+             law == "coulomb" ? "Coulomb friction"
+             : law == "given" ? "given friction"
+             : law == "mixed" ? "several laws of friction"
+                              : "no friction"));
+    if (discretization_->surface->n_facing_away() > 0)
+      log_->line(format("  %llu nodes face away from the obstacle and are none",
+                        static_cast<unsigned long long>(
+                          discretization_->surface->n_facing_away())));
     if (!parameters_.output.export_directory.empty() &&
-        surface_->slip_bound().is_mixed())
+        discretization_->surface->slip_bound().is_mixed())
       throw InputError(
         parameters_.source.describe("Output/Export directory") +
         ", problem files know one law of friction for all nodes, "
@@ -318,22 +328,23 @@ namespace stiction
   void
   ContactProblem::control_forces()
   {
-    if (surface_->pressing_forces().size() == 0)
+    if (discretization_->surface->pressing_forces().size() == 0)
       return;
     if (!force_control_)
       {
         const auto corners = body_->bounding_box().get_boundary_points();
         force_control_     = std::make_unique<ForceControl>(
-          surface_->pressing_forces(),
-          range_of_search(surface_->motion(),
-                          surface_->areas(),
-                          surface_->pressing_forces(),
+          discretization_->surface->pressing_forces(),
+          range_of_search(
+            discretization_->surface->motion(),
+            discretization_->surface->areas(),
+            discretization_->surface->pressing_forces(),
 
-                          elasticity_->materials().largest_youngs_modulus(),
-                          corners.first.distance(corners.second)));
+            discretization_->elasticity->materials().largest_youngs_modulus(),
+            corners.first.distance(corners.second)));
       }
 
-    surface_->move_obstacles(force_control_->distances());
+    discretization_->surface->move_obstacles(force_control_->distances());
   }
 
 
@@ -358,8 +369,10 @@ namespace stiction
     else if (parameters_.refinement.estimate_error && solution_->converged)
       {
         const auto phase = phases_.scope("error_estimate");
-        mesh_error_      = estimate_mesh_error(
-          *elasticity_, *surface_, verifier_->displacement(), solution_->lambda);
+        mesh_error_      = estimate_mesh_error(*discretization_->elasticity,
+                                          *discretization_->surface,
+                                          displacement(),
+                                          solution_->lambda);
       }
   }
 
@@ -371,16 +384,17 @@ namespace stiction
     const auto phase = phases_.scope("yardsticks");
     if (parameters_.performance.measure_one_elastic_solve)
       {
-        const ElasticSolveCost cost =
-          measure_elastic_solve(*elasticity_, parameters_.is_matrix_free());
+        const ElasticSolveCost cost = measure_elastic_solve(
+          *discretization_->elasticity, parameters_.is_matrix_free());
         elastic_solve_iterations_ = cost.iterations;
         phases_.set("elastic_solve", cost.seconds);
         phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);
       }
     if (parameters_.performance.measure_factorizations)
       {
+        const DualOperator *const Q  = discretization_->solver->dual_operator();
         const FactorizationCost cost = measure_factorizations(
-          *elasticity_, schur_ ? schur_->matrix() : nullptr);
+          *discretization_->elasticity, Q != nullptr ? Q->matrix() : nullptr);
         phases_.set("sparse_factorization", cost.sparse_seconds);
         if (cost.dense_seconds > 0.)
           phases_.set("dual_cholesky", cost.dense_seconds);

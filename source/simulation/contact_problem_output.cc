@@ -6,12 +6,9 @@
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/certificate.h>
-#include <stiction/contact/dual/schur_complement.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/obstacles/force_control.h>
-#include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
 #include <stiction/output/problem/problem_files.h>
@@ -24,8 +21,8 @@
 #include <stiction/parameters/parameters.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/dual_problem.h>
-#include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/node_status.h>
+#include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/contact_problem.h>
 
@@ -43,10 +40,10 @@ namespace stiction
   {
     // that of a patch of a half-space
     const Eigen::VectorXd stiffness =
-      surface_->stiffness().youngs_moduli.cwiseProduct(
-        surface_->areas().cwiseSqrt());
-    return stiction::node_statuses(verifier_->certificate(),
-                                   surface_->slip_bound(),
+      discretization_->surface->stiffness().youngs_moduli.cwiseProduct(
+        discretization_->surface->areas().cwiseSqrt());
+    return stiction::node_statuses(certificate(),
+                                   discretization_->surface->slip_bound(),
                                    stiffness,
                                    parameters_.contact_solver.tolerance);
   }
@@ -58,29 +55,40 @@ namespace stiction
   {
     const auto phase               = phases_.scope("output");
     const OutputParameters &output = parameters_.output;
-    const LA::Vector &u            = verifier_->displacement();
-    const Certificate &certificate = verifier_->certificate();
-    LA::Vector contact_force       = elasticity_->zero_vector();
-    surface_->add_transpose_B(-1., certificate.lambda(), contact_force);
-    reactions_ =
-      std::make_unique<SupportReactions>(*elasticity_, u, contact_force);
+    const LA::Vector &u            = displacement();
+    const Certificate &certificate = this->certificate();
+    LA::Vector contact_force       = discretization_->elasticity->zero_vector();
+    discretization_->surface->add_transpose_B(
+      -1., certificate.lambda(), contact_force);
+    reactions_ = std::make_unique<SupportReactions>(
+      *discretization_->elasticity, u, contact_force);
     if (output.write_solution)
-      write_solution(*elasticity_,
+      write_solution(*discretization_->elasticity,
                      u,
                      reactions_->nodal(),
                      refinement_ ? refinement_->indicators()
                                  : dealii::Vector<double>(),
                      output);
     const std::vector<NodeStatus> statuses = node_statuses();
-    write_contact(*elasticity_, u, *surface_, certificate, statuses, output);
+    write_contact(*discretization_->elasticity,
+                  u,
+                  *discretization_->surface,
+                  certificate,
+                  statuses,
+                  output);
     if (output.double_precision)
       {
         write_nodal_displacement(
           output.directory, *body_, u, reactions_->nodal());
-        write_contact_nodes(
-          output.directory, *surface_, certificate, statuses, communicator_);
+        write_contact_nodes(output.directory,
+                            *discretization_->surface,
+                            certificate,
+                            statuses,
+                            communicator_);
       }
-    write_obstacles(output.directory, *elasticity_, *surface_);
+    write_obstacles(output.directory,
+                    *discretization_->elasticity,
+                    *discretization_->surface);
     write_history(*history_, output.directory, communicator_);
   }
 
@@ -96,19 +104,19 @@ namespace stiction
     throw_on_all_ranks(communicator_, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
         return;
+      const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
-      problem.Q          = *schur_->matrix();
-      problem.h          = schur_->right_hand_side();
-      problem.slip_bound = surface_->slip_bound();
-      problem.areas      = surface_->areas();
-      problem.positions.resize(surface_->n_nodes(), 3);
-      for (Eigen::Index i = 0; i < surface_->n_nodes(); ++i)
+      problem.Q          = *Q.matrix();
+      problem.h          = Q.right_hand_side();
+      problem.slip_bound = discretization_->surface->slip_bound();
+      problem.areas      = discretization_->surface->areas();
+      problem.positions.resize(discretization_->surface->n_nodes(), 3);
+      for (Eigen::Index i = 0; i < discretization_->surface->n_nodes(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
-          problem.positions(i, c) = surface_->nodes()[i].position[c];
-      stiction::export_problem(directory,
-                               problem,
-                               solution_->lambda,
-                               verifier_->certificate().gradient());
+          problem.positions(i, c) =
+            discretization_->surface->nodes()[i].position[c];
+      stiction::export_problem(
+        directory, problem, solution_->lambda, certificate().gradient());
     });
   }
 
@@ -118,7 +126,7 @@ namespace stiction
   ContactProblem::summarize()
   {
     const bool measured            = elastic_solve_iterations_ > 0;
-    const Certificate &certificate = verifier_->certificate();
+    const Certificate &certificate = this->certificate();
 
     summary_               = std::make_unique<json>();
     json &summary          = *summary_;
@@ -131,19 +139,10 @@ namespace stiction
           {"cells", body_->triangulation().n_global_active_cells()},
           {"nodes", body_->n_nodes()},
           {"dofs", body_->dof_handler().n_dofs()},
-          {"contact_nodes", surface_->n_nodes()},
-          {"dual_unknowns", 3 * surface_->n_nodes()},
+          {"contact_nodes", discretization_->surface->n_nodes()},
+          {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
           {"boundaries", boundaries_to_json(body_->boundary_names())}};
-    summary["solver"] = newton_
-                          ? solver_to_json(parameters_.contact_solver, *newton_)
-                          : solver_to_json(parameters_.contact_solver,
-                                           surface_->slip_bound(),
-                                           *method_,
-                                           *schur_);
-    if (!newton_)
-      summary["solver"].update(json(
-        {{"stiffness_solves", stiffness_solver_->n_solves()},
-         {"stiffness_krylov_iterations", stiffness_solver_->n_iterations()}}));
+    summary["solver"] = discretization_->solver->to_json();
     summary["solver"].update(
       json({{"law", parameters_.friction.name()},
             {"tolerance", parameters_.contact_solver.tolerance},
@@ -156,12 +155,12 @@ namespace stiction
                       : json(nullptr)}}));
     summary["certificate"] = certificate_to_json(certificate);
     summary["contact"] =
-      contact_to_json(*surface_, certificate, node_statuses());
+      contact_to_json(*discretization_->surface, certificate, node_statuses());
     summary["reactions"] =
       reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =
-      displacement_to_json(*elasticity_, verifier_->displacement());
-    summary["energy"] = energy_to_json(*surface_, certificate);
+      displacement_to_json(*discretization_->elasticity, displacement());
+    summary["energy"] = energy_to_json(*discretization_->surface, certificate);
     summary["mesh_error"] =
       mesh_error_to_json(mesh_error_, certificate.strain_energy());
     summary["warnings"] = warnings();
@@ -184,12 +183,15 @@ namespace stiction
                "forces become too stiff, which the certificate does not see: "
                "'Material/Volume strain = cell mean' does not lock.",
                parameters_.material.largest_poisson_ratio()));
-    const std::string friction = warning_on_friction(surface_->slip_bound());
+    const std::string friction =
+      warning_on_friction(discretization_->surface->slip_bound());
     if (solution_->converged && !friction.empty())
       warnings.push_back(friction);
-    const LA::Vector &u = verifier_->displacement();
+    const LA::Vector &u = displacement();
     const double depth =
-      solution_->converged ? surface_->penetration_of_facing_away(u) : 0.;
+      solution_->converged
+        ? discretization_->surface->penetration_of_facing_away(u)
+        : 0.;
     if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
       warnings.push_back(
         "a node that faces away from its obstacle came " +
@@ -206,13 +208,12 @@ namespace stiction
   ContactProblem::report() const
   {
     const std::string &directory = parameters_.output.directory;
-    print_report(*log_,
-                 *summary_,
-                 parameters_.contact_solver.tolerance,
-                 explain(*solution_,
-                         verifier_->certificate(),
-                         parameters_.contact_solver.tolerance),
-                 parameters_.performance.print_timing);
+    print_report(
+      *log_,
+      *summary_,
+      parameters_.contact_solver.tolerance,
+      explain(*solution_, certificate(), parameters_.contact_solver.tolerance),
+      parameters_.performance.print_timing);
     const std::string mesh =
       describe_mesh_error((*summary_)["mesh_error"], parameters_);
     if (!mesh.empty())

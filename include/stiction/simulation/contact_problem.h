@@ -5,7 +5,7 @@
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
-#include <stiction/qp/certified_solve.h>
+#include <stiction/simulation/contact_solver.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -20,16 +20,11 @@ namespace stiction
   class AdaptiveRefinement;
   class Body;
   class ContactSurface;
-  class DualMethod;
-  class DualOperator;
   class ForceControl;
-
   class LinearElasticity;
   class Log;
-  class NewtonMultigrid;
   struct NodeStatus;
   class Parameters;
-  class StiffnessSolver;
   class SupportReactions;
   class ConvergenceHistory;
 
@@ -67,13 +62,13 @@ namespace stiction
     const ContactSurface &
     contact_surface() const
     {
-      return *surface_;
+      return *discretization_->surface;
     }
 
     const LinearElasticity &
     elasticity() const
     {
-      return *elasticity_;
+      return *discretization_->elasticity;
     }
 
     const ContactSolution &
@@ -86,12 +81,12 @@ namespace stiction
     const LA::Vector &
     displacement() const
     {
-      return verifier_->displacement();
+      return discretization_->solver->verifier().displacement();
     }
     const Certificate &
     certificate() const
     {
-      return verifier_->certificate();
+      return discretization_->solver->verifier().certificate();
     }
 
     /// What the contact nodes do.
@@ -106,10 +101,18 @@ namespace stiction
     }
 
   private:
+    /// All that is rebuilt with the mesh, in the order of who knows whom.
+    struct Discretization
+    {
+      std::unique_ptr<LinearElasticity> elasticity;
+      std::unique_ptr<ContactSurface> surface;
+      std::unique_ptr<ContactSolver> solver;
+    };
+
     void
     solve_and_certify();
-    /// Refines the mesh where the answer needs it, and forgets what was made
-    /// on it. @return false if it is to remain as it is.
+    /// Refines the mesh where the answer needs it.
+    /// @return false if it is to remain as it is.
     bool
     refine_mesh();
 
@@ -132,28 +135,9 @@ namespace stiction
     control_forces();
     void
     open_output();
-    void
-    set_up_stiffness_solver();
-    void
-    set_up_dual_operator();
-    void
-    solve_for_contact_forces();
-    /// What to choose where the method comes no closer.
-    std::string
-    other_method() const;
-    void
-    set_up_multigrid();
-    void
-    solve_for_displacements();
     /// Ends the iteration by an exception if the user wants it.
     void
     finish_step(const ContactStep &step);
-    void
-    certify();
-    void
-    verify_displacement();
-    void
-    compute_duality_gap();
     void
     estimate_mesh();
     void
@@ -177,14 +161,8 @@ namespace stiction
     std::unique_ptr<ConvergenceHistory> history_;
     std::unique_ptr<AdaptiveRefinement> refinement_; ///< if it is wanted
     std::unique_ptr<Body> body_;
-    std::unique_ptr<LinearElasticity> elasticity_;
-    std::unique_ptr<ContactSurface> surface_;
     std::unique_ptr<ForceControl> force_control_; ///< if a force is prescribed
-    std::unique_ptr<StiffnessSolver> stiffness_solver_;
-    std::unique_ptr<DualOperator> schur_;
-    std::unique_ptr<DualMethod> method_;
-    std::unique_ptr<NewtonMultigrid> newton_;
-    std::unique_ptr<BodyVerifier> verifier_;
+    std::unique_ptr<Discretization> discretization_;
     std::unique_ptr<ContactSolution> solution_;
 
     std::unique_ptr<SupportReactions> reactions_;
