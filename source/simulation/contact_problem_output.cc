@@ -58,7 +58,7 @@ namespace stiction
     const LA::Vector &u            = displacement();
     const Certificate &certificate = this->certificate();
     LA::Vector contact_force       = discretization_->elasticity->zero_vector();
-    discretization_->surface->add_transpose_B(
+    discretization_->surface->B().add_transpose(
       -1., certificate.lambda(), contact_force);
     reactions_ = std::make_unique<SupportReactions>(
       *discretization_->elasticity, u, contact_force);

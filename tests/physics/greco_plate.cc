@@ -27,7 +27,7 @@ main(int argc, char **argv)
                                               {7.5e-3, 1.9807},
                                               {11.25e-3, 1.5413}};
   const Eigen::VectorXd u =
-    surface.trace().restriction(run.problem->displacement());
+    surface.B().dofs().restriction(run.problem->displacement());
   for (const auto &point : points)
     for (Eigen::Index i = 0; i < m; ++i)
       {

@@ -155,7 +155,7 @@ namespace
     const auto &surface         = run.problem->contact_surface();
     const auto &lambda          = run.problem->solution().lambda;
     const Eigen::Index m        = surface.n_nodes();
-    const Eigen::VectorXd force = surface.force_to_cartesian(lambda);
+    const Eigen::VectorXd force = surface.B().force_to_cartesian(lambda);
     double error = 0., largest = 0.;
     unsigned int pairs = 0;
     for (Eigen::Index i = 0; i < m; ++i)

@@ -128,7 +128,7 @@ namespace
 
     const ContactSurface &surface = run.problem->contact_surface();
     const Eigen::VectorXd force =
-      surface.force_to_cartesian(run.problem->solution().lambda);
+      surface.B().force_to_cartesian(run.problem->solution().lambda);
     const Eigen::Index m        = surface.n_nodes();
     const Tensor<1, 3> per_area = R * Tensor<1, 3>({sxz, syz, -p});
     for (Eigen::Index i = 0; i < m; ++i)

@@ -85,7 +85,7 @@ main(int argc, char *argv[])
   const auto displacement = [&](const Eigen::VectorXd &forces,
                                 StiffnessSolver &with) {
     LA::Vector load = elasticity.constrained_load();
-    surface.add_transpose_B(-1., forces, load);
+    surface.B().add_transpose(-1., forces, load);
     LA::Vector v = elasticity.zero_vector();
     with.solve(v, load);
     return v;
@@ -140,7 +140,7 @@ main(int argc, char *argv[])
     // conjugate gradients stopped early, without a preconditioner that would
     // depend on the number of ranks
     LA::Vector load = elasticity.constrained_load();
-    surface.add_transpose_B(-1., lambda, load);
+    surface.B().add_transpose(-1., lambda, load);
     LA::Vector loose = elasticity.zero_vector();
     dealii::IterationNumberControl control(100, 0.);
     dealii::SolverCG<LA::Vector> cg(control);
@@ -178,7 +178,7 @@ main(int argc, char *argv[])
     Eigen::VectorXd shift = Eigen::VectorXd::Zero(3 * m);
     shift(closed)         = 1e-3 * right.scaling().displacement;
     LA::Vector v          = u;
-    surface.add_transpose_B(1., shift, v);
+    surface.B().add_transpose(1., shift, v);
     show("a penetrating node", v, lambda);
 
     Eigen::VectorXd forces = lambda;

@@ -57,8 +57,8 @@ main(int argc, char *argv[])
   // B Bᵀ = 1, on vectors that are no constants
   const Eigen::VectorXd lambda = Eigen::VectorXd::LinSpaced(3 * m, -1., 3.);
   LA::Vector force             = elasticity.zero_vector();
-  surface.add_transpose_B(2., lambda, force);
-  const Eigen::VectorXd back = surface.apply_B(force);
+  surface.B().add_transpose(2., lambda, force);
+  const Eigen::VectorXd back = surface.B().apply(force);
   out() << "B Bt is the identity: "
         << yes((back - 2. * lambda).norm() < 1e-13 * lambda.norm())
         << std::endl;

@@ -230,7 +230,7 @@ main(int argc, char *argv[])
           << ", gaps and frames exact " << yes(wrong < 1e-12)
           << ", found again by their unknowns " << yes([&]() {
                for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-                 if (surface.node_of(surface.trace().dofs()[i]) != i)
+                 if (surface.node_of(surface.B().dofs().dofs()[i]) != i)
                    return false;
                return surface.node_of(1000000000) == -1;
              }())

@@ -83,7 +83,7 @@ main(int argc, char *argv[])
   for (Eigen::Index i = 0; i < m; ++i)
     for (unsigned int c = 0; c < 3; ++c)
       {
-        const auto dof    = surface.trace().dofs()[i + c * m];
+        const auto dof    = surface.B().dofs().dofs()[i + c * m];
         const auto &node  = surface.nodes()[i];
         B(i, dof)         = node.normal[c];
         B(i + m, dof)     = node.tangent1[c];

@@ -9,8 +9,8 @@
 namespace stiction
 {
   BodyVerifier::BodyVerifier(const LinearElasticity &elasticity,
-                       const ContactSurface &surface,
-                       StiffnessSolver &solver)
+                             const ContactSurface &surface,
+                             StiffnessSolver &solver)
     : elasticity_(elasticity)
     , surface_(surface)
     , solver_(solver)
@@ -27,7 +27,7 @@ namespace stiction
   BodyVerifier::verify(const Eigen::VectorXd &lambda)
   {
     LA::Vector force = elasticity_.constrained_load();
-    surface_.add_transpose_B(-1., lambda, force);
+    surface_.B().add_transpose(-1., lambda, force);
     LA::Vector u = elasticity_.zero_vector();
     solver_.solve(u, force);
     return verify(u, lambda);

@@ -40,7 +40,7 @@ namespace stiction
     , elasticity_(elasticity)
     , surface_(surface)
   {
-    gradient_ = surface.motion().offset() - surface.apply_B(u);
+    gradient_ = surface.motion().offset() - surface.B().apply(u);
     compute_body_figures(u);
     compute_contact_figures();
   }
@@ -55,7 +55,7 @@ namespace stiction
     const LA::Vector Ku      = elasticity_.internal_force(u);
     const LA::Vector K       = elasticity_.stiffness_diagonal();
     LA::Vector contact_force = elasticity_.zero_vector();
-    surface_.add_transpose_B(-1., lambda_, contact_force);
+    surface_.B().add_transpose(-1., lambda_, contact_force);
 
     // Everything that is a sum over nodes, in one pass.
     const Point<3> centre = body.bounding_box().center();
@@ -113,7 +113,7 @@ namespace stiction
 
     const Eigen::Index m = surface_.n_nodes();
     const Eigen::VectorXd cartesian_force =
-      -surface_.force_to_cartesian(lambda_);
+      -surface_.B().force_to_cartesian(lambda_);
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
@@ -182,7 +182,7 @@ namespace stiction
     // projection p is normal to the feasible set at λ̂: p_ν ≤ 0, λ̂_ν p_ν = 0,
     // g‖p_t‖ = λ̂_t·p_t.
     const Eigen::VectorXd K_diagonal =
-      surface_.trace().restriction(elasticity_.stiffness_diagonal());
+      surface_.B().dofs().restriction(elasticity_.stiffness_diagonal());
     const Eigen::VectorXd k =
       prox_stiffness * K_diagonal.head(m)
                          .cwiseMax(K_diagonal.segment(m, m))
@@ -198,7 +198,7 @@ namespace stiction
     // û = u − M⁻¹(w − p), so that Bû is p but for the gap: K⁻¹s is M⁻¹(w − p)
     // plus what u lacks to be in equilibrium with λ̂.
     LA::Vector lacking = elasticity_.load();
-    surface_.add_transpose_B(-1., lambda_hat, lacking);
+    surface_.B().add_transpose(-1., lambda_hat, lacking);
     lacking -= elasticity_.internal_force(u);
     for (const auto dof : elasticity_.body().locally_owned_dofs())
       if (elasticity_.is_prescribed(dof))
@@ -208,12 +208,12 @@ namespace stiction
     LA::Vector correction = elasticity_.zero_vector();
     if (lacking.l2_norm() > 0.)
       solver.solve(correction, lacking);
-    surface_.add_displacement(1., shift, correction);
+    surface_.B().add_displacement(1., shift, correction);
     const double gap =
       0.5 * (correction * elasticity_.internal_force(correction));
 
     LA::Vector u_hat = u;
-    surface_.add_displacement(-1., shift, u_hat);
+    surface_.B().add_displacement(-1., shift, u_hat);
     body_figures_.duality_gap =
       std::sqrt(2. * std::max(gap, 0.) /
                 nonzero(u_hat * elasticity_.internal_force(u_hat)));

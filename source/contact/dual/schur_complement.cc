@@ -18,7 +18,7 @@ namespace stiction
     {
       LA::Vector u = elasticity.zero_vector();
       solver.solve(u, elasticity.constrained_load());
-      return surface.apply_B(u) - surface.motion().offset();
+      return surface.B().apply(u) - surface.motion().offset();
     }
 
     // What Q gets on its diagonal where nodes are held: of the size of the
@@ -28,8 +28,8 @@ namespace stiction
                     const ContactSurface &surface)
     {
       const Eigen::VectorXd stiffness =
-        surface.trace().restriction(elasticity.stiffness_diagonal());
-      return surface.held().cwiseQuotient(stiffness);
+        surface.B().dofs().restriction(elasticity.stiffness_diagonal());
+      return surface.B().held().cwiseQuotient(stiffness);
     }
   } // namespace
 
@@ -45,8 +45,8 @@ namespace stiction
       return std::make_unique<SchurComplement>(elasticity, surface, solver);
 
     // Q = M C Mᵀ with C the block of K⁻¹ at the contact unknowns
-    Eigen::MatrixXd Q = solver.compliance(surface.trace());
-    surface.rotate_to_local(Q);
+    Eigen::MatrixXd Q = solver.compliance(surface.B().dofs());
+    surface.B().rotate_to_local(Q);
     Q.diagonal() += held_compliance(elasticity, surface);
     return std::make_unique<DenseDualOperator>(
       std::move(Q), dual_right_hand_side(elasticity, surface, solver));
@@ -73,7 +73,7 @@ namespace stiction
   {
     const Eigen::Index m = n_nodes();
     const Eigen::VectorXd stiffness =
-      surface_.trace().restriction(elasticity_.stiffness_diagonal());
+      surface_.B().dofs().restriction(elasticity_.stiffness_diagonal());
     const Eigen::VectorXd shape =
       (stiffness.head(m) + stiffness.segment(m, m) + stiffness.tail(m))
         .cwiseInverse();
@@ -103,9 +103,9 @@ namespace stiction
 
     LA::Vector force = elasticity_.zero_vector();
     LA::Vector u     = elasticity_.zero_vector();
-    surface_.add_transpose_B(1., lambda, force);
+    surface_.B().add_transpose(1., lambda, force);
     solver_.solve(u, force);
-    dst = (surface_.apply_B(u) + held_compliance_.cwiseProduct(lambda))
+    dst = (surface_.B().apply(u) + held_compliance_.cwiseProduct(lambda))
             .segment(begin(rows), length(rows));
   }
 } // namespace stiction

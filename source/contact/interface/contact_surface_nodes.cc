@@ -34,12 +34,12 @@ namespace stiction
     }
 
     std::vector<types::global_dof_index>
-    by_blocks(const std::array<std::vector<types::global_dof_index>, 3> &blocks)
+    first_dofs(const std::vector<ContactNode> &nodes)
     {
-      std::vector<types::global_dof_index> all;
-      for (const auto &block : blocks)
-        all.insert(all.end(), block.begin(), block.end());
-      return all;
+      std::vector<types::global_dof_index> dofs;
+      for (const ContactNode &node : nodes)
+        dofs.push_back(node.first_dof);
+      return dofs;
     }
   } // namespace
 
@@ -67,6 +67,7 @@ namespace stiction
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
     evaluate_data();
+    number_nodes();
     displace_obstacles(parameters);
   }
 
@@ -215,7 +216,6 @@ namespace stiction
               sorted.end(),
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
-    std::array<std::vector<types::global_dof_index>, 3> dofs_by_blocks;
     for (const Share &share : sorted)
       {
         ContactNode node;
@@ -232,13 +232,9 @@ namespace stiction
         node.boundary       = static_cast<unsigned int>(share[boundary]);
         if (!set_tangents(node))
           continue;
-        const auto dof = static_cast<types::global_dof_index>(share[first_dof]);
-        for (unsigned int c = 0; c < 3; ++c)
-          dofs_by_blocks[c].push_back(dof + c);
-        node_of_dof_[dof] = n_nodes();
+        node.first_dof = static_cast<types::global_dof_index>(share[first_dof]);
         nodes_.push_back(node);
       }
-    trace_ = DofSubset(by_blocks(dofs_by_blocks));
   }
 
 
@@ -267,17 +263,12 @@ namespace stiction
   void
   ContactSurface::place_obstacles()
   {
-    const std::size_t m = nodes_.size();
     std::vector<ContactNode> facing;
-    std::array<std::vector<types::global_dof_index>, 3> dofs, dofs_away;
-    for (std::size_t i = 0; i < m; ++i)
+    for (ContactNode &node : nodes_)
       {
-        ContactNode &node = nodes_[i];
         if (!boundaries_[node.boundary].place(node))
           {
             facing_away_.push_back(node);
-            for (unsigned int c = 0; c < 3; ++c)
-              dofs_away[c].push_back(trace_.dofs()[i + c * m]);
             continue;
           }
         const Tensor<1, 3> normal = node.normal;
@@ -292,17 +283,20 @@ namespace stiction
                        node.gap_growth * node.prescribed_displacement;
           }
         facing.push_back(node);
-        for (unsigned int c = 0; c < 3; ++c)
-          dofs[c].push_back(trace_.dofs()[i + c * m]);
       }
-    if (facing.size() == m)
-      return;
     nodes_ = std::move(facing);
-    node_of_dof_.clear();
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      node_of_dof_[dofs[0][i]] = static_cast<Eigen::Index>(i);
-    trace_             = DofSubset(by_blocks(dofs));
-    facing_away_trace_ = DofSubset(by_blocks(dofs_away));
+  }
+
+
+
+  void
+  ContactSurface::number_nodes()
+  {
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      node_of_dof_[nodes_[i].first_dof] = i;
+    B_                = ContactOperator(DofSubset::of_nodes(first_dofs(nodes_)),
+                         {nodes_.begin(), nodes_.end()});
+    facing_away_dofs_ = DofSubset::of_nodes(first_dofs(facing_away_));
   }
 
 

@@ -24,18 +24,6 @@ namespace stiction
 
   namespace
   {
-    // Unknown by unknown, like all vectors over the contact nodes.
-    DofSubset
-    trace_of(const std::vector<types::global_dof_index> &first_dofs)
-    {
-      const std::size_t m = first_dofs.size();
-      std::vector<types::global_dof_index> dofs(3 * m);
-      for (std::size_t i = 0; i < m; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          dofs[i + c * m] = first_dofs[i] + c;
-      return DofSubset(std::move(dofs));
-    }
-
     // The components of a node as bits.
     constexpr unsigned char all_components = 7;
 
@@ -69,7 +57,7 @@ namespace stiction
                              const ContactSurface &surface)
     : stiffness_(&elasticity.stiffness())
     , load_(&elasticity.load())
-    , trace_(surface.trace())
+    , B_(surface.B())
     , areas_(surface.areas())
     , motion_(surface.motion())
     , stiffness_of_cells_(surface.stiffness())
@@ -82,8 +70,6 @@ namespace stiction
           fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
           prescribed_.push_back(elasticity.prescribed_value(dof));
         }
-    for (const ContactNode &node : surface.nodes())
-      frames_.push_back(node);
     find_inner_nodes();
     load_sum_ =
       sum_of_norms(*load_, [](std::size_t) { return all_components; });
@@ -103,7 +89,6 @@ namespace stiction
     , own_load_(std::make_unique<LA::Vector>(
         hierarchy.level(level).zero_vector<double>()))
     , load_(own_load_.get())
-    , trace_(trace_of(trace_hierarchy.first_dofs(level)))
     , boundary_area_(finer.boundary_area_)
   {
     const LevelTransfer &transfer = hierarchy.transfer(level + 1);
@@ -136,6 +121,7 @@ namespace stiction
     Eigen::VectorXd offset(3 * n_vertices);
     Eigen::MatrixXd directions(3 * n_vertices, finer_directions.cols());
     Eigen::VectorXd coefficient(n_vertices);
+    std::vector<ContactFrame> frames;
     stiffness_of_cells_.softest = finer.stiffness_of_cells_.softest;
     stiffness_of_cells_.youngs_moduli.resize(n_vertices);
     for (Eigen::Index j = 0; j < n_vertices; ++j)
@@ -150,8 +136,10 @@ namespace stiction
         coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
         stiffness_of_cells_.youngs_moduli(j) =
           finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
-        frames_.push_back(finer.frames_[on_finer[j]]);
+        frames.push_back(finer.B_.frames()[on_finer[j]]);
       }
+    B_ = ContactOperator(DofSubset::of_nodes(trace_hierarchy.first_dofs(level)),
+                         std::move(frames));
     motion_ = ObstacleMotion(std::move(offset), std::move(directions));
     areas_  = weights.transpose() * finer.areas_;
     const Eigen::VectorXd constant =
@@ -185,8 +173,8 @@ namespace stiction
     for (const unsigned int k : fixed_)
       free_components_[k / 3] &= static_cast<unsigned char>(~(1u << k % 3));
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (load_->in_local_range(trace_.dofs()[i]))
-        free_components_[mesh().local_node(trace_.dofs()[i])] = 0;
+      if (load_->in_local_range(B_.dofs().dofs()[i]))
+        free_components_[mesh().local_node(B_.dofs().dofs()[i])] = 0;
   }
 
 
@@ -248,28 +236,8 @@ namespace stiction
     Eigen::VectorXd stiffness =
       stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_.cwiseSqrt());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      stiffness(i) /= frames_[i].scales().cwiseAbs2().maxCoeff();
+      stiffness(i) /= B_.frames()[i].scales().cwiseAbs2().maxCoeff();
     return stiffness;
-  }
-
-
-
-  Eigen::VectorXd
-  ContactLevel::apply_B(const LA::Vector &v) const
-  {
-    Eigen::VectorXd local = trace_.restriction(v);
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(
-        local, i, frames_[i].displacement_to_local(at_node(local, i)));
-    return local;
-  }
-
-
-
-  Eigen::VectorXd
-  ContactLevel::contact_forces(const LA::Vector &R) const
-  {
-    return force_to_local(trace_.restriction(R));
   }
 
 
@@ -277,52 +245,7 @@ namespace stiction
   Eigen::VectorXd
   ContactLevel::penetration_and_slip(const LA::Vector &u) const
   {
-    return apply_B(u) - motion_.offset();
-  }
-
-
-
-  void
-  ContactLevel::add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const
-  {
-    Eigen::VectorXd cartesian(w.size());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(
-        cartesian, i, frames_[i].displacement_to_cartesian(at_node(w, i)));
-    trace_.add_extension(cartesian, u);
-  }
-
-
-
-  void
-  ContactLevel::set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const
-  {
-    for (const auto dof : trace_.dofs())
-      if (dst.in_local_range(dof))
-        dst(dof) = 0.;
-    trace_.add_extension(force_to_cartesian(v), dst);
-  }
-
-
-
-  Eigen::VectorXd
-  ContactLevel::force_to_cartesian(const Eigen::VectorXd &lambda) const
-  {
-    Eigen::VectorXd force(lambda.size());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(force, i, frames_[i].force_to_cartesian(at_node(lambda, i)));
-    return force;
-  }
-
-
-
-  Eigen::VectorXd
-  ContactLevel::force_to_local(const Eigen::VectorXd &force) const
-  {
-    Eigen::VectorXd lambda(force.size());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(lambda, i, frames_[i].force_to_local(at_node(force, i)));
-    return lambda;
+    return B_.apply(u) - motion_.offset();
   }
 
 
@@ -332,7 +255,7 @@ namespace stiction
                         const Eigen::Matrix3d &projection,
                         const Eigen::Matrix3d &spring) const
   {
-    const ContactFrame &frame = frames_[node];
+    const ContactFrame &frame = B_.frames()[node];
     const Eigen::Matrix3d R   = frame.axes();
     const Eigen::Vector3d is_free =
       (frame.scales().array() > 0.).matrix().cast<double>();
@@ -374,7 +297,7 @@ namespace stiction
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       contact_forces +=
-        at_node(lambda, i).cwiseProduct(frames_[i].scales()).norm();
+        at_node(lambda, i).cwiseProduct(B_.frames()[i].scales()).norm();
 
     Scales scales;
     scales.force   = nonzero(std::max({load_sum_, sums[0], contact_forces}));

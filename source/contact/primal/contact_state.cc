@@ -22,7 +22,7 @@ namespace stiction
   {
     problem.stiffness().vmult(R, u);
     R.sadd(-1., 1., problem.load());
-    lambda = problem.contact_forces(R);
+    lambda = problem.B().contact_forces(R);
     w      = problem.penetration_and_slip(u);
   }
 

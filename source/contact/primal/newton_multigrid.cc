@@ -22,7 +22,7 @@ namespace stiction
     std::vector<dealii::types::global_dof_index>
     first_dofs(const ContactSurface &surface)
     {
-      const auto &dofs = surface.trace().dofs();
+      const auto &dofs = surface.B().dofs().dofs();
       return {dofs.begin(), dofs.begin() + surface.n_nodes()};
     }
   } // namespace
@@ -170,12 +170,12 @@ namespace stiction
     const auto &weights  = trace_hierarchy_.prolongation(level);
     const Eigen::Index m = coarse.n_nodes(), n = fine.n_nodes();
     const Eigen::VectorXd coarse_force =
-      coarse.force_to_cartesian(state_->lambda);
+      coarse.B().force_to_cartesian(state_->lambda);
     Eigen::VectorXd force(3 * n);
     for (unsigned int c = 0; c < 3; ++c)
       force.segment(c * n, n) = fine.areas().cwiseProduct(
         weights * coarse_force.segment(c * m, m).cwiseQuotient(coarse.areas()));
-    const Eigen::VectorXd lambda = fine.force_to_local(force);
+    const Eigen::VectorXd lambda = fine.B().force_to_local(force);
 
     auto state = std::make_unique<ContactState>(fine);
     hierarchy_.transfer(level).prolongate(state->u, state_->u);

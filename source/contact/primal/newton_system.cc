@@ -103,8 +103,8 @@ namespace stiction
 
 
   NewtonSystem::NewtonSystem(const ContactLevel &problem,
-                                   const unsigned int level,
-                                   StiffnessPreconditioner &preconditioner)
+                             const unsigned int level,
+                             StiffnessPreconditioner &preconditioner)
     : problem_(problem)
     , level_(level)
     , preconditioner_(preconditioner)
@@ -133,8 +133,8 @@ namespace stiction
 
   Eigen::VectorXd
   NewtonSystem::contact_rows(const PrimalActiveSet &linearization,
-                                const Eigen::VectorXd &force,
-                                const Eigen::VectorXd &displacement) const
+                             const Eigen::VectorXd &force,
+                             const Eigen::VectorXd &displacement) const
   {
     Eigen::VectorXd rows(force.size());
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
@@ -149,8 +149,8 @@ namespace stiction
 
   unsigned int
   NewtonSystem::solve(ContactState &state,
-                         const PrimalActiveSet &linearization,
-                         const std::function<bool(const Progress &)> &stop)
+                      const PrimalActiveSet &linearization,
+                      const std::function<bool(const Progress &)> &stop)
   {
     const Eigen::Index m = problem_.n_nodes();
     set_supports(linearization);
@@ -161,7 +161,7 @@ namespace stiction
         set_at_node(shift, i, linearization.nodes[i].shift);
         set_at_node(load, i, linearization.nodes[i].load);
       }
-    problem_.add_displacement(shift, state.u);
+    problem_.B().add_displacement(1., shift, state.u);
     state.update(problem_);
 
     const MPI_Comm communicator = problem_.mesh().communicator();
@@ -170,7 +170,7 @@ namespace stiction
     problem_.clear_prescribed(r);
     Eigen::VectorXd contact_r =
       contact_rows(linearization, state.lambda, -state.w) - load;
-    problem_.set_transpose_B(contact_r, r);
+    problem_.B().set_transpose(contact_r, r);
     double square       = r.norm_sqr();
     const double start  = std::sqrt(square);
     LA::Vector &z       = step_;
@@ -188,12 +188,12 @@ namespace stiction
         for (std::size_t k = 0; k < N; ++k)
           z.begin()[k] = d.factor * d.z.begin()[k];
         problem_.stiffness().vmult(d.v, z);
-        d.displacement = problem_.apply_B(z);
-        d.force        = problem_.contact_forces(d.v);
+        d.displacement = problem_.B().apply(z);
+        d.force        = problem_.B().contact_forces(d.v);
         d.contact_rows = contact_rows(linearization, d.force, d.displacement);
         d.reaction     = problem_.prescribed_entries(d.v);
         problem_.clear_prescribed(d.v);
-        problem_.set_transpose_B(d.contact_rows, d.v);
+        problem_.B().set_transpose(d.contact_rows, d.v);
 
         std::vector<double> h = multiple_dot(images, d.v.begin(), N);
         sum(h, communicator);
@@ -247,7 +247,7 @@ namespace stiction
       H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(
         amounts.head(n));
     add_all(state.u.begin(), y, N);
-    problem_.set_transpose_B(state.lambda, r);
+    problem_.B().set_transpose(state.lambda, r);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);
     return n;
@@ -271,8 +271,8 @@ namespace stiction
 
   void
   NewtonSystem::add_all(double *const u,
-                           const Eigen::VectorXd &y,
-                           const std::size_t size) const
+                        const Eigen::VectorXd &y,
+                        const std::size_t size) const
   {
     for (std::size_t b = 0; b < size; b += block_size)
       {

@@ -6,9 +6,9 @@
 namespace stiction
 {
   PrimalActiveSet::PrimalActiveSet(const Eigen::VectorXd &lambda,
-                                           const Eigen::VectorXd &w,
-                                           const Eigen::VectorXd &rho,
-                                           const qp::SlipBound &slip_bound)
+                                   const Eigen::VectorXd &w,
+                                   const Eigen::VectorXd &rho,
+                                   const qp::SlipBound &slip_bound)
     : nodes(rho.size())
   {
     const Eigen::Index m     = rho.size();

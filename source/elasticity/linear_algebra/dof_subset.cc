@@ -14,6 +14,20 @@ namespace stiction
 
 
 
+  DofSubset
+  DofSubset::of_nodes(
+    const std::vector<dealii::types::global_dof_index> &first_dofs)
+  {
+    const std::size_t m = first_dofs.size();
+    std::vector<dealii::types::global_dof_index> dofs(3 * m);
+    for (std::size_t i = 0; i < m; ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        dofs[i + c * m] = first_dofs[i] + c;
+    return DofSubset(std::move(dofs));
+  }
+
+
+
   Eigen::VectorXd
   DofSubset::restriction(const LA::Vector &u) const
   {

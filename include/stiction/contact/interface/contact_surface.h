@@ -1,7 +1,7 @@
 #ifndef stiction_contact_interface_contact_surface_h
 #define stiction_contact_interface_contact_surface_h
 
-#include <stiction/contact/interface/contact_frame.h>
+#include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -30,6 +30,8 @@ namespace stiction
   /// free direction.
   struct ContactNode : ContactFrame
   {
+    /// Of its three displacement unknowns.
+    dealii::types::global_dof_index first_dof = 0;
     dealii::Point<3> position; ///< undeformed, m
     double gap = 0.;           ///< d along n, m; negative: interference
     /// By how much the gap grows with displacements of the obstacle: n, and
@@ -49,9 +51,8 @@ namespace stiction
 
 
   /// The contact nodes with their frames, gaps, areas and friction data, and
-  /// the maps B and Bᵀ between the body and contact quantities: B = (N; T1;
-  /// T2), with the scales of ContactFrame for ellipses of friction and
-  /// directions in which a node is held.
+  /// the operator B to them: B = (N; T1; T2), with the scales of ContactFrame
+  /// for ellipses of friction and directions in which a node is held.
   ///
   /// The list is known to all ranks, in an order that does not depend on
   /// their number. Vectors over it are stored by blocks (normal; first
@@ -176,44 +177,12 @@ namespace stiction
     Eigen::Index
     node_of(dealii::types::global_dof_index first_dof) const;
 
-    /// The displacement unknowns of the contact nodes, by blocks (x; y; z).
-    const DofSubset &
-    trace() const
+    /// From displacements to those of the contact nodes, and forces back.
+    const ContactOperator &
+    B() const
     {
-      return trace_;
+      return B_;
     }
-
-    /// B u: (n·u; s1 t1·u; s2 t2·u), length 3m. Collective.
-    Eigen::VectorXd
-    apply_B(const LA::Vector &u) const;
-
-    /// dst += factor Bᵀ λ. Collective.
-    void
-    add_transpose_B(double factor,
-                    const Eigen::VectorXd &lambda,
-                    LA::Vector &dst) const;
-
-    /// u += factor × the displacement of the contact nodes with B u = w, in the
-    /// directions that are not held. Collective.
-    void
-    add_displacement(double factor,
-                     const Eigen::VectorXd &w,
-                     LA::Vector &u) const;
-
-    /// Replaces a matrix of order 3m, of displacements (x; y; z) under forces
-    /// (x; y; z), by M C Mᵀ with the nodal matrices M of B, in one pass: C may
-    /// be large.
-    void
-    rotate_to_local(Eigen::MatrixXd &C) const;
-
-    /// The forces Bᵀ λ at the contact nodes, by blocks (x; y; z).
-    Eigen::VectorXd
-    force_to_cartesian(const Eigen::VectorXd &lambda) const;
-
-    /// 1 for each contact variable in whose direction the node is held, 0 for
-    /// the others.
-    Eigen::VectorXd
-    held() const;
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
     /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
@@ -240,14 +209,18 @@ namespace stiction
     void
     evaluate_data();
 
+    /// Gives the nodes that are left their numbers and makes B.
+    void
+    number_nodes();
+
     /// Throws InputError if a force presses no node.
     void
     displace_obstacles(const Parameters &parameters);
 
     std::vector<ContactBoundary> boundaries_;
     std::vector<ContactNode> nodes_, facing_away_;
-    DofSubset facing_away_trace_;
-    DofSubset trace_;
+    DofSubset facing_away_dofs_;
+    ContactOperator B_;
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
     Eigen::VectorXd pressing_forces_;

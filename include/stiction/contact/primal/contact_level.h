@@ -1,9 +1,8 @@
 #ifndef stiction_contact_primal_contact_level_h
 #define stiction_contact_primal_contact_level_h
 
-#include <stiction/contact/interface/contact_frame.h>
+#include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
-#include <stiction/elasticity/linear_algebra/dof_subset.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 #include <stiction/qp/contact_scales.h>
@@ -117,30 +116,16 @@ namespace stiction
       motion_.move_to(distances);
     }
 
-    /// B v, and w = Bu − e with the offset e of motion(). Collective.
-    Eigen::VectorXd
-    apply_B(const LA::Vector &v) const;
-    /// The y for which Bᵀ y is R at the contact nodes in directions that are
-    /// not held. Collective.
-    Eigen::VectorXd
-    contact_forces(const LA::Vector &R) const;
+    /// From displacements to those of the contact nodes, and forces back.
+    const ContactOperator &
+    B() const
+    {
+      return B_;
+    }
+
+    /// w = Bu − e with the offset e of motion(). Collective.
     Eigen::VectorXd
     penetration_and_slip(const LA::Vector &u) const;
-
-    /// u += the displacement of the contact nodes with B u = w, in directions
-    /// that are not held.
-    void
-    add_displacement(const Eigen::VectorXd &w, LA::Vector &u) const;
-
-    /// Sets the entries of the contact nodes to Bᵀ v, in held directions to 0.
-    void
-    set_transpose_B(const Eigen::VectorXd &v, LA::Vector &dst) const;
-
-    /// Forces from contact variables to (x; y; z) and back, node by node.
-    Eigen::VectorXd
-    force_to_cartesian(const Eigen::VectorXd &lambda) const;
-    Eigen::VectorXd
-    force_to_local(const Eigen::VectorXd &force) const;
 
     /// A support given in contact variables: @p projection a diagonal one that
     /// treats both tangents alike, @p spring of forces y for displacements w.
@@ -187,8 +172,7 @@ namespace stiction
     /// is no contact node; 0 for those.
     std::vector<unsigned char> free_components_;
 
-    DofSubset trace_;
-    std::vector<ContactFrame> frames_;
+    ContactOperator B_;
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
     ContactStiffness stiffness_of_cells_;

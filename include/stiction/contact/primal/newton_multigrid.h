@@ -26,8 +26,8 @@ namespace stiction
   /// Contact with friction for the price of about two elastic solves: the
   /// semismooth Newton method in displacements (PrimalActiveSet), each step
   /// solved inexactly with a multigrid preconditioner (NewtonSystem), on the
-  /// levels of the mesh one after the other. source/contact/primal/newton_multigrid.md
-  /// derives it.
+  /// levels of the mesh one after the other.
+  /// source/contact/primal/newton_multigrid.md derives it.
   class NewtonMultigrid
   {
   public:

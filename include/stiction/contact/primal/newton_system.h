@@ -31,8 +31,8 @@ namespace stiction
     /// @param level the number of the problem's level for the preconditioner.
     ///   All arguments must outlive the object.
     NewtonSystem(const ContactLevel &problem,
-                    unsigned int level,
-                    StiffnessPreconditioner &preconditioner);
+                 unsigned int level,
+                 StiffnessPreconditioner &preconditioner);
 
     /// The iterations that solve() takes at most: their directions are kept, 12
     /// bytes an unknown each.

@@ -20,6 +20,12 @@ namespace stiction
     DofSubset() = default;
     explicit DofSubset(std::vector<dealii::types::global_dof_index> dofs);
 
+    /// The three unknowns of each node, by blocks (x; y; z).
+    ///
+    /// @param first_dofs those for x; y and z follow.
+    static DofSubset
+    of_nodes(const std::vector<dealii::types::global_dof_index> &first_dofs);
+
     Eigen::Index
     size() const
     {
