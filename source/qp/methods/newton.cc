@@ -107,17 +107,19 @@ namespace stiction
             is_direct_ = true;
             continue;
           }
-        if (tries_inside)
-          run_interior_point(run);
-        tries_inside = false;
-        if (run.is_done())
-          break;
 
         const double residual = run.result.residual;
         idle_fallbacks = residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
         smallest       = std::min(smallest, residual);
-        run.result.stagnated = idle_fallbacks > max_idle_fallbacks;
-        if (run.result.stagnated)
+        const bool stands_still = idle_fallbacks > max_idle_fallbacks;
+        // with Coulomb's law it may end at another solution than approximations
+        if (tries_inside && (stands_still || !slip_bound.is_coulomb()))
+          {
+            run_interior_point(run);
+            tries_inside = false;
+          }
+        run.result.stagnated = stands_still && !run.is_done();
+        if (run.is_done() || run.result.stagnated)
           break;
         fall_back(run);
         if (run.is_done())
