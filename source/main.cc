@@ -34,8 +34,7 @@ namespace
     std::string file;
     std::optional<std::string> output, export_directory, problem;
     std::vector<std::string> settings;
-    bool validate = false, print_parameters = false,
-         print_output_directory = false;
+    bool validate = false, print_parameters = false, print_output_directory = false;
   };
 
   // What was made stays alive until main() ends: to destroy parallel objects
@@ -47,8 +46,7 @@ namespace
     std::unique_ptr<stiction::DualContactProblem> dual_problem;
   };
 
-  int
-  run(Program &program, const CommandLine &arguments)
+  int run(Program &program, const CommandLine &arguments)
   {
     using namespace stiction;
     if (arguments.problem && arguments.problem->empty())
@@ -57,11 +55,8 @@ namespace
       throw InputError("FILE.prm is missing, 'stiction --help' shows how to "
                        "call the program and 'stiction --print-parameters' "
                        "prints a complete parameter file.");
-    program.parameters.read(arguments.file,
-                            arguments.settings,
-                            arguments.output,
-                            arguments.export_directory,
-                            !arguments.problem);
+    program.parameters.read(arguments.file, arguments.settings, arguments.output,
+                            arguments.export_directory, !arguments.problem);
     if (!arguments.problem && program.parameters.dual_operator.symmetric_part)
       throw InputError(
         program.parameters.source.describe("Dual operator/Symmetric part") +
@@ -73,8 +68,7 @@ namespace
           std::cout << program.parameters.output.directory << std::endl;
         return certified;
       }
-    const auto status = [](const bool is_certified,
-                           const ContactSolution &solution) {
+    const auto status = [](const bool is_certified, const ContactSolution &solution) {
       return is_certified           ? certified
              : solution.interrupted ? interrupted
                                     : not_converged;
@@ -98,13 +92,11 @@ namespace
   }
 
   // One line that a terminal can show, whatever the user's file had in it.
-  std::string
-  printable(std::string sentence)
+  std::string printable(std::string sentence)
   {
     constexpr std::size_t at_most = 600; // what is cut might cut a character
-    const bool is_utf8 =
-      sentence.size() <= at_most &&
-      stiction::first_byte_not_utf8(sentence) == std::string::npos;
+    const bool is_utf8            = sentence.size() <= at_most &&
+                         stiction::first_byte_not_utf8(sentence) == std::string::npos;
     for (char &c : sentence)
       if (std::iscntrl(static_cast<unsigned char>(c)) != 0 ||
           (!is_utf8 && (c & 0x80) != 0))
@@ -116,16 +108,12 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   stiction::choose_blas_kernels();
   // the linear algebra is parallel over ranks; more threads would only fight
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool speaks =
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const bool speaks = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
   CommandLine arguments;
   CLI::App app("Contact of an elastic body with friction, in three "
@@ -133,34 +121,27 @@ main(int argc, char *argv[])
                "stiction");
   app.add_option("FILE", arguments.file, "Parameter file");
   app
-    .add_option(
-      "--set",
-      arguments.settings,
-      "'Section/Entry=value', overrides the file; any number of times")
+    .add_option("--set", arguments.settings,
+                "'Section/Entry=value', overrides the file; any number of times")
     ->expected(1)
     ->take_all();
   app.add_option("--output", arguments.output, "Directory for all results");
-  app.add_option("--export",
-                 arguments.export_directory,
+  app.add_option("--export", arguments.export_directory,
                  "Also write the discrete problem (Q, h, friction) and its "
                  "solution to this directory");
   auto *const problem = app.add_option(
-    "--problem",
-    arguments.problem,
+    "--problem", arguments.problem,
     "Solve the discrete problem of an FCLIB file (*.hdf5, *.h5), a Matrix "
     "Market "
     "file (*.mtx) or an exported directory instead of a body; FILE may be left "
     "out");
   app
-    .add_flag("--validate",
-              arguments.validate,
+    .add_flag("--validate", arguments.validate,
               "Read and check everything, solve nothing")
     ->excludes(problem);
-  app.add_flag("--print-parameters",
-               arguments.print_parameters,
+  app.add_flag("--print-parameters", arguments.print_parameters,
                "Print the complete commented default file");
-  app.add_flag("--print-output-directory",
-               arguments.print_output_directory,
+  app.add_flag("--print-output-directory", arguments.print_output_directory,
                "Print the directory for all results, solve nothing");
   app.set_version_flag("--version", "stiction " STICTION_VERSION);
   app.footer("Exit status: 0 certified, 1 bad input, 2 not converged, 3 "
@@ -215,13 +196,12 @@ main(int argc, char *argv[])
     }
   catch (const std::bad_alloc &)
     {
-      return abort(
-        arguments.problem
-          ? "not enough memory for this problem, its Q must fit into memory "
-            "several times."
-          : "not enough memory for this problem, use a coarser mesh, 'Dual "
-            "operator/Form = by solves' or 'Contact solver/Method = newton "
-            "multigrid'.");
+      return abort(arguments.problem
+                     ? "not enough memory for this problem, its Q must fit into memory "
+                       "several times."
+                     : "not enough memory for this problem, use a coarser mesh, 'Dual "
+                       "operator/Form = by solves' or 'Contact solver/Method = newton "
+                       "multigrid'.");
     }
   catch (const std::exception &error)
     {

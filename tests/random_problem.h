@@ -17,8 +17,7 @@ struct RandomProblem
   explicit RandomProblem(const unsigned int number)
     : engine(number)
   {
-    settings = {"Output/Write solution=false",
-                "Refinement/Estimate error=false",
+    settings = {"Output/Write solution=false", "Refinement/Estimate error=false",
                 "Material/Young's modulus=1",
                 "Material/Poisson ratio=" + exact(uniform(0., 0.45)),
                 "Boundary conditions/Obstacle displacement=0; 0; 0"};
@@ -33,44 +32,34 @@ struct RandomProblem
   Settings settings;
 
 private:
-  double
-  uniform(const double a, const double b)
+  double uniform(const double a, const double b)
   {
     return a + (b - a) * (static_cast<double>(engine()) + 0.5) / 4294967296.;
   }
 
   // every order of magnitude is equally likely
-  double
-  log_uniform(const double a, const double b)
+  double log_uniform(const double a, const double b)
   {
     return std::exp(uniform(std::log(a), std::log(b)));
   }
 
-  unsigned int
-  one_of(const unsigned int n)
-  {
-    return engine() % n;
-  }
+  unsigned int one_of(const unsigned int n) { return engine() % n; }
 
-  void
-  add(const std::string &setting)
+  void add(const std::string &setting)
   {
     settings.push_back("Boundary conditions/" + setting);
   }
 
   // Stands on z = 0, is held at its top, or at its side if that is as stiff.
-  void
-  make_box()
+  void make_box()
   {
     file           = shipped("brick.prm");
     const double a = log_uniform(0.5, 3.), b = log_uniform(0.5, 3.);
     settings.push_back("Geometry/Table 1 level=0");
     settings.push_back("Geometry/Lengths=" + exact(a) + "," + exact(b) + ",1");
-    settings.push_back(
-      "Geometry/Subdivisions=" + std::to_string(2 + one_of(4)) + "," +
-      std::to_string(2 + one_of(4)) + ",3");
-    settings.push_back("Geometry/Global refinement=" +
-                       std::to_string(one_of(2)));
+    settings.push_back("Geometry/Subdivisions=" + std::to_string(2 + one_of(4)) + "," +
+                       std::to_string(2 + one_of(4)) + ",3");
+    settings.push_back("Geometry/Global refinement=" + std::to_string(one_of(2)));
     description = "box";
 
     const unsigned int layers = one_of(3); // one material, soft above, below
@@ -79,8 +68,8 @@ private:
         softest = 1. / log_uniform(1., 1e8);
         settings.push_back(std::string("Material/Material ids=if(z ") +
                            (layers == 1 ? ">" : "<") + " 0.5, 1, 0)");
-        settings.push_back("Material/Materials=1 : isotropic; " +
-                           exact(softest) + "; 0.3");
+        settings.push_back("Material/Materials=1 : isotropic; " + exact(softest) +
+                           "; 0.3");
         description += (layers == 1 ? ", above " : ", below ") + exact(softest);
       }
 
@@ -89,15 +78,14 @@ private:
     const bool at_side  = layers == 0 && one_of(2) == 0;
     if (one_of(2) == 0)
       {
-        add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") +
-            ":" + three(aside, uniform(-1., 1.) * aside, -strain));
+        add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") + ":" +
+            three(aside, uniform(-1., 1.) * aside, -strain));
         add("Traction=3:0;0;" + exact(-0.1 * softest * strain));
         description += ", moved";
       }
     else
       {
-        add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") +
-            ":0;0;0");
+        add(std::string("Prescribed displacement=") + (at_side ? "0" : "5") + ":0;0;0");
         const double p = softest * strain, q = 0.3 * softest * aside;
         add("Traction=1:" + three(q, 0., -p) +
             " | 3:" + three(0., uniform(-1., 1.) * q, -p));
@@ -127,12 +115,10 @@ private:
     press();
   }
 
-  void
-  make_half_ball()
+  void make_half_ball()
   {
     file = shipped("half_ball.prm");
-    settings.push_back("Geometry/Global refinement=" +
-                       std::to_string(1 + one_of(2)));
+    settings.push_back("Geometry/Global refinement=" + std::to_string(1 + one_of(2)));
     add("Initial gap=0");
     add("Obstacle=plane:0;0;0;" + three(uniform(-0.2, 0.2), 0., 1.));
     const double depth = log_uniform(1e-5, 3e-2);
@@ -143,8 +129,7 @@ private:
   }
 
   // A force that the body bears without large strains.
-  void
-  press()
+  void press()
   {
     if (one_of(8) > 0)
       return;
@@ -152,8 +137,7 @@ private:
     description += ", pressed";
   }
 
-  void
-  choose_friction()
+  void choose_friction()
   {
     const unsigned int law = one_of(5);
     const auto say         = [&](const std::string &text) {
@@ -184,8 +168,6 @@ private:
   double softest = 1.; // of Young's moduli
 };
 
-
-
 // What a method made of a problem: certified or not, how far its contact forces
 // are from those of the first method that is certified, and why not.
 struct Outcome
@@ -203,17 +185,12 @@ struct Comparison
   std::vector<Outcome> outcomes;
 
   // What certified contact forces have to agree to, relative.
-  double
-  agreement() const
-  {
-    return std::max(1e-6, 10. * tolerance);
-  }
+  double agreement() const { return std::max(1e-6, 10. * tolerance); }
 };
 
 // What a user would ask for: 1e-8, and where newton is told that the digits do
 // not carry so far, three times what it reached, which is told, too.
-inline double
-tolerance_of(const RandomProblem &problem)
+inline double tolerance_of(const RandomProblem &problem)
 {
   constexpr double largest = 1e-4;
   double tolerance         = Comparison().tolerance;
@@ -227,8 +204,8 @@ tolerance_of(const RandomProblem &problem)
       double reached          = 0.;
       for (const auto &figure : certificate.deciding_figures())
         reached = std::max(reached, figure.second);
-      const std::string reason = run.problem->solution().reason +
-                                 certificate.why_out_of_reach(tolerance);
+      const std::string reason =
+        run.problem->solution().reason + certificate.why_out_of_reach(tolerance);
       if (run.converged || 3. * reached > largest ||
           reason.find("rounding") == std::string::npos)
         return tolerance;
@@ -236,14 +213,12 @@ tolerance_of(const RandomProblem &problem)
     }
 }
 
-inline Comparison
-solve_by_all_methods(const RandomProblem &problem)
+inline Comparison solve_by_all_methods(const RandomProblem &problem)
 {
   Comparison comparison;
-  comparison.tolerance = tolerance_of(problem);
-  const Settings settings =
-    problem.settings +
-    Settings{"Contact solver/Tolerance=" + exact(comparison.tolerance)};
+  comparison.tolerance    = tolerance_of(problem);
+  const Settings settings = problem.settings + Settings{"Contact solver/Tolerance=" +
+                                                        exact(comparison.tolerance)};
   Eigen::VectorXd forces;
   for (const auto &method : all_methods())
     {
@@ -273,8 +248,7 @@ solve_by_all_methods(const RandomProblem &problem)
           outcome.reason = e.what();
         }
       outcome.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       comparison.outcomes.push_back(outcome);
     }
   return comparison;

@@ -25,21 +25,18 @@ inline const bool has_chosen_blas = (stiction::choose_blas_kernels(), true);
 
 // The shipped parameter file of that name. SOURCE_DIR is the folder of the
 // test.
-inline std::string
-shipped(const std::string &name)
+inline std::string shipped(const std::string &name)
 {
   return SOURCE_DIR "/../../parameters/" + name;
 }
 
-inline const char *
-yes(const bool condition)
+inline const char *yes(const bool condition)
 {
   return condition ? "yes" : "NO";
 }
 
 // With all digits, for settings.
-inline std::string
-exact(const double value)
+inline std::string exact(const double value)
 {
   std::ostringstream out;
   out.precision(17);
@@ -48,8 +45,7 @@ exact(const double value)
 }
 
 // Three components as entries want them.
-inline std::string
-three(const double x, const double y, const double z)
+inline std::string three(const double x, const double y, const double z)
 {
   return exact(x) + ";" + exact(y) + ";" + exact(z);
 }
@@ -57,8 +53,7 @@ three(const double x, const double y, const double z)
 // 'Section/Entry=value', as on the command line; later ones count.
 using Settings = std::vector<std::string>;
 
-inline Settings
-operator+(Settings a, const Settings &b)
+inline Settings operator+(Settings a, const Settings &b)
 {
   a.insert(a.end(), b.begin(), b.end());
   return a;
@@ -72,20 +67,17 @@ struct Method
   bool solves_given = true; // false: differs for Coulomb's law only
 };
 
-inline const std::vector<Method> &
-all_methods()
+inline const std::vector<Method> &all_methods()
 {
   static const std::vector<Method> methods = {
     {"newton", {"Contact solver/Method=newton"}},
     {"gauss seidel", {"Contact solver/Method=gauss seidel"}},
     {"fixed point",
-     {"Contact solver/Method=newton",
-      "Contact solver/Coulomb iteration=fixed point"},
+     {"Contact solver/Method=newton", "Contact solver/Coulomb iteration=fixed point"},
      false},
     {"mpgp", {"Contact solver/Method=mpgp"}},
     {"admm", {"Contact solver/Method=admm"}},
-    {"by solves",
-     {"Contact solver/Method=newton", "Dual operator/Form=by solves"}},
+    {"by solves", {"Contact solver/Method=newton", "Dual operator/Form=by solves"}},
     {"newton multigrid", {"Contact solver/Method=newton multigrid"}},
     {"newton multigrid, amg",
      {"Contact solver/Method=newton multigrid", "Stiffness solver/Type=amg"}}};
@@ -104,8 +96,7 @@ struct Run
     try
       {
         parameters.read(file, settings);
-        problem   = std::make_unique<stiction::ContactProblem>(parameters,
-                                                             MPI_COMM_WORLD);
+        problem = std::make_unique<stiction::ContactProblem>(parameters, MPI_COMM_WORLD);
         converged = problem->run();
       }
     catch (...)
@@ -116,11 +107,7 @@ struct Run
     std::cout.rdbuf(screen);
   }
 
-  const nlohmann::json &
-  summary() const
-  {
-    return problem->summary();
-  }
+  const nlohmann::json &summary() const { return problem->summary(); }
 
   stiction::Parameters parameters;
   std::unique_ptr<stiction::ContactProblem> problem;
@@ -128,21 +115,18 @@ struct Run
 };
 
 // Of the contact forces, relative.
-inline double
-distance(const Run &run, const Run &reference)
+inline double distance(const Run &run, const Run &reference)
 {
   const auto &lambda = reference.problem->solution().lambda;
   return (run.problem->solution().lambda - lambda).norm() / lambda.norm();
 }
 
 // The stream of rank 0.
-inline std::ostream &
-out()
+inline std::ostream &out()
 {
   static std::ostream nowhere(nullptr);
-  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0
-           ? std::cout
-           : nowhere;
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0 ? std::cout
+                                                                       : nowhere;
 }
 
 #endif

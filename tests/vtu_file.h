@@ -20,8 +20,7 @@
 // The floating point numbers of one DataArray: base64 of a header (number
 // of blocks, block size, size of the last one, compressed sizes) and of the
 // compressed blocks.
-inline std::vector<float>
-decode(const std::string &text)
+inline std::vector<float> decode(const std::string &text)
 {
   const auto head = dealii::Utilities::decode_base64(text.substr(0, 24));
   std::uint32_t header[4];
@@ -29,14 +28,12 @@ decode(const std::string &text)
   const auto body = dealii::Utilities::decode_base64(text.substr(24));
   uLongf size     = header[0] == 0 ? 0 : header[1];
   std::vector<float> values(size / sizeof(float));
-  uncompress(
-    reinterpret_cast<Bytef *>(values.data()), &size, body.data(), body.size());
+  uncompress(reinterpret_cast<Bytef *>(values.data()), &size, body.data(), body.size());
   return values;
 }
 
 // The arrays of a file by name, the places as "points".
-inline std::map<std::string, std::vector<float>>
-read_vtu(const std::string &file)
+inline std::map<std::string, std::vector<float>> read_vtu(const std::string &file)
 {
   std::ifstream in(file);
   std::stringstream content;
@@ -44,24 +41,23 @@ read_vtu(const std::string &file)
   const std::string text = content.str();
 
   std::map<std::string, std::vector<float>> arrays;
-  const auto between =
-    [&](const std::string &from, const char *to, const std::string &in) {
-      const std::size_t at = in.find(from);
-      return at == std::string::npos
-               ? std::string()
-               : in.substr(at + from.size(),
-                           in.find(to, at + from.size()) - at - from.size());
-    };
+  const auto between = [&](const std::string &from, const char *to,
+                           const std::string &in) {
+    const std::size_t at = in.find(from);
+    return at == std::string::npos
+             ? std::string()
+             : in.substr(at + from.size(),
+                         in.find(to, at + from.size()) - at - from.size());
+  };
   const std::string begin = "<DataArray type=\"Float";
   for (std::size_t at = text.find(begin); at != std::string::npos;
        at             = text.find(begin, at + 1))
     {
                   const std::size_t end        = text.find('>', at);
                   const std::string attributes = text.substr(at, end - at);
-                  std::string values = text.substr(end + 1, text.find('<', end) - end - 1);
-                  values.erase(std::remove_if(values.begin(), values.end(), ::isspace),
-                   values.end());
-                  const std::string name = between("Name=\"", "\"", attributes);
+                  std::string values           = text.substr(end + 1, text.find('<', end) - end - 1);
+                  values.erase(std::remove_if(values.begin(), values.end(), ::isspace), values.end());
+                  const std::string name                 = between("Name=\"", "\"", attributes);
                   arrays[name.empty() ? "points" : name] = decode(values);
     }
   return arrays;

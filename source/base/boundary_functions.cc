@@ -17,8 +17,7 @@ namespace stiction
     using dealii::Utilities::trim;
 
     // What muParser itself says, in deal.II's message of many lines.
-    std::string
-    complaint_of_parser(const dealii::ExceptionBase &exception)
+    std::string complaint_of_parser(const dealii::ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
@@ -46,13 +45,9 @@ namespace stiction
         : screen_(std::cerr.rdbuf(nothing_.rdbuf()))
       {
       }
-      ~SilentErrors()
-      {
-        std::cerr.rdbuf(screen_);
-      }
-      SilentErrors(const SilentErrors &) = delete;
-      SilentErrors &
-      operator=(const SilentErrors &) = delete;
+      ~SilentErrors() { std::cerr.rdbuf(screen_); }
+      SilentErrors(const SilentErrors &)            = delete;
+      SilentErrors &operator=(const SilentErrors &) = delete;
 
     private:
       std::ostringstream nothing_;
@@ -61,8 +56,7 @@ namespace stiction
 
     // What muParser accepts and no user means: 'a, b' is b, and 'x = 1' puts
     // 1 into x. Empty if there is nothing of the kind.
-    std::string
-    trap(const std::string &formula)
+    std::string trap(const std::string &formula)
     {
       int depth = 0;
       for (std::size_t i = 0; i < formula.size(); ++i)
@@ -75,9 +69,8 @@ namespace stiction
                    "decimal sign is '.'";
           if (c == '=' && next == '=')
             ++i;
-          else if (c == '=' &&
-                   (i == 0 || std::string("<>!").find(formula[i - 1]) ==
-                                std::string::npos))
+          else if (c == '=' && (i == 0 || std::string("<>!").find(formula[i - 1]) ==
+                                            std::string::npos))
             return "'=' assigns, a comparison is '=='";
         }
       if (formula.find("rand") != std::string::npos)
@@ -87,8 +80,7 @@ namespace stiction
 
     // Zeros in place of components that are 'free', which are taken out of the
     // mask.
-    std::string
-    mark_free(const std::string &formulas, dealii::ComponentMask &components)
+    std::string mark_free(const std::string &formulas, dealii::ComponentMask &components)
     {
       if (formulas.find("free") == std::string::npos)
         return formulas;
@@ -105,11 +97,8 @@ namespace stiction
     }
   } // namespace
 
-
-
   ParsedFunction::ParsedFunction(const std::string &expression,
-                                 const unsigned int n_components,
-                                 std::string location,
+                                 const unsigned int n_components, std::string location,
                                  const double time)
     : dealii::Function<3>(n_components)
     , expression_(trim(expression))
@@ -122,21 +111,19 @@ namespace stiction
       complete = complete && !trim(part).empty();
     if (!complete)
       throw InputError(location_ + " = " + expression_ + ", must be " +
-                       (n_components == 1 ? std::string("one formula")
-                                          : std::to_string(n_components) +
-                                              " formulas separated by ';'") +
+                       (n_components == 1
+                          ? std::string("one formula")
+                          : std::to_string(n_components) + " formulas separated by ';'") +
                        ".");
 
     for (const std::string &part : parts)
       if (!trap(part).empty())
-        throw InputError(location_ + " = " + expression_ + ", " + trap(part) +
-                         ".");
+        throw InputError(location_ + " = " + expression_ + ", " + trap(part) + ".");
 
     try
       {
         const SilentErrors silence;
-        parser_->initialize(
-          "x,y,z,t", expression_, {{"pi", dealii::numbers::PI}}, true);
+        parser_->initialize("x,y,z,t", expression_, {{"pi", dealii::numbers::PI}}, true);
         set_time(time);
         // muParser reads a formula when it is first evaluated
         for (unsigned int c = 0; c < n_components; ++c)
@@ -144,68 +131,51 @@ namespace stiction
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(location_ + " = " + expression_ +
-                         ", is not a formula in x, y, z, t: " +
-                         complaint_of_parser(exception) + ".");
+        throw InputError(
+          location_ + " = " + expression_ +
+          ", is not a formula in x, y, z, t: " + complaint_of_parser(exception) + ".");
       }
   }
 
-
-
   ParsedFunction::~ParsedFunction() = default;
 
-
-
-  void
-  ParsedFunction::set_time(const double time)
+  void ParsedFunction::set_time(const double time)
   {
     dealii::Function<3>::set_time(time);
     parser_->set_time(time);
   }
 
-
-
-  double
-  ParsedFunction::value(const dealii::Point<3> &p,
-                        const unsigned int component) const
+  double ParsedFunction::value(const dealii::Point<3> &p,
+                               const unsigned int component) const
   {
     const double value = parser_->value(p, component);
     if (!(std::abs(value) <= 1e30))
       {
         std::ostringstream message;
-        message << location_ << " = " << expression_ << ", gives " << value
-                << " at (" << p
-                << "), must be a finite number of at most 1e30 everywhere.";
+        message << location_ << " = " << expression_ << ", gives " << value << " at ("
+                << p << "), must be a finite number of at most 1e30 everywhere.";
         throw InputError(message.str());
       }
     return value;
   }
 
-
-
-  std::vector<double>
-  read_numbers(const std::string &text,
-               const unsigned int n_components,
-               const std::string &location,
-               const double time)
+  std::vector<double> read_numbers(const std::string &text,
+                                   const unsigned int n_components,
+                                   const std::string &location, const double time)
   {
     const ParsedFunction function(text, n_components, location, time);
     std::vector<double> numbers;
     for (unsigned int c = 0; c < n_components; ++c)
       {
         numbers.push_back(function.value(dealii::Point<3>(), c));
-        if (function.value(dealii::Point<3>(0.37, 0.61, 0.83), c) !=
-            numbers.back())
+        if (function.value(dealii::Point<3>(0.37, 0.61, 0.83), c) != numbers.back())
           throw InputError(location + " = " + trim(text) +
                            ", must not depend on x, y, z.");
       }
     return numbers;
   }
 
-
-
-  std::vector<std::string>
-  split_at_bars(const std::string &text)
+  std::vector<std::string> split_at_bars(const std::string &text)
   {
     std::vector<std::string> parts(1);
     for (std::size_t i = 0; i < text.size(); ++i)
@@ -225,13 +195,9 @@ namespace stiction
     return parts;
   }
 
-
-
-  BoundaryFunction
-  parse_components(const std::string &formulas,
-                   const std::string &location,
-                   const std::string &part,
-                   const double time)
+  BoundaryFunction parse_components(const std::string &formulas,
+                                    const std::string &location, const std::string &part,
+                                    const double time)
   {
     dealii::ComponentMask components(3, true);
     const std::string marked = mark_free(formulas, components);
@@ -239,19 +205,14 @@ namespace stiction
       throw InputError(location + ", " + part +
                        " is free in all components, at least one must be a "
                        "formula.");
-    return {std::make_unique<ParsedFunction>(marked, 3, location, time),
-            components};
+    return {std::make_unique<ParsedFunction>(marked, 3, location, time), components};
   }
 
-
-
-  BoundaryFunctions
-  parse_boundary_functions(const std::string &text,
-                           const std::string &location,
-                           const MeshNames &names,
-                           const unsigned int n_components,
-                           const bool may_be_free,
-                           const double time)
+  BoundaryFunctions parse_boundary_functions(const std::string &text,
+                                             const std::string &location,
+                                             const MeshNames &names,
+                                             const unsigned int n_components,
+                                             const bool may_be_free, const double time)
   {
     BoundaryFunctions functions;
     if (trim(text).empty())
@@ -267,23 +228,20 @@ namespace stiction
         const std::size_t colon = part.find(':');
         const std::string name  = trim(part.substr(0, colon));
         if (colon == std::string::npos || name.empty())
-          throw InputError(location + " = " + trim(text) + ", must read " +
-                           form +
+          throw InputError(location + " = " + trim(text) + ", must read " + form +
                            ", several separated by '|', with the name or the "
                            "number of a boundary.");
         const auto id = names.id(name, location + " = " + trim(text));
         if (functions.count(id) != 0)
-          throw InputError(location + " = " + trim(text) + ", boundary " +
-                           name + " stands twice, must stand once.");
+          throw InputError(location + " = " + trim(text) + ", boundary " + name +
+                           " stands twice, must stand once.");
 
         functions[id] =
           may_be_free
-            ? parse_components(
-                part.substr(colon + 1), location, "boundary " + name, time)
-            : BoundaryFunction{
-                std::make_unique<ParsedFunction>(
-                  part.substr(colon + 1), n_components, location, time),
-                dealii::ComponentMask(n_components, true)};
+            ? parse_components(part.substr(colon + 1), location, "boundary " + name, time)
+            : BoundaryFunction{std::make_unique<ParsedFunction>(
+                                 part.substr(colon + 1), n_components, location, time),
+                               dealii::ComponentMask(n_components, true)};
       }
     return functions;
   }

@@ -4,8 +4,7 @@
 
 namespace stiction
 {
-  void
-  throw_on_all_ranks(MPI_Comm communicator, const std::function<void()> &work)
+  void throw_on_all_ranks(MPI_Comm communicator, const std::function<void()> &work)
   {
     std::string message;
     try

@@ -9,9 +9,8 @@
 
 namespace stiction
 {
-  void
-  write_file(const std::string &name,
-             const std::function<void(std::ostream &)> &write)
+  void write_file(const std::string &name,
+                  const std::function<void(std::ostream &)> &write)
   {
     const std::string unfinished = name + ".new";
     std::ofstream out(unfinished);
@@ -32,22 +31,17 @@ namespace stiction
     if (!out || error)
       {
         std::filesystem::remove(unfinished, error);
-        throw InputError(name +
-                         ": cannot be written, must be in a directory with "
-                         "space and with the permission to write.");
+        throw InputError(name + ": cannot be written, must be in a directory with "
+                                "space and with the permission to write.");
       }
   }
 
-
-
-  void
-  require_writable(const std::string &directory, const std::string &location)
+  void require_writable(const std::string &directory, const std::string &location)
   {
     namespace fs = std::filesystem;
     std::error_code error;
     fs::path existing = fs::absolute(directory, error);
-    while (!error && !fs::exists(existing, error) &&
-           existing.has_relative_path())
+    while (!error && !fs::exists(existing, error) && existing.has_relative_path())
       {
         if (error == std::errc::no_such_file_or_directory)
           error.clear();
@@ -55,8 +49,7 @@ namespace stiction
       }
     if (error || !fs::is_directory(existing, error) ||
         ::access(existing.c_str(), W_OK | X_OK) != 0)
-      throw InputError(location +
-                       ", cannot be written to, must be a directory that "
-                       "exists or can be made.");
+      throw InputError(location + ", cannot be written to, must be a directory that "
+                                  "exists or can be made.");
   }
 } // namespace stiction

@@ -15,8 +15,7 @@ namespace stiction
 
     constexpr int interrupting_signals[] = {SIGINT, SIGTERM, SIGUSR1};
 
-    void
-    note_interrupt(int)
+    void note_interrupt(int)
     {
       if (has_iterate != 0)
         {
@@ -35,10 +34,7 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  watch_for_interrupts(const bool speaks, const int exit_status)
+  void watch_for_interrupts(const bool speaks, const int exit_status)
   {
     interrupt_speaker       = speaks ? 1 : 0;
     interrupt_status        = exit_status;
@@ -50,28 +46,19 @@ namespace stiction
       sigaction(signal, &action, nullptr);
   }
 
-
-
-  void
-  keep_iterate_when_interrupted()
+  void keep_iterate_when_interrupted()
   {
     has_iterate = 1;
   }
 
-
-
-  bool
-  is_interrupted(MPI_Comm communicator)
+  bool is_interrupted(MPI_Comm communicator)
   {
     int noted = interrupt_noted;
     MPI_Allreduce(MPI_IN_PLACE, &noted, 1, MPI_INT, MPI_MAX, communicator);
     return noted != 0;
   }
 
-
-
-  void
-  stop_if_interrupted(MPI_Comm communicator)
+  void stop_if_interrupted(MPI_Comm communicator)
   {
     if (is_interrupted(communicator))
       throw Interrupted();

@@ -17,10 +17,7 @@ namespace stiction
   {
   }
 
-
-
-  void
-  Log::line(const std::string &text)
+  void Log::line(const std::string &text)
   {
     if (!speaks_)
       return;
@@ -33,10 +30,7 @@ namespace stiction
       so_far_ << text << '\n';
   }
 
-
-
-  void
-  Log::open_file(const std::string &name)
+  void Log::open_file(const std::string &name)
   {
     if (!speaks_)
       return;
@@ -48,21 +42,14 @@ namespace stiction
                               "with space and with the permission to write.");
   }
 
-
-
-  double
-  Log::seconds_of_silence() const
+  double Log::seconds_of_silence() const
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         last_line_)
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_line_)
       .count();
   }
 
-
-
-  std::string
-  format(const char *pattern, ...)
+  std::string format(const char *pattern, ...)
   {
     std::va_list arguments, again;
     va_start(arguments, pattern);
@@ -74,10 +61,7 @@ namespace stiction
     return text;
   }
 
-
-
-  std::array<double, 3>
-  without_rounding(std::array<double, 3> v, const double size)
+  std::array<double, 3> without_rounding(std::array<double, 3> v, const double size)
   {
     const double norm = std::max(size, std::hypot(v[0], v[1], v[2]));
     for (double &component : v)
@@ -86,12 +70,8 @@ namespace stiction
     return v;
   }
 
-
-
-  std::string
-  format_vector(const char *pattern,
-                const std::array<double, 3> &v,
-                const double size)
+  std::string format_vector(const char *pattern, const std::array<double, 3> &v,
+                            const double size)
   {
     const auto w = without_rounding(v, size);
     return format(pattern, w[0]) + ", " + format(pattern, w[1]) + ", " +

@@ -12,8 +12,7 @@ namespace stiction
   {
     using Clock = std::chrono::steady_clock;
 
-    double
-    seconds_since(const Clock::time_point begin)
+    double seconds_since(const Clock::time_point begin)
     {
       return std::chrono::duration<double>(Clock::now() - begin).count();
     }
@@ -22,15 +21,11 @@ namespace stiction
     constexpr double first_silence = 5., longest_silence = 60.;
   } // namespace
 
-
-
   Phases::Scope::Scope(double &seconds)
     : seconds_(seconds)
     , begin_(Clock::now())
   {
   }
-
-
 
   Phases::Scope::Scope(double &seconds, Phases &phases, const std::string &name)
     : Scope(seconds)
@@ -40,8 +35,6 @@ namespace stiction
     phases.running_.push_back({name, begin_});
   }
 
-
-
   Phases::Scope::~Scope()
   {
     seconds_ += seconds_since(begin_);
@@ -50,8 +43,6 @@ namespace stiction
     const std::lock_guard<std::mutex> lock(phases_->mutex_);
     phases_->running_.pop_back();
   }
-
-
 
   Phases::~Phases()
   {
@@ -65,17 +56,14 @@ namespace stiction
     announcer_.join();
   }
 
-
-
-  void
-  Phases::announce(Log &log)
+  void Phases::announce(Log &log)
   {
     announcer_ = std::thread([this, &log]() {
       double patience = first_silence;
       Clock::time_point announced{};
       std::unique_lock<std::mutex> lock(mutex_);
-      while (!wake_up_.wait_for(
-        lock, std::chrono::seconds(1), [this]() { return is_over_; }))
+      while (
+        !wake_up_.wait_for(lock, std::chrono::seconds(1), [this]() { return is_over_; }))
         {
           if (running_.empty())
             continue;
@@ -94,43 +82,22 @@ namespace stiction
     });
   }
 
-
-
-  nlohmann::json
-  Phases::to_json() const
+  nlohmann::json Phases::to_json() const
   {
     // those that no other one is around
-    static const std::vector<std::string> outermost = {"reading",
-                                                       "mesh",
-                                                       "assembly",
-                                                       "contact_solve",
-                                                       "certificate",
-                                                       "error_estimate",
-                                                       "yardsticks",
-                                                       "output"};
+    static const std::vector<std::string> outermost = {
+      "reading",     "mesh",           "assembly",   "contact_solve",
+      "certificate", "error_estimate", "yardsticks", "output"};
     nlohmann::json section;
-    for (const char *phase : {"reading",
-                              "mesh",
-                              "assembly",
-                              "stiffness_setup",
-                              "dual_operator",
-                              "dual_iteration",
-                              "displacement_iteration",
-                              "contact_solve",
-                              "certificate",
-                              "error_estimate",
-                              "elastic_solve",
-                              "elastic_solve_iteration",
-                              "sparse_factorization",
-                              "dual_cholesky",
-                              "yardsticks",
-                              "output",
-                              "total"})
+    for (const char *phase :
+         {"reading", "mesh", "assembly", "stiffness_setup", "dual_operator",
+          "dual_iteration", "displacement_iteration", "contact_solve", "certificate",
+          "error_estimate", "elastic_solve", "elastic_solve_iteration",
+          "sparse_factorization", "dual_cholesky", "yardsticks", "output", "total"})
       {
         const auto entry = seconds_.find(phase);
-        section[phase]   = entry == seconds_.end()
-                             ? nlohmann::json(nullptr)
-                             : nlohmann::json(entry->second);
+        section[phase]   = entry == seconds_.end() ? nlohmann::json(nullptr)
+                                                   : nlohmann::json(entry->second);
       }
     if (!section["total"].is_null())
       {

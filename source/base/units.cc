@@ -2,16 +2,12 @@
 
 namespace stiction
 {
-  const char *
-  Units::choices()
+  const char *Units::choices()
   {
     return "none|SI|mm, N, MPa";
   }
 
-
-
-  Units
-  Units::named(const std::string &name)
+  Units Units::named(const std::string &name)
   {
     if (name == "SI")
       return {"m", "m^2", "N", "N m", "Pa", "J", "kg/m^3"};
@@ -20,18 +16,12 @@ namespace stiction
     return {};
   }
 
-
-
-  std::string
-  label(const std::string &quantity, const std::string &unit)
+  std::string label(const std::string &quantity, const std::string &unit)
   {
     return unit.empty() ? quantity : quantity + " [" + unit + "]";
   }
 
-
-
-  std::string
-  with_unit(const std::string &number, const std::string &unit)
+  std::string with_unit(const std::string &number, const std::string &unit)
   {
     return unit.empty() ? number : number + " " + unit;
   }

@@ -2,8 +2,7 @@
 
 namespace stiction
 {
-  std::size_t
-  first_byte_not_utf8(const std::string &text)
+  std::size_t first_byte_not_utf8(const std::string &text)
   {
     std::size_t i = 0;
     while (i < text.size())

@@ -23,17 +23,15 @@ namespace stiction
     using dealii::Utilities::trim;
 
     // The declared sections and entries, with patterns and current values.
-    Declarations
-    declared(const ParameterHandler &prm)
+    Declarations declared(const ParameterHandler &prm)
     {
       std::ostringstream out;
-      prm.print_parameters(
-        out, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+      prm.print_parameters(out, ParameterHandler::JSON |
+                                  ParameterHandler::KeepDeclarationOrder);
       return Declarations::parse(out.str());
     }
 
-    std::vector<std::string>
-    keys_of(const Declarations &node)
+    std::vector<std::string> keys_of(const Declarations &node)
     {
       std::vector<std::string> keys;
       for (const auto &item : node.items())
@@ -41,8 +39,7 @@ namespace stiction
       return keys;
     }
 
-    std::string
-    in_quotes(const std::vector<std::string> &names)
+    std::string in_quotes(const std::vector<std::string> &names)
     {
       std::string text;
       for (const std::string &name : names)
@@ -50,44 +47,37 @@ namespace stiction
       return text;
     }
 
-    std::string
-    unknown_section(const Declarations &all, const std::string &section)
+    std::string unknown_section(const Declarations &all, const std::string &section)
     {
-      return ": unknown section '" + section + "'" +
-             did_you_mean(section, keys_of(all)) + ", allowed are " +
-             in_quotes(keys_of(all)) + ".";
+      return ": unknown section '" + section + "'" + did_you_mean(section, keys_of(all)) +
+             ", allowed are " + in_quotes(keys_of(all)) + ".";
     }
 
-    std::string
-    unknown_entry(const Declarations &all,
-                  const std::string &section,
-                  const std::string &name)
+    std::string unknown_entry(const Declarations &all, const std::string &section,
+                              const std::string &name)
     {
       std::string hint = did_you_mean(name, keys_of(all[section]));
       for (const auto &other : all.items())
         if (other.value().contains(name))
           hint = " (it stands in the section '" + other.key() + "')";
-      return ": unknown entry '" + name + "' in section '" + section + "'" +
-             hint + ", allowed are " + in_quotes(keys_of(all[section])) + ".";
+      return ": unknown entry '" + name + "' in section '" + section + "'" + hint +
+             ", allowed are " + in_quotes(keys_of(all[section])) + ".";
     }
 
     // The choices of deal.II's "[Selection a|b|c ]"; none of other patterns.
-    std::vector<std::string>
-    choices(const std::string &pattern)
+    std::vector<std::string> choices(const std::string &pattern)
     {
       const std::string begin = "[Selection";
       if (pattern.rfind(begin, 0) != 0)
         return {};
       std::vector<std::string> names = dealii::Utilities::split_string_list(
-        trim(pattern.substr(begin.size(), pattern.rfind(']') - begin.size())),
-        '|');
+        trim(pattern.substr(begin.size(), pattern.rfind(']') - begin.size())), '|');
       names.erase(std::remove(names.begin(), names.end(), ""), names.end());
       return names;
     }
 
     // deal.II's "[Double 0...1 (inclusive)]" in words.
-    std::string
-    allowed(const std::string &pattern)
+    std::string allowed(const std::string &pattern)
     {
       const auto inside = [&](const std::string &begin) {
         const std::size_t from = pattern.find(begin) + begin.size();
@@ -97,8 +87,7 @@ namespace stiction
         const std::size_t dots = text.find("...");
         if (dots == std::string::npos)
           return text;
-        const std::string low  = text.substr(0, dots),
-                          high = text.substr(dots + 3);
+        const std::string low = text.substr(0, dots), high = text.substr(dots + 3);
         if (low.rfind("-MAX", 0) == 0)
           return std::string();
         if (high.rfind("MAX", 0) == 0 || high == "2147483647")
@@ -118,14 +107,11 @@ namespace stiction
         return "an integer";
       if (pattern.rfind("[List", 0) == 0)
         {
-          const std::size_t of = pattern.find('<') + 1;
-          const std::size_t to = pattern.rfind('>');
-          const std::size_t n  = pattern.find("...", to) + 3;
-          const std::string at_most =
-            pattern.substr(n, pattern.find(' ', n) - n);
-          return (at_most == "1"
-                    ? ""
-                    : at_most + " entries separated by ',', each ") +
+          const std::size_t of      = pattern.find('<') + 1;
+          const std::size_t to      = pattern.rfind('>');
+          const std::size_t n       = pattern.find("...", to) + 3;
+          const std::string at_most = pattern.substr(n, pattern.find(' ', n) - n);
+          return (at_most == "1" ? "" : at_most + " entries separated by ',', each ") +
                  allowed(pattern.substr(of, to - of));
         }
       return pattern;
@@ -135,20 +121,14 @@ namespace stiction
     const std::string not_set = "default value";
   } // namespace
 
-
-
-  void
-  ParameterFile::assign(const std::string &where,
-                        const std::string &section,
-                        const std::string &name,
-                        const std::string &value,
-                        ParameterHandler &prm)
+  void ParameterFile::assign(const std::string &where, const std::string &section,
+                             const std::string &name, const std::string &value,
+                             ParameterHandler &prm)
   {
     for (const std::string &text : {section, name, value})
-      if (const std::size_t bad = first_byte_not_utf8(text);
-          bad != std::string::npos)
-        throw InputError(where + ": byte " + std::to_string(bad + 1) + " of '" +
-                         text + "' is no UTF-8, must be text in UTF-8.");
+      if (const std::size_t bad = first_byte_not_utf8(text); bad != std::string::npos)
+        throw InputError(where + ": byte " + std::to_string(bad + 1) + " of '" + text +
+                         "' is no UTF-8, must be text in UTF-8.");
     const Declarations all = declared(prm);
     if (section.empty() || !all.contains(section))
       throw InputError(where + unknown_section(all, section));
@@ -175,12 +155,9 @@ namespace stiction
     places_[section + "/" + name] = {where, value};
   }
 
-
-
-  void
-  ParameterFile::read(const std::string &file,
-                      const std::vector<std::string> &settings,
-                      ParameterHandler &prm)
+  void ParameterFile::read(const std::string &file,
+                           const std::vector<std::string> &settings,
+                           ParameterHandler &prm)
   {
     std::ifstream in(file);
     std::string line;
@@ -227,9 +204,8 @@ namespace stiction
         if (keyword == "subsection")
           {
             if (!section.empty())
-              throw InputError(where + ": section '" + rest +
-                               "' begins inside '" + section +
-                               "', an 'end' is missing before it.");
+              throw InputError(where + ": section '" + rest + "' begins inside '" +
+                               section + "', an 'end' is missing before it.");
             const Declarations all = declared(prm);
             if (!all.contains(rest))
               throw InputError(where + unknown_section(all, rest));
@@ -249,10 +225,9 @@ namespace stiction
                                "stand in one.");
             const std::size_t equals = rest.find('=');
             const std::string name   = trim(rest.substr(0, equals));
-            const auto first = first_line.emplace(section + "/" + name, number);
+            const auto first         = first_line.emplace(section + "/" + name, number);
             if (!first.second)
-              throw InputError(where + ": " + section + "/" + name +
-                               " stands in line " +
+              throw InputError(where + ": " + section + "/" + name + " stands in line " +
                                std::to_string(first.first->second) +
                                " already, must stand once.");
             assign(where, section, name, trim(rest.substr(equals + 1)), prm);
@@ -274,18 +249,13 @@ namespace stiction
         const std::size_t slash  = setting.find('/');
         if (equals == std::string::npos || slash > equals)
           throw InputError(where + ": must read 'Section/Entry=value'.");
-        assign(where,
-               trim(setting.substr(0, slash)),
+        assign(where, trim(setting.substr(0, slash)),
                trim(setting.substr(slash + 1, equals - slash - 1)),
-               trim(setting.substr(equals + 1)),
-               prm);
+               trim(setting.substr(equals + 1)), prm);
       }
   }
 
-
-
-  std::map<std::string, std::string>
-  ParameterFile::given() const
+  std::map<std::string, std::string> ParameterFile::given() const
   {
     std::map<std::string, std::string> values;
     for (const auto &place : places_)
@@ -294,37 +264,24 @@ namespace stiction
     return values;
   }
 
-
-
-  std::string
-  ParameterFile::locate(const std::string &entry) const
+  std::string ParameterFile::locate(const std::string &entry) const
   {
     return places_.at(entry).where + ": " + entry;
   }
 
-
-
-  std::string
-  ParameterFile::describe(const std::string &entry) const
+  std::string ParameterFile::describe(const std::string &entry) const
   {
     return locate(entry) + " = " + places_.at(entry).value;
   }
 
-
-
-  std::string
-  ParameterFile::describe_missing(const std::string &entry) const
+  std::string ParameterFile::describe_missing(const std::string &entry) const
   {
-    return places_.at(entry).where == not_set
-             ? file_ + ": " + entry + " is not set"
-             : locate(entry) + " is empty";
+    return places_.at(entry).where == not_set ? file_ + ": " + entry + " is not set"
+                                              : locate(entry) + " is empty";
   }
 
-
-
-  std::string
-  ParameterFile::find_file(const std::string &entry,
-                           const std::string &name) const
+  std::string ParameterFile::find_file(const std::string &entry,
+                                       const std::string &name) const
   {
     namespace fs          = std::filesystem;
     const fs::path beside = fs::path(file_).parent_path() / name;
@@ -335,10 +292,9 @@ namespace stiction
           return path;
       }
     throw InputError(describe(entry) + ", cannot be read, there is " +
-                     (beside == name
-                        ? "no such file"
-                        : "neither '" + name + "' nor '" + beside.string() +
-                            "', beside the parameter file") +
+                     (beside == name ? "no such file"
+                                     : "neither '" + name + "' nor '" + beside.string() +
+                                         "', beside the parameter file") +
                      ".");
   }
 } // namespace stiction

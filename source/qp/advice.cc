@@ -22,10 +22,7 @@ namespace stiction
     constexpr double required_fall_in_half = 0.9;
   } // namespace
 
-
-
-  std::string
-  advice_on_friction(const qp::SlipBound &slip_bound)
+  std::string advice_on_friction(const qp::SlipBound &slip_bound)
   {
     const double coefficient = slip_bound.largest_coefficient();
     if (coefficient < large_coefficient)
@@ -36,10 +33,7 @@ namespace stiction
     return out.str();
   }
 
-
-
-  std::string
-  warning_on_friction(const qp::SlipBound &slip_bound)
+  std::string warning_on_friction(const qp::SlipBound &slip_bound)
   {
     const double coefficient = slip_bound.largest_coefficient();
     if (coefficient <= large_coefficient)
@@ -50,18 +44,12 @@ namespace stiction
     return out.str();
   }
 
-
-
-  void
-  Pace::add(const unsigned int iterations, const double residual)
+  void Pace::add(const unsigned int iterations, const double residual)
   {
     rows_.emplace_back(iterations, residual);
   }
 
-
-
-  std::string
-  Pace::advice(const double tolerance, const std::string &otherwise) const
+  std::string Pace::advice(const double tolerance, const std::string &otherwise) const
   {
     const std::string raise = "raise 'Contact solver/Maximum iterations'";
     if (rows_.size() < min_rows)
@@ -71,22 +59,18 @@ namespace stiction
     const auto middle   = rows_.begin() + rows_.size() / 2;
     const auto smallest = [](const auto begin, const auto end) {
       return std::min_element(
-               begin,
-               end,
+               begin, end,
                [](const auto &a, const auto &b) { return a.second < b.second; })
         ->second;
     };
     const double before = smallest(rows_.begin(), middle);
     const double after  = smallest(middle, rows_.end());
     const double steps  = rows_.back().first - (middle - 1)->first;
-    const double more =
-      steps * std::log(after / tolerance) / std::log(before / after);
-    if (!(after <= required_fall_in_half * before) ||
-        !(more <= max_more_iterations))
+    const double more   = steps * std::log(after / tolerance) / std::log(before / after);
+    if (!(after <= required_fall_in_half * before) || !(more <= max_more_iterations))
       return "the residual hardly falls any more, " + otherwise;
 
-    const double unit =
-      std::pow(10., std::floor(std::log10(std::max(more, 1.))));
+    const double unit = std::pow(10., std::floor(std::log10(std::max(more, 1.))));
     std::ostringstream out;
     out << raise << " by about " << std::ceil(std::max(more, 1.) / unit) * unit;
     if (more > std::max<double>(rows_.back().first, worth_waiting_for))

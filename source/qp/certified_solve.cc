@@ -29,26 +29,20 @@ namespace stiction
 
     // Other figures decide too: a complementarity of more than the KKT residual
     // (where the pressure is above p0) asks for a smaller one.
-    double
-    share_of_kkt(const ContactConditions &conditions)
+    double share_of_kkt(const ContactConditions &conditions)
     {
       const auto &figures  = conditions.contact_figures();
-      const double largest = std::max({figures.kkt_residual,
-                                       figures.penetration,
-                                       figures.complementarity,
-                                       figures.cone_violation});
+      const double largest = std::max({figures.kkt_residual, figures.penetration,
+                                       figures.complementarity, figures.cone_violation});
       return largest > 0. ? std::max(figures.kkt_residual / largest, 0.01) : 1.;
     }
-
 
     // The verifier's scales, unless they are rounding or a convention: a body that
     // is only moved has neither load nor strain as long as there are no contact
     // forces. Then those of the forces count that would undo h node by node,
     // and always where no contact forces at all are to be the answer.
-    qp::Scaling
-    usable_scaling(const ContactConditions &conditions,
-                   const DualOperator &Q,
-                   const double tolerance)
+    qp::Scaling usable_scaling(const ContactConditions &conditions, const DualOperator &Q,
+                               const double tolerance)
     {
       constexpr double rounding = 1e-6;
 
@@ -66,24 +60,16 @@ namespace stiction
     }
   } // namespace
 
-
-
-  ContactSolution
-  certified_solve(DualMethod &method,
-                  const DualOperator &Q,
-                  const qp::SlipBound &slip_bound,
-                  Verifier &verifier,
-                  const double tolerance,
-                  const unsigned int max_iterations,
-                  const std::string &other_method,
-                  const std::function<void(const ContactStep &)> &observer,
-                  Eigen::VectorXd lambda)
+  ContactSolution certified_solve(
+    DualMethod &method, const DualOperator &Q, const qp::SlipBound &slip_bound,
+    Verifier &verifier, const double tolerance, const unsigned int max_iterations,
+    const std::string &other_method,
+    const std::function<void(const ContactStep &)> &observer, Eigen::VectorXd lambda)
   {
     ContactSolution solution;
     const bool is_cold = lambda.size() == 0;
-    solution.lambda =
-      is_cold ? Eigen::VectorXd(Eigen::VectorXd::Zero(3 * Q.n_nodes()))
-              : std::move(lambda);
+    solution.lambda    = is_cold ? Eigen::VectorXd(Eigen::VectorXd::Zero(3 * Q.n_nodes()))
+                                 : std::move(lambda);
     const ContactConditions *conditions = &verifier.verify(solution.lambda);
     DualIterate iterate{solution.lambda, conditions->gradient()};
 
@@ -91,9 +77,9 @@ namespace stiction
     Pace pace;
     row.residual = conditions->contact_figures().kkt_residual;
 
-    double target = std::max(
-      is_cold ? coarse_residual : std::min(coarse_residual, 0.3 * row.residual),
-      0.5 * tolerance);
+    double target =
+      std::max(is_cold ? coarse_residual : std::min(coarse_residual, 0.3 * row.residual),
+               0.5 * tolerance);
     double smallest         = row.residual;
     unsigned int iterations = 0, idle = 0;
     qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
@@ -101,16 +87,13 @@ namespace stiction
     // No contact forces at all leave nothing to measure an overlap by: they are
     // the answer if there is none, whatever the tolerance.
     const auto accuracy = [&]() {
-      return solution.lambda.isZero(0.) ? std::min(tolerance, rest_tolerance)
-                                        : tolerance;
+      return solution.lambda.isZero(0.) ? std::min(tolerance, rest_tolerance) : tolerance;
     };
     // in both scales: they must be right in those of the problem, too
     const auto is_content = [&]() {
       return conditions->is_solved(tolerance) &&
-             ContactConditions(solution.lambda,
-                               conditions->gradient(),
-                               slip_bound.at(solution.lambda),
-                               scaling)
+             ContactConditions(solution.lambda, conditions->gradient(),
+                               slip_bound.at(solution.lambda), scaling)
                .converged(accuracy());
     };
     while (!is_content())
@@ -120,8 +103,7 @@ namespace stiction
         rule.change           = std::max(tolerance, target);
         rule.max_iterations   = max_iterations - iterations;
         const auto after_step = [&](const DualMethod::Step &step) {
-          row.contraction =
-            row.residual > 0. ? step.residual / row.residual : 0.;
+          row.contraction = row.residual > 0. ? step.residual / row.residual : 0.;
           ++row.step;
           row.iterations += step.inner_iterations;
           row.multiplications = Q.n_multiplications();
@@ -134,8 +116,7 @@ namespace stiction
         DualMethodResult result;
         try
           {
-            result =
-              method.solve(iterate, slip_bound, scaling, rule, after_step);
+            result = method.solve(iterate, slip_bound, scaling, rule, after_step);
           }
         catch (const Interrupted &)
           {
@@ -159,10 +140,8 @@ namespace stiction
           solution.reason = method.limitation();
         else if (iterations >= max_iterations)
           solution.reason =
-            "the cap of " + std::to_string(max_iterations) +
-            " iterations was met, " +
-            pace.advice(tolerance,
-                        other_method + advice_on_friction(slip_bound));
+            "the cap of " + std::to_string(max_iterations) + " iterations was met, " +
+            pace.advice(tolerance, other_method + advice_on_friction(slip_bound));
         else if (result.stagnated || idle >= max_idle_judgements ||
                  !std::isfinite(residual))
           solution.reason =

@@ -15,29 +15,21 @@ namespace stiction
     constexpr double largest_tolerance = 1e-2;
 
     // std::max that keeps a NaN
-    void
-    raise(double &largest, const double value)
+    void raise(double &largest, const double value)
     {
       if (!(value <= largest))
         largest = std::isnan(largest) ? largest : value;
     }
   } // namespace
 
-
-
-  ContactConditions::ContactConditions(Eigen::VectorXd lambda,
-                                       Eigen::VectorXd slip_bound)
+  ContactConditions::ContactConditions(Eigen::VectorXd lambda, Eigen::VectorXd slip_bound)
     : lambda_(std::move(lambda))
     , slip_bound_(std::move(slip_bound))
   {
   }
 
-
-
-  ContactConditions::ContactConditions(Eigen::VectorXd lambda,
-                                       Eigen::VectorXd gradient,
-                                       Eigen::VectorXd slip_bound,
-                                       qp::Scaling scaling)
+  ContactConditions::ContactConditions(Eigen::VectorXd lambda, Eigen::VectorXd gradient,
+                                       Eigen::VectorXd slip_bound, qp::Scaling scaling)
     : lambda_(std::move(lambda))
     , slip_bound_(std::move(slip_bound))
     , gradient_(std::move(gradient))
@@ -46,10 +38,7 @@ namespace stiction
     compute_contact_figures();
   }
 
-
-
-  void
-  ContactConditions::compute_contact_figures()
+  void ContactConditions::compute_contact_figures()
   {
     const Eigen::Index m = slip_bound_.size();
     for (Eigen::Index i = 0; i < m; ++i)
@@ -67,11 +56,10 @@ namespace stiction
         raise(contact_figures_.cone_violation,
               (lambda_t.norm() - slip_bound_(i)) / force);
         if (slip.norm() > 1e-6 * u0 && lambda_t.norm() > 1e-6 * force)
-          raise(
-            contact_figures_.slip_angle,
-            std::atan2(std::abs(lambda_t(0) * slip(1) - lambda_t(1) * slip(0)),
-                       lambda_t.dot(slip)) *
-              180. / M_PI);
+          raise(contact_figures_.slip_angle,
+                std::atan2(std::abs(lambda_t(0) * slip(1) - lambda_t(1) * slip(0)),
+                           lambda_t.dot(slip)) *
+                  180. / M_PI);
       }
     if (!lambda_.allFinite() || !slip_bound_.allFinite())
       {
@@ -80,14 +68,10 @@ namespace stiction
         return;
       }
     contact_figures_.kkt_residual =
-      qp::HalfLinesTimesDiscs(slip_bound_)
-        .natural_residual(lambda_, gradient_, scaling_);
+      qp::HalfLinesTimesDiscs(slip_bound_).natural_residual(lambda_, gradient_, scaling_);
   }
 
-
-
-  std::vector<std::pair<std::string, double>>
-  ContactConditions::deciding_figures() const
+  std::vector<std::pair<std::string, double>> ContactConditions::deciding_figures() const
   {
     return {{"kkt_residual", contact_figures_.kkt_residual},
             {"penetration", contact_figures_.penetration},
@@ -95,21 +79,14 @@ namespace stiction
             {"cone_violation", contact_figures_.cone_violation}};
   }
 
-
-
-  bool
-  ContactConditions::converged(const double tolerance) const
+  bool ContactConditions::converged(const double tolerance) const
   {
     const auto figures = deciding_figures();
-    return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
-      return figure.second <= tolerance;
-    });
+    return std::all_of(figures.begin(), figures.end(),
+                       [&](const auto &figure) { return figure.second <= tolerance; });
   }
 
-
-
-  std::pair<std::string, double>
-  ContactConditions::worst_figure() const
+  std::pair<std::string, double> ContactConditions::worst_figure() const
   {
     std::pair<std::string, double> worst{"", -1.};
     for (const auto &figure : deciding_figures())
@@ -118,10 +95,7 @@ namespace stiction
     return worst;
   }
 
-
-
-  std::string
-  ContactConditions::worst() const
+  std::string ContactConditions::worst() const
   {
     const auto figure = worst_figure();
     std::ostringstream out;
@@ -130,10 +104,7 @@ namespace stiction
     return out.str();
   }
 
-
-
-  std::string
-  ContactConditions::why_out_of_reach(const double tolerance) const
+  std::string ContactConditions::why_out_of_reach(const double tolerance) const
   {
     const auto figures = deciding_figures();
     if (rounding_ <= tolerance ||

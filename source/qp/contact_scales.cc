@@ -5,12 +5,9 @@
 
 namespace stiction
 {
-  qp::Scaling
-  contact_scaling(const double S,
-                  const double energy,
-                  const Eigen::VectorXd &areas,
-                  const double boundary_area,
-                  const ContactStiffness &stiffness)
+  qp::Scaling contact_scaling(const double S, const double energy,
+                              const Eigen::VectorXd &areas, const double boundary_area,
+                              const ContactStiffness &stiffness)
   {
     const double p0 = S / boundary_area;
     qp::Scaling scaling;
@@ -22,8 +19,7 @@ namespace stiction
       return scaling;
     // of a half-space that p0 presses in by u0
     const double modulus = p0 * std::sqrt(boundary_area) / scaling.displacement;
-    scaling.weight =
-      (std::max(stiffness.softest, modulus) / E.array()).cwiseMin(1.);
+    scaling.weight = (std::max(stiffness.softest, modulus) / E.array()).cwiseMin(1.);
     return scaling;
   }
 } // namespace stiction

@@ -4,15 +4,14 @@
 
 namespace stiction
 {
-  std::vector<NodeStatus>
-  node_statuses(const ContactConditions &conditions,
-                const qp::SlipBound &slip_bound,
-                const Eigen::VectorXd &stiffness,
-                const double tolerance)
+  std::vector<NodeStatus> node_statuses(const ContactConditions &conditions,
+                                        const qp::SlipBound &slip_bound,
+                                        const Eigen::VectorXd &stiffness,
+                                        const double tolerance)
   {
     const qp::Scaling &scaling = conditions.scaling();
     const double figure        = conditions.worst_figure().second;
-    const double accuracy = figure <= tolerance ? tolerance : figure; // or NaN
+    const double accuracy      = figure <= tolerance ? tolerance : figure; // or NaN
 
     std::vector<NodeStatus> statuses;
     statuses.reserve(slip_bound.n_nodes());
@@ -33,8 +32,7 @@ namespace stiction
           status.normal = NormalStatus::open;
 
         const bool needs_pressure = slip_bound.constant()(i) == 0.;
-        const double excess =
-          a.tail<2>().norm() - conditions.slip_bound()(i) / force;
+        const double excess = a.tail<2>().norm() - conditions.slip_bound()(i) / force;
         if (needs_pressure && (F == 0. || status.normal == NormalStatus::open))
           status.tangential = TangentialStatus::none;
         else if (needs_pressure && status.normal == NormalStatus::undecided)

@@ -7,21 +7,17 @@
 namespace stiction
 {
   DualProblemVerifier::DualProblemVerifier(const DualOperator &Q,
-                                     const qp::SlipBound &slip_bound,
-                                     const Eigen::VectorXd &areas)
+                                           const qp::SlipBound &slip_bound,
+                                           const Eigen::VectorXd &areas)
     : Q_(Q)
     , slip_bound_(slip_bound)
     , share_(areas.size() > 0 ? Eigen::VectorXd(areas / areas.sum())
                               : Eigen::VectorXd::Constant(
-                                  Q.n_nodes(),
-                                  1. / static_cast<double>(Q.n_nodes())))
+                                  Q.n_nodes(), 1. / static_cast<double>(Q.n_nodes())))
   {
   }
 
-
-
-  const ContactConditions &
-  DualProblemVerifier::verify(const Eigen::VectorXd &lambda)
+  const ContactConditions &DualProblemVerifier::verify(const Eigen::VectorXd &lambda)
   {
     const Eigen::Index m = Q_.n_nodes();
     Eigen::VectorXd Q_lambda;
@@ -29,14 +25,13 @@ namespace stiction
 
     double force = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
-      force +=
-        Eigen::Vector3d(lambda(i), lambda(i + m), lambda(i + 2 * m)).norm();
+      force += Eigen::Vector3d(lambda(i), lambda(i + m), lambda(i + 2 * m)).norm();
     double work = lambda.dot(Q_lambda);
     if (force == 0.)
       {
         const DecoupledScales scales = decoupled_scales(Q_);
-        force                = scales.force;
-        work                 = scales.work;
+        force                        = scales.force;
+        work                         = scales.work;
       }
     qp::Scaling scaling;
     scaling.force        = share_ * (force > 0. ? force : 1.);
@@ -48,10 +43,8 @@ namespace stiction
       {
         double largest = 0.; // of |Q||λ|, by columns, as Q is symmetric
         for (Eigen::Index k = 0; k < Q->cols(); ++k)
-          largest =
-            std::max(largest, Q->col(k).cwiseAbs().dot(lambda.cwiseAbs()));
-        conditions_->set_rounding(largest * unit_roundoff /
-                                  scaling.displacement);
+          largest = std::max(largest, Q->col(k).cwiseAbs().dot(lambda.cwiseAbs()));
+        conditions_->set_rounding(largest * unit_roundoff / scaling.displacement);
       }
     return *conditions_;
   }

@@ -24,22 +24,16 @@ namespace stiction
   {
   }
 
-
-
-  void
-  AdaptiveRefinement::add_mesh(const LinearElasticity &elasticity,
-                               const ContactSurface &surface,
-                               const bool is_certified,
-                               const LA::Vector &u,
-                               const Eigen::VectorXd &lambda,
-                               const double strain_energy)
+  void AdaptiveRefinement::add_mesh(const LinearElasticity &elasticity,
+                                    const ContactSurface &surface,
+                                    const bool is_certified, const LA::Vector &u,
+                                    const Eigen::VectorXd &lambda,
+                                    const double strain_energy)
   {
     const Body &body = elasticity.body();
     Mesh mesh{static_cast<double>(body.triangulation().n_global_active_cells()),
               static_cast<double>(body.dof_handler().n_dofs()),
-              static_cast<double>(surface.n_nodes()),
-              -1.,
-              -1.};
+              static_cast<double>(surface.n_nodes()), -1., -1.};
     squares_.reinit(0);
     if (is_certified)
       {
@@ -47,18 +41,15 @@ namespace stiction
         double sum = 0.;
         for (const double square : squares_)
           sum += square;
-        mesh.error = std::sqrt(Utilities::MPI::sum(sum, body.communicator()));
+        mesh.error          = std::sqrt(Utilities::MPI::sum(sum, body.communicator()));
         const double norm   = std::sqrt(2. * strain_energy);
         mesh.relative_error = norm > 0. ? mesh.error / norm : 0.;
       }
     meshes_.push_back(mesh);
   }
 
-
-
-  std::vector<bool>
-  AdaptiveRefinement::cells_to_cut(const LinearElasticity &elasticity,
-                                   const ContactSurface &surface)
+  std::vector<bool> AdaptiveRefinement::cells_to_cut(const LinearElasticity &elasticity,
+                                                     const ContactSurface &surface)
   {
     const Body &body = elasticity.body();
     const Mesh &mesh = meshes_.back();
@@ -69,40 +60,34 @@ namespace stiction
         return {};
       }
 
-    std::vector<bool> is_cut = mark_largest_cells(
-      squares_, parameters_.refinement.fraction, body.communicator());
+    std::vector<bool> is_cut =
+      mark_largest_cells(squares_, parameters_.refinement.fraction, body.communicator());
     std::array<double, 2> n_cut{}; // cells, and their faces in contact
     for (const auto &cell : body.triangulation().active_cell_iterators())
       if (is_cut[cell->active_cell_index()])
         {
           n_cut[0] += 1.;
           for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() &&
-                surface.is_contact_boundary(face->boundary_id()))
+            if (face->at_boundary() && surface.is_contact_boundary(face->boundary_id()))
               n_cut[1] += 1.;
         }
     for (double &n : n_cut)
       n = Utilities::MPI::sum(n, body.communicator());
 
-    const bool is_last = meshes_.size() > parameters_.refinement.adaptive_steps;
-    const std::string why_not =
-      objection(n_cut[0], n_cut[1], body.communicator());
-    remark_ =
-      format("Estimated error: %.3g of the energy norm", mesh.relative_error) +
-      (is_last           ? ""
-       : why_not.empty() ? format("; %.0f cells are cut", n_cut[0])
-                         : "; " + why_not) +
-      ".";
+    const bool is_last        = meshes_.size() > parameters_.refinement.adaptive_steps;
+    const std::string why_not = objection(n_cut[0], n_cut[1], body.communicator());
+    remark_ = format("Estimated error: %.3g of the energy norm", mesh.relative_error) +
+              (is_last           ? ""
+               : why_not.empty() ? format("; %.0f cells are cut", n_cut[0])
+                                 : "; " + why_not) +
+              ".";
     is_finished_ = is_last || !why_not.empty();
     return is_cut;
   }
 
-
-
-  std::string
-  AdaptiveRefinement::objection(const double n_cells_to_cut,
-                                const double n_faces_to_cut,
-                                MPI_Comm communicator) const
+  std::string AdaptiveRefinement::objection(const double n_cells_to_cut,
+                                            const double n_faces_to_cut,
+                                            MPI_Comm communicator) const
   {
     const Mesh &mesh = meshes_.back();
     if (n_cells_to_cut == 0. ||
@@ -123,20 +108,14 @@ namespace stiction
       memory_for_mesh(parameters_, growth * mesh.n_cells) +
       memory_for_dual_operator(parameters_, 3. * n_contact_nodes, communicator);
     const double available = available_memory(communicator);
-    if (bytes > available ||
-        growth * mesh.n_cells > GeometryParameters::max_cells)
+    if (bytes > available || growth * mesh.n_cells > GeometryParameters::max_cells)
       return format("the next mesh would have about %.3g unknowns and need "
                     "%.3g GB of memory, at most %.3g GB are here",
-                    n_unknowns,
-                    bytes / 1e9,
-                    available / 1e9);
+                    n_unknowns, bytes / 1e9, available / 1e9);
     return {};
   }
 
-
-
-  MeshError
-  AdaptiveRefinement::mesh_error() const
+  MeshError AdaptiveRefinement::mesh_error() const
   {
     const Mesh &mesh = meshes_.back();
     MeshError all;
@@ -148,10 +127,7 @@ namespace stiction
     return all;
   }
 
-
-
-  Vector<double>
-  AdaptiveRefinement::indicators() const
+  Vector<double> AdaptiveRefinement::indicators() const
   {
     Vector<double> roots(squares_);
     for (double &root : roots)
@@ -159,10 +135,7 @@ namespace stiction
     return roots;
   }
 
-
-
-  nlohmann::json
-  AdaptiveRefinement::to_json() const
+  nlohmann::json AdaptiveRefinement::to_json() const
   {
     using nlohmann::json;
     json meshes = json::array();
@@ -171,8 +144,7 @@ namespace stiction
         {{"cells", static_cast<std::size_t>(mesh.n_cells)},
          {"dofs", static_cast<std::size_t>(mesh.n_unknowns)},
          {"contact_nodes", static_cast<std::size_t>(mesh.n_contact_nodes)},
-         {"estimated_error",
-          mesh.error < 0. ? json(nullptr) : json(mesh.error)},
+         {"estimated_error", mesh.error < 0. ? json(nullptr) : json(mesh.error)},
          {"relative_estimated_error",
           mesh.error < 0. ? json(nullptr) : json(mesh.relative_error)}});
     return meshes;

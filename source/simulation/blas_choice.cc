@@ -15,8 +15,7 @@ namespace stiction
     constexpr const char *guard_variable = "STICTION_OPENBLAS_CORE_WAS";
 
     // What OpenBLAS calls the processor; empty for another library.
-    std::string
-    openblas_core()
+    std::string openblas_core()
     {
       using Name = const char *();
       auto *const name =
@@ -25,8 +24,7 @@ namespace stiction
     }
 
     // Of OpenBLAS' names those whose kernels do without AVX2.
-    bool
-    knows_no_avx2(const std::string &core)
+    bool knows_no_avx2(const std::string &core)
     {
       static const std::vector<std::string> names = {
         "katmai",      "coppermine", "northwood",  "prescott",     "banias",
@@ -42,8 +40,7 @@ namespace stiction
 
     // The best kernels that the processor can run; empty if that is not known
     // to be any with AVX2.
-    std::string
-    best_core()
+    std::string best_core()
     {
 #if defined(__x86_64__) && defined(__GNUC__)
       __builtin_cpu_init();
@@ -51,11 +48,9 @@ namespace stiction
         return {};
       if (__builtin_cpu_is("amd"))
         return "Zen";
-      return __builtin_cpu_supports("avx512f") &&
-                 __builtin_cpu_supports("avx512cd") &&
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
                  __builtin_cpu_supports("avx512bw") &&
-                 __builtin_cpu_supports("avx512dq") &&
-                 __builtin_cpu_supports("avx512vl")
+                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")
                ? "SkylakeX"
                : "Haswell";
 #else
@@ -63,8 +58,7 @@ namespace stiction
 #endif
     }
 
-    std::vector<std::string>
-    command_line()
+    std::vector<std::string> command_line()
     {
       std::ifstream file("/proc/self/cmdline");
       std::vector<std::string> words;
@@ -74,13 +68,9 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  choose_blas_kernels()
+  void choose_blas_kernels()
   {
-    if (std::getenv(core_variable) != nullptr ||
-        std::getenv(guard_variable) != nullptr)
+    if (std::getenv(core_variable) != nullptr || std::getenv(guard_variable) != nullptr)
       return;
     const std::string core = openblas_core(), better = best_core();
     if (better.empty() || !knows_no_avx2(core))
@@ -99,10 +89,7 @@ namespace stiction
     unsetenv(guard_variable);
   }
 
-
-
-  std::string
-  blas_remark()
+  std::string blas_remark()
   {
     const char *const before = std::getenv(guard_variable);
     const char *const now    = std::getenv(core_variable);

@@ -32,7 +32,6 @@
 
 #include <nlohmann/json.hpp>
 
-
 namespace stiction
 {
   namespace
@@ -41,18 +40,13 @@ namespace stiction
     constexpr double cells_worth_a_word = 2e5;
   } // namespace
 
-
-
-  ContactProblem::ContactProblem(const Parameters &parameters,
-                                 MPI_Comm communicator)
+  ContactProblem::ContactProblem(const Parameters &parameters, MPI_Comm communicator)
     : parameters_(parameters)
     , communicator_(communicator)
     , log_(std::make_unique<Log>(communicator))
     , history_(std::make_unique<ConvergenceHistory>(
-        *log_,
-        step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
-        parameters.contact_solver.is_primal(),
-        parameters.output.print_progress,
+        *log_, step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
+        parameters.contact_solver.is_primal(), parameters.output.print_progress,
         parameters.refinement.adaptive_steps > 0))
   {
     if (parameters.output.print_progress)
@@ -61,22 +55,16 @@ namespace stiction
       refinement_ = std::make_unique<AdaptiveRefinement>(parameters);
   }
 
-
-
   ContactProblem::~ContactProblem() = default;
 
-
-
-  bool
-  ContactProblem::run()
+  bool ContactProblem::run()
   {
     {
       const auto total = phases_.scope("total");
       make_grid();
       assemble_system();
       make_contact_surface();
-      print_applied(
-        *log_, *discretization_->elasticity, *discretization_->surface);
+      print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
       require_writable_output(parameters_, communicator_);
       solve_and_certify();
       while (refine_mesh())
@@ -96,20 +84,13 @@ namespace stiction
     return solution_->converged;
   }
 
-
-
-  void
-  ContactProblem::solve_and_certify()
+  void ContactProblem::solve_and_certify()
   {
     auto &[elasticity, surface, solver] = *discretization_;
     {
       const auto contact_solve = phases_.scope("contact_solve");
-      solver                   = ContactSolver::create({parameters_,
-                                                        *elasticity,
-                                                        *surface,
-                                                        force_control_.get(),
-                                                        *log_,
-                                                        phases_});
+      solver                   = ContactSolver::create(
+                          {parameters_, *elasticity, *surface, force_control_.get(), *log_, phases_});
       open_output();
       solution_ = std::make_unique<ContactSolution>(
         solver->solve([&](const ContactStep &step) { finish_step(step); }));
@@ -117,10 +98,7 @@ namespace stiction
     solver->certify(*solution_);
   }
 
-
-
-  void
-  ContactProblem::finish_step(const ContactStep &step)
+  void ContactProblem::finish_step(const ContactStep &step)
   {
     history_->add(step);
     if (!step.remark.empty() && parameters_.output.print_progress)
@@ -128,21 +106,15 @@ namespace stiction
     stop_if_interrupted(communicator_);
   }
 
-
-
-  bool
-  ContactProblem::refine_mesh()
+  bool ContactProblem::refine_mesh()
   {
     if (!refinement_)
       return false;
     std::vector<bool> is_cut;
     {
       const auto phase = phases_.scope("error_estimate");
-      refinement_->add_mesh(*discretization_->elasticity,
-                            *discretization_->surface,
-                            solution_->converged,
-                            displacement(),
-                            solution_->lambda,
+      refinement_->add_mesh(*discretization_->elasticity, *discretization_->surface,
+                            solution_->converged, displacement(), solution_->lambda,
                             certificate().strain_energy());
       is_cut = refinement_->cells_to_cut(*discretization_->elasticity,
                                          *discretization_->surface);
@@ -165,28 +137,19 @@ namespace stiction
     return true;
   }
 
-
-
-  void
-  ContactProblem::validate()
+  void ContactProblem::validate()
   {
     make_grid();
     assemble_system();
     make_contact_surface();
     require_writable_output(parameters_, communicator_);
-    print_applied(
-      *log_, *discretization_->elasticity, *discretization_->surface);
-    print_overview(*log_,
-                   *discretization_->elasticity,
-                   *discretization_->surface,
+    print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
+    print_overview(*log_, *discretization_->elasticity, *discretization_->surface,
                    parameters_);
     log_->line("The input is valid; nothing was solved.");
   }
 
-
-
-  void
-  ContactProblem::make_grid()
+  void ContactProblem::make_grid()
   {
     const auto phase = phases_.scope("mesh");
     describe_machine();
@@ -196,13 +159,11 @@ namespace stiction
       if (n_cells > cells_worth_a_word && !is_said)
         log_->line(format("Making a mesh of about %.3g cells; the run will "
                           "take some %.2g GB of memory",
-                          n_cells,
-                          memory_for_mesh(parameters_, n_cells) / 1e9));
+                          n_cells, memory_for_mesh(parameters_, n_cells) / 1e9));
       is_said = is_said || n_cells > cells_worth_a_word;
     };
     check_size(parameters_.geometry.n_cells());
-    body_ =
-      std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
+    body_ = std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
     require_complete(parameters_, body_->boundary_names());
     assign_material_ids(*body_, parameters_);
     refine_contact_boundary(*body_, parameters_);
@@ -210,41 +171,29 @@ namespace stiction
     describe_choices();
   }
 
-
-
-  void
-  ContactProblem::describe_choices() const
+  void ContactProblem::describe_choices() const
   {
     if (parameters_.material.volume_strain == "automatic" &&
         parameters_.has_mean_dilatation())
       log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
                         parameters_.material.largest_poisson_ratio()));
     if (parameters_.contact_solver.is_primal() &&
-        parameters_.stiffness_solver.type == "automatic" &&
-        !parameters_.is_matrix_free())
+        parameters_.stiffness_solver.type == "automatic" && !parameters_.is_matrix_free())
       {
         const std::string why = parameters_.why_no_geometric_levels();
-        log_->line(
-          "Algebraic multigrid, which takes some 40 times as long for "
-          "an unknown as geometric multigrid: that is not there with " +
-          (why.empty() ? std::string("'Global refinement' 0") : why));
+        log_->line("Algebraic multigrid, which takes some 40 times as long for "
+                   "an unknown as geometric multigrid: that is not there with " +
+                   (why.empty() ? std::string("'Global refinement' 0") : why));
       }
   }
 
-
-
-  void
-  ContactProblem::describe_machine()
+  void ContactProblem::describe_machine()
   {
     if (!parameters_.performance.print_timing)
       return;
-    const unsigned int n_ranks =
-      dealii::Utilities::MPI::n_mpi_processes(communicator_);
-    log_->line(format("stiction %s (deal.II %s, %s, %u rank%s)",
-                      STICTION_VERSION,
-                      DEAL_II_PACKAGE_VERSION,
-                      STICTION_BUILD_TYPE,
-                      n_ranks,
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator_);
+    log_->line(format("stiction %s (deal.II %s, %s, %u rank%s)", STICTION_VERSION,
+                      DEAL_II_PACKAGE_VERSION, STICTION_BUILD_TYPE, n_ranks,
                       n_ranks == 1 ? "" : "s"));
     if (!blas_remark().empty())
       log_->line(blas_remark());
@@ -252,81 +201,60 @@ namespace stiction
     if (shared.n_ranks > shared.n_cores)
       log_->line(format("WARNING: %u ranks share %u core%s, which is slower "
                         "than as many ranks as cores.",
-                        shared.n_ranks,
-                        shared.n_cores,
-                        shared.n_cores == 1 ? "" : "s"));
+                        shared.n_ranks, shared.n_cores, shared.n_cores == 1 ? "" : "s"));
   }
 
-
-
-  void
-  ContactProblem::describe_body()
+  void ContactProblem::describe_body()
   {
-    log_->line(
-      format("Body: %llu cells, %llu nodes, %llu unknowns",
-             static_cast<unsigned long long>(
-               body_->triangulation().n_global_active_cells()),
-             static_cast<unsigned long long>(body_->n_nodes()),
-             static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    log_->line(format(
+      "Body: %llu cells, %llu nodes, %llu unknowns",
+      static_cast<unsigned long long>(body_->triangulation().n_global_active_cells()),
+      static_cast<unsigned long long>(body_->n_nodes()),
+      static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
     if (body_->n_hanging_nodes() > 0)
-      log_->line(
-        format("Hanging nodes: %llu",
-               static_cast<unsigned long long>(body_->n_hanging_nodes())));
+      log_->line(format("Hanging nodes: %llu",
+                        static_cast<unsigned long long>(body_->n_hanging_nodes())));
   }
 
-
-
-  void
-  ContactProblem::assemble_system()
+  void ContactProblem::assemble_system()
   {
-    const auto phase = phases_.scope("assembly");
-    discretization_  = std::make_unique<Discretization>();
-    discretization_->elasticity =
-      std::make_unique<LinearElasticity>(*body_, parameters_);
+    const auto phase            = phases_.scope("assembly");
+    discretization_             = std::make_unique<Discretization>();
+    discretization_->elasticity = std::make_unique<LinearElasticity>(*body_, parameters_);
   }
 
-
-
-  void
-  ContactProblem::make_contact_surface()
+  void ContactProblem::make_contact_surface()
   {
-    const auto phase         = phases_.scope("mesh");
-    discretization_->surface = std::make_unique<ContactSurface>(
-      *discretization_->elasticity, parameters_);
+    const auto phase = phases_.scope("mesh");
+    discretization_->surface =
+      std::make_unique<ContactSurface>(*discretization_->elasticity, parameters_);
     discretization_->elasticity->require_support();
-    require_load(
-      parameters_, body_->boundary_names(), *discretization_->surface);
+    require_load(parameters_, body_->boundary_names(), *discretization_->surface);
     control_forces();
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(
-      parameters_,
-      3. * static_cast<double>(discretization_->surface->n_nodes()),
+      parameters_, 3. * static_cast<double>(discretization_->surface->n_nodes()),
       communicator_);
-    log_->line(
-      format("Contact: %lld nodes, %lld dual unknowns, %s",
-             static_cast<long long>(discretization_->surface->n_nodes()),
-             static_cast<long long>(3 * discretization_->surface->n_nodes()),
-             law == "coulomb" ? "Coulomb friction"
-             : law == "given" ? "given friction"
-             : law == "mixed" ? "several laws of friction"
-                              : "no friction"));
+    log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
+                      static_cast<long long>(discretization_->surface->n_nodes()),
+                      static_cast<long long>(3 * discretization_->surface->n_nodes()),
+                      law == "coulomb" ? "Coulomb friction"
+                      : law == "given" ? "given friction"
+                      : law == "mixed" ? "several laws of friction"
+                                       : "no friction"));
     if (discretization_->surface->n_facing_away() > 0)
-      log_->line(format("  %llu nodes face away from the obstacle and are none",
-                        static_cast<unsigned long long>(
-                          discretization_->surface->n_facing_away())));
+      log_->line(format(
+        "  %llu nodes face away from the obstacle and are none",
+        static_cast<unsigned long long>(discretization_->surface->n_facing_away())));
     if (!parameters_.output.export_directory.empty() &&
         discretization_->surface->slip_bound().is_mixed())
-      throw InputError(
-        parameters_.source.describe("Output/Export directory") +
-        ", problem files know one law of friction for all nodes, "
-        "so 'Friction/Law' must not have both 'given' and "
-        "'coulomb'.");
+      throw InputError(parameters_.source.describe("Output/Export directory") +
+                       ", problem files know one law of friction for all nodes, "
+                       "so 'Friction/Law' must not have both 'given' and "
+                       "'coulomb'.");
   }
 
-
-
-  void
-  ContactProblem::control_forces()
+  void ContactProblem::control_forces()
   {
     if (discretization_->surface->pressing_forces().size() == 0)
       return;
@@ -336,21 +264,17 @@ namespace stiction
         force_control_     = std::make_unique<ForceControl>(
           discretization_->surface->pressing_forces(),
           range_of_search(
-            discretization_->surface->motion(),
-            discretization_->surface->areas(),
-            discretization_->surface->pressing_forces(),
+                discretization_->surface->motion(), discretization_->surface->areas(),
+                discretization_->surface->pressing_forces(),
 
-            discretization_->elasticity->materials().largest_youngs_modulus(),
-            corners.first.distance(corners.second)));
+                discretization_->elasticity->materials().largest_youngs_modulus(),
+                corners.first.distance(corners.second)));
       }
 
     discretization_->surface->move_obstacles(force_control_->distances());
   }
 
-
-
-  void
-  ContactProblem::open_output()
+  void ContactProblem::open_output()
   {
     if (has_output_)
       return; // since an earlier mesh
@@ -359,34 +283,27 @@ namespace stiction
     keep_iterate_when_interrupted();
   }
 
-
-
-  void
-  ContactProblem::estimate_mesh()
+  void ContactProblem::estimate_mesh()
   {
     if (refinement_)
       mesh_error_ = refinement_->mesh_error();
     else if (parameters_.refinement.estimate_error && solution_->converged)
       {
         const auto phase = phases_.scope("error_estimate");
-        mesh_error_      = estimate_mesh_error(*discretization_->elasticity,
-                                          *discretization_->surface,
-                                          displacement(),
-                                          solution_->lambda);
+        mesh_error_ =
+          estimate_mesh_error(*discretization_->elasticity, *discretization_->surface,
+                              displacement(), solution_->lambda);
       }
   }
 
-
-
-  void
-  ContactProblem::measure_reference_costs()
+  void ContactProblem::measure_reference_costs()
   {
     const auto phase = phases_.scope("yardsticks");
     if (parameters_.performance.measure_one_elastic_solve)
       {
-        const ElasticSolveCost cost = measure_elastic_solve(
-          *discretization_->elasticity, parameters_.is_matrix_free());
-        elastic_solve_iterations_ = cost.iterations;
+        const ElasticSolveCost cost = measure_elastic_solve(*discretization_->elasticity,
+                                                            parameters_.is_matrix_free());
+        elastic_solve_iterations_   = cost.iterations;
         phases_.set("elastic_solve", cost.seconds);
         phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);
       }

@@ -35,67 +35,45 @@ namespace stiction
 {
   using nlohmann::json;
 
-  std::vector<NodeStatus>
-  ContactProblem::node_statuses() const
+  std::vector<NodeStatus> ContactProblem::node_statuses() const
   {
     // that of a patch of a half-space
     const Eigen::VectorXd stiffness =
       discretization_->surface->stiffness().youngs_moduli.cwiseProduct(
         discretization_->surface->areas().cwiseSqrt());
-    return stiction::node_statuses(certificate(),
-                                   discretization_->surface->slip_bound(),
-                                   stiffness,
-                                   parameters_.contact_solver.tolerance);
+    return stiction::node_statuses(certificate(), discretization_->surface->slip_bound(),
+                                   stiffness, parameters_.contact_solver.tolerance);
   }
 
-
-
-  void
-  ContactProblem::output_results()
+  void ContactProblem::output_results()
   {
     const auto phase               = phases_.scope("output");
     const OutputParameters &output = parameters_.output;
     const LA::Vector &u            = displacement();
     const Certificate &certificate = this->certificate();
     LA::Vector contact_force       = discretization_->elasticity->zero_vector();
-    discretization_->surface->B().add_transpose(
-      -1., certificate.lambda(), contact_force);
-    reactions_ = std::make_unique<SupportReactions>(
-      *discretization_->elasticity, u, contact_force);
+    discretization_->surface->B().add_transpose(-1., certificate.lambda(), contact_force);
+    reactions_ =
+      std::make_unique<SupportReactions>(*discretization_->elasticity, u, contact_force);
     if (output.write_solution)
-      write_solution(*discretization_->elasticity,
-                     u,
-                     reactions_->nodal(),
-                     refinement_ ? refinement_->indicators()
-                                 : dealii::Vector<double>(),
+      write_solution(*discretization_->elasticity, u, reactions_->nodal(),
+                     refinement_ ? refinement_->indicators() : dealii::Vector<double>(),
                      output);
     const std::vector<NodeStatus> statuses = node_statuses();
-    write_contact(*discretization_->elasticity,
-                  u,
-                  *discretization_->surface,
-                  certificate,
-                  statuses,
-                  output);
+    write_contact(*discretization_->elasticity, u, *discretization_->surface, certificate,
+                  statuses, output);
     if (output.double_precision)
       {
-        write_nodal_displacement(
-          output.directory, *body_, u, reactions_->nodal());
-        write_contact_nodes(output.directory,
-                            *discretization_->surface,
-                            certificate,
-                            statuses,
-                            communicator_);
+        write_nodal_displacement(output.directory, *body_, u, reactions_->nodal());
+        write_contact_nodes(output.directory, *discretization_->surface, certificate,
+                            statuses, communicator_);
       }
-    write_obstacles(output.directory,
-                    *discretization_->elasticity,
+    write_obstacles(output.directory, *discretization_->elasticity,
                     *discretization_->surface);
     write_history(*history_, output.directory, communicator_);
   }
 
-
-
-  void
-  ContactProblem::export_problem()
+  void ContactProblem::export_problem()
   {
     const std::string &directory = parameters_.output.export_directory;
     if (directory.empty())
@@ -113,17 +91,13 @@ namespace stiction
       problem.positions.resize(discretization_->surface->n_nodes(), 3);
       for (Eigen::Index i = 0; i < discretization_->surface->n_nodes(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
-          problem.positions(i, c) =
-            discretization_->surface->nodes()[i].position[c];
-      stiction::export_problem(
-        directory, problem, solution_->lambda, certificate().gradient());
+          problem.positions(i, c) = discretization_->surface->nodes()[i].position[c];
+      stiction::export_problem(directory, problem, solution_->lambda,
+                               certificate().gradient());
     });
   }
 
-
-
-  void
-  ContactProblem::summarize()
+  void ContactProblem::summarize()
   {
     const bool measured            = elastic_solve_iterations_ > 0;
     const Certificate &certificate = this->certificate();
@@ -135,35 +109,31 @@ namespace stiction
     summary["interrupted"] = solution_->interrupted;
     summary["units"]       = units_to_json(parameters_.output.units);
     summary["input"]       = parameters_.source.given();
-    summary["problem"]     = {
-          {"cells", body_->triangulation().n_global_active_cells()},
-          {"nodes", body_->n_nodes()},
-          {"dofs", body_->dof_handler().n_dofs()},
-          {"contact_nodes", discretization_->surface->n_nodes()},
-          {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
-          {"boundaries", boundaries_to_json(body_->boundary_names())}};
-    summary["solver"] = discretization_->solver->to_json();
-    summary["solver"].update(
-      json({{"law", parameters_.friction.name()},
-            {"tolerance", parameters_.contact_solver.tolerance},
-            {"force_trials", force_control_ ? force_control_->n_trials() : 0},
-            {"elastic_solve_iterations",
-             measured ? json(elastic_solve_iterations_) : json(nullptr)},
-            {"elastic_solve_equivalents",
-             measured ? json(phases_.seconds("contact_solve") /
-                             phases_.seconds("elastic_solve"))
-                      : json(nullptr)}}));
+    summary["problem"]     = {{"cells", body_->triangulation().n_global_active_cells()},
+                              {"nodes", body_->n_nodes()},
+                              {"dofs", body_->dof_handler().n_dofs()},
+                              {"contact_nodes", discretization_->surface->n_nodes()},
+                              {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
+                              {"boundaries", boundaries_to_json(body_->boundary_names())}};
+    summary["solver"]      = discretization_->solver->to_json();
+    summary["solver"].update(json(
+      {{"law", parameters_.friction.name()},
+       {"tolerance", parameters_.contact_solver.tolerance},
+       {"force_trials", force_control_ ? force_control_->n_trials() : 0},
+       {"elastic_solve_iterations",
+        measured ? json(elastic_solve_iterations_) : json(nullptr)},
+       {"elastic_solve_equivalents", measured ? json(phases_.seconds("contact_solve") /
+                                                     phases_.seconds("elastic_solve"))
+                                              : json(nullptr)}}));
     summary["certificate"] = certificate_to_json(certificate);
     summary["contact"] =
       contact_to_json(*discretization_->surface, certificate, node_statuses());
-    summary["reactions"] =
-      reactions_to_json(*reactions_, body_->boundary_names());
+    summary["reactions"] = reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =
       displacement_to_json(*discretization_->elasticity, displacement());
-    summary["energy"] = energy_to_json(*discretization_->surface, certificate);
-    summary["mesh_error"] =
-      mesh_error_to_json(mesh_error_, certificate.strain_energy());
-    summary["warnings"] = warnings();
+    summary["energy"]     = energy_to_json(*discretization_->surface, certificate);
+    summary["mesh_error"] = mesh_error_to_json(mesh_error_, certificate.strain_energy());
+    summary["warnings"]   = warnings();
     if (refinement_)
       summary["refinement"] = refinement_->to_json();
     summary["seconds"]        = phases_.to_json();
@@ -171,10 +141,7 @@ namespace stiction
     write_summary(summary, parameters_.output.directory, communicator_);
   }
 
-
-
-  std::vector<std::string>
-  ContactProblem::warnings() const
+  std::vector<std::string> ContactProblem::warnings() const
   {
     std::vector<std::string> warnings;
     if (parameters_.has_locking())
@@ -189,44 +156,33 @@ namespace stiction
       warnings.push_back(friction);
     const LA::Vector &u = displacement();
     const double depth =
-      solution_->converged
-        ? discretization_->surface->penetration_of_facing_away(u)
-        : 0.;
+      solution_->converged ? discretization_->surface->penetration_of_facing_away(u) : 0.;
     if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
       warnings.push_back(
         "a node that faces away from its obstacle came " +
-        with_unit(format("%.2g", depth),
-                  Units::named(parameters_.output.units).length) +
+        with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
     return warnings;
   }
 
-
-
-  void
-  ContactProblem::report() const
+  void ContactProblem::report() const
   {
     const std::string &directory = parameters_.output.directory;
-    print_report(
-      *log_,
-      *summary_,
-      parameters_.contact_solver.tolerance,
-      explain(*solution_, certificate(), parameters_.contact_solver.tolerance),
-      parameters_.performance.print_timing);
-    const std::string mesh =
-      describe_mesh_error((*summary_)["mesh_error"], parameters_);
+    print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
+                 explain(*solution_, certificate(), parameters_.contact_solver.tolerance),
+                 parameters_.performance.print_timing);
+    const std::string mesh = describe_mesh_error((*summary_)["mesh_error"], parameters_);
     if (!mesh.empty())
       log_->line(mesh);
     for (const auto &warning : (*summary_)["warnings"])
       log_->line("WARNING: " + warning.get<std::string>());
     log_->line("Open " +
-               (parameters_.output.write_solution
-                  ? directory + "/solution.pvtu and "
-                  : std::string()) +
+               (parameters_.output.write_solution ? directory + "/solution.pvtu and "
+                                                  : std::string()) +
                directory + "/contact.pvtu in ParaView.");
     if (!parameters_.output.export_directory.empty())
-      log_->line("The discrete problem is in " +
-                 parameters_.output.export_directory + ".");
+      log_->line("The discrete problem is in " + parameters_.output.export_directory +
+                 ".");
   }
 } // namespace stiction

@@ -21,68 +21,45 @@ namespace stiction
   {
   }
 
-
-
   ContactSolver::~ContactSolver() = default;
 
-
-
-  std::unique_ptr<ContactSolver>
-  ContactSolver::create(const Setting &setting)
+  std::unique_ptr<ContactSolver> ContactSolver::create(const Setting &setting)
   {
     if (setting.parameters.contact_solver.is_primal())
       return std::make_unique<PrimalContactSolver>(setting);
     return std::make_unique<DualContactSolver>(setting);
   }
 
-
-
-  void
-  ContactSolver::certify(ContactSolution &solution)
+  void ContactSolver::certify(ContactSolution &solution)
   {
     const auto phase = setting_.phases.scope("certificate");
     verify(solution);
     compute_duality_gap(solution);
   }
 
-
-
-  BodyVerifier &
-  ContactSolver::verifier() const
+  BodyVerifier &ContactSolver::verifier() const
   {
     return *verifier_;
   }
 
-
-
-  const DualOperator *
-  ContactSolver::dual_operator() const
+  const DualOperator *ContactSolver::dual_operator() const
   {
     return nullptr;
   }
 
-
-
-  std::string
-  ContactSolver::other_method() const
+  std::string ContactSolver::other_method() const
   {
-    return advice_on_method(
-      setting_.parameters, setting_.surface.slip_bound().is_coulomb(), true);
+    return advice_on_method(setting_.parameters,
+                            setting_.surface.slip_bound().is_coulomb(), true);
   }
 
-
-
-  void
-  ContactSolver::print_progress(const std::string &line) const
+  void ContactSolver::print_progress(const std::string &line) const
   {
     if (setting_.parameters.output.print_progress)
       setting_.log.line(line);
   }
 
-
-
-  void
-  ContactSolver::compute_duality_gap(const ContactSolution &solution)
+  void ContactSolver::compute_duality_gap(const ContactSolution &solution)
   {
     if (!solution.lambda.allFinite())
       return;

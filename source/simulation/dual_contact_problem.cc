@@ -30,12 +30,10 @@ namespace stiction
   {
     // Throws InputError for numbers whose products leave the range of a
     // double, and for a Q that is indefinite by more than rounding.
-    void
-    require_solvable(const DualProblem &problem, const std::string &path)
+    void require_solvable(const DualProblem &problem, const std::string &path)
     {
       constexpr double smallest = 1e-50, largest = 1e50;
-      const auto require_size = [&](const Eigen::VectorXd &v,
-                                    const char *name) {
+      const auto require_size = [&](const Eigen::VectorXd &v, const char *name) {
         const double size = v.cwiseAbs().maxCoeff();
         if (size != 0. && !(size >= smallest && size <= largest))
           throw InputError(path + ": the largest entry of " + name + " is " +
@@ -55,17 +53,13 @@ namespace stiction
       // singular is allowed, if only just
       Eigen::MatrixXd shifted = problem.Q;
       shifted.diagonal() *= 1. + 1e-10;
-      if (Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(shifted).info() !=
-          Eigen::Success)
+      if (Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(shifted).info() != Eigen::Success)
         throw InputError(path + ": Q has a negative eigenvalue, must be "
                                 "positive definite.");
     }
   } // namespace
 
-
-
-  DualContactProblem::DualContactProblem(std::string path,
-                                         const Parameters &parameters,
+  DualContactProblem::DualContactProblem(std::string path, const Parameters &parameters,
                                          MPI_Comm communicator)
     : path_(std::move(path))
     , parameters_(parameters)
@@ -76,14 +70,9 @@ namespace stiction
       phases_.announce(*log_);
   }
 
-
-
   DualContactProblem::~DualContactProblem() = default;
 
-
-
-  bool
-  DualContactProblem::run()
+  bool DualContactProblem::run()
   {
     {
       const auto total = phases_.scope("total");
@@ -98,73 +87,53 @@ namespace stiction
     return solution_->converged;
   }
 
-
-
-  void
-  DualContactProblem::read_problem()
+  void DualContactProblem::read_problem()
   {
     const auto phase = phases_.scope("reading");
-    problem_ = import_problem(path_, parameters_.dual_operator.symmetric_part);
+    problem_         = import_problem(path_, parameters_.dual_operator.symmetric_part);
     parameters_.check_method(problem_.slip_bound.is_coulomb());
     if (parameters_.contact_solver.is_primal())
       throw InputError(
         parameters_.source.describe("Contact solver/Method") +
         ", works on a mesh, must be another one for a problem from a file.");
     require_solvable(problem_, path_);
-    Q_       = std::make_unique<DenseDualOperator>(std::move(problem_.Q),
-                                             std::move(problem_.h));
+    Q_ =
+      std::make_unique<DenseDualOperator>(std::move(problem_.Q), std::move(problem_.h));
     history_ = std::make_unique<ConvergenceHistory>(
-      *log_,
-      step_name(parameters_.contact_solver, problem_.slip_bound.is_coulomb()),
-      false,
-      parameters_.output.print_progress);
-    log_->line(format("Problem: %lld contact nodes, %s",
-                      static_cast<long long>(Q_->n_nodes()),
-                      problem_.slip_bound.is_coulomb() ? "Coulomb friction"
-                                                       : "given friction"));
+      *log_, step_name(parameters_.contact_solver, problem_.slip_bound.is_coulomb()),
+      false, parameters_.output.print_progress);
+    log_->line(
+      format("Problem: %lld contact nodes, %s", static_cast<long long>(Q_->n_nodes()),
+             problem_.slip_bound.is_coulomb() ? "Coulomb friction" : "given friction"));
   }
 
-
-
-  void
-  DualContactProblem::solve_contact()
+  void DualContactProblem::solve_contact()
   {
     const auto whole = phases_.scope("contact_solve");
     const auto phase = phases_.scope("dual_iteration");
-    method_          = create_dual_method(
-      parameters_.contact_solver, *Q_, problem_.slip_bound.is_coulomb());
-    verifier_ = std::make_unique<DualProblemVerifier>(
-      *Q_, problem_.slip_bound, problem_.areas);
+    method_          = create_dual_method(parameters_.contact_solver, *Q_,
+                                          problem_.slip_bound.is_coulomb());
+    verifier_ =
+      std::make_unique<DualProblemVerifier>(*Q_, problem_.slip_bound, problem_.areas);
     solution_   = std::make_unique<ContactSolution>(certified_solve(
-      *method_,
-      *Q_,
-      problem_.slip_bound,
-      *verifier_,
-      parameters_.contact_solver.tolerance,
-      parameters_.contact_solver.maximum_iterations,
-      advice_on_method(parameters_, problem_.slip_bound.is_coulomb(), false),
-      [&](const ContactStep &step) {
+        *method_, *Q_, problem_.slip_bound, *verifier_,
+        parameters_.contact_solver.tolerance, parameters_.contact_solver.maximum_iterations,
+        advice_on_method(parameters_, problem_.slip_bound.is_coulomb(), false),
+        [&](const ContactStep &step) {
         history_->add(step);
         stop_if_interrupted(communicator_);
       }));
     conditions_ = &verifier_->verify(solution_->lambda);
   }
 
-
-
-  std::vector<NodeStatus>
-  DualContactProblem::node_statuses() const
+  std::vector<NodeStatus> DualContactProblem::node_statuses() const
   {
-    return stiction::node_statuses(*conditions_,
-                                   problem_.slip_bound,
+    return stiction::node_statuses(*conditions_, problem_.slip_bound,
                                    Q_->nodal_compliance().cwiseInverse(),
                                    parameters_.contact_solver.tolerance);
   }
 
-
-
-  void
-  DualContactProblem::output_results()
+  void DualContactProblem::output_results()
   {
     const auto phase             = phases_.scope("output");
     const std::string &directory = parameters_.output.directory;
@@ -181,9 +150,8 @@ namespace stiction
         out << "node,lambda_n,lambda_t1,lambda_t2,gap,slip_t1,slip_t2,"
                "normal_status,tangential_status\n";
         for (Eigen::Index i = 0; i < m; ++i)
-          out << i << ',' << lambda(i) << ',' << lambda(i + m) << ','
-              << lambda(i + 2 * m) << ',' << r(i) << ',' << 0. - r(i + m) << ','
-              << 0. - r(i + 2 * m) << ','
+          out << i << ',' << lambda(i) << ',' << lambda(i + m) << ',' << lambda(i + 2 * m)
+              << ',' << r(i) << ',' << 0. - r(i + m) << ',' << 0. - r(i + 2 * m) << ','
               << static_cast<int>(statuses[i].normal) << ','
               << static_cast<int>(statuses[i].tangential) << '\n';
       });
@@ -192,18 +160,13 @@ namespace stiction
           DualProblem problem = problem_;
           problem.Q           = *Q_->matrix();
           problem.h           = Q_->right_hand_side();
-          export_problem(parameters_.output.export_directory,
-                         problem,
-                         conditions_->lambda(),
-                         conditions_->gradient());
+          export_problem(parameters_.output.export_directory, problem,
+                         conditions_->lambda(), conditions_->gradient());
         }
     });
   }
 
-
-
-  void
-  DualContactProblem::summarize()
+  void DualContactProblem::summarize()
   {
     const Eigen::Index m   = Q_->n_nodes();
     summary_               = std::make_unique<nlohmann::json>();
@@ -217,8 +180,8 @@ namespace stiction
                               {"contact_nodes", m},
                               {"dual_unknowns", 3 * m},
                               {"asymmetry", problem_.asymmetry}};
-    summary["solver"]      = solver_to_json(
-      parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
+    summary["solver"] =
+      solver_to_json(parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
     summary["solver"]["tolerance"]     = parameters_.contact_solver.tolerance;
     summary["certificate"]             = certificate_to_json(*conditions_);
     summary["certificate"]["has_body"] = false;
@@ -229,17 +192,11 @@ namespace stiction
     write_summary(summary, parameters_.output.directory, communicator_);
   }
 
-
-
-  void
-  DualContactProblem::report() const
+  void DualContactProblem::report() const
   {
-    print_report(
-      *log_,
-      *summary_,
-      parameters_.contact_solver.tolerance,
-      explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
-      parameters_.performance.print_timing);
+    print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
+                 explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
+                 parameters_.performance.print_timing);
     const std::string friction = warning_on_friction(problem_.slip_bound);
     if (solution_->converged && !friction.empty())
       log_->line("WARNING: " + friction);

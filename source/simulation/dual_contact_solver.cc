@@ -31,8 +31,6 @@ namespace stiction
     constexpr double fixed_obstacle_accuracy = 0.1;
   } // namespace
 
-
-
   DualContactSolver::DualContactSolver(const Setting &setting)
     : ContactSolver(setting)
   {
@@ -40,69 +38,45 @@ namespace stiction
     set_up_dual_operator();
   }
 
-
-
   DualContactSolver::~DualContactSolver() = default;
 
-
-
-  void
-  DualContactSolver::set_up_stiffness_solver()
+  void DualContactSolver::set_up_stiffness_solver()
   {
     const auto phase             = setting_.phases.scope("stiffness_setup");
     const Parameters &parameters = setting_.parameters;
-    stiffness_solver_            = StiffnessSolver::create(
-      parameters.stiffness_solver_type(),
-      setting_.elasticity,
-      linear_solver_safety * parameters.contact_solver.tolerance);
+    stiffness_solver_ =
+      StiffnessSolver::create(parameters.stiffness_solver_type(), setting_.elasticity,
+                              linear_solver_safety * parameters.contact_solver.tolerance);
   }
 
-
-
-  void
-  DualContactSolver::set_up_dual_operator()
+  void DualContactSolver::set_up_dual_operator()
   {
     const auto phase             = setting_.phases.scope("dual_operator");
     const Parameters &parameters = setting_.parameters;
     print_progress("Dual operator: " + parameters.dual_operator.form + ", " +
                    parameters.stiffness_solver_type());
-    Q_ = SchurComplement::create(parameters.dual_operator.form,
-                                 setting_.elasticity,
-                                 setting_.surface,
-                                 *stiffness_solver_);
+    Q_ = SchurComplement::create(parameters.dual_operator.form, setting_.elasticity,
+                                 setting_.surface, *stiffness_solver_);
   }
 
-
-
-  ContactSolution
-  DualContactSolver::solve_there(const double tolerance,
-                                 const Eigen::VectorXd &start,
-                                 const Observer &observer)
+  ContactSolution DualContactSolver::solve_there(const double tolerance,
+                                                 const Eigen::VectorXd &start,
+                                                 const Observer &observer)
   {
-    return certified_solve(
-      *method_,
-      *Q_,
-      setting_.surface.slip_bound(),
-      *verifier_,
-      tolerance,
-      setting_.parameters.contact_solver.maximum_iterations,
-      other_method(),
-      observer,
-      start);
+    return certified_solve(*method_, *Q_, setting_.surface.slip_bound(), *verifier_,
+                           tolerance,
+                           setting_.parameters.contact_solver.maximum_iterations,
+                           other_method(), observer, start);
   }
 
-
-
-  ContactSolution
-  DualContactSolver::solve(const Observer &observer)
+  ContactSolution DualContactSolver::solve(const Observer &observer)
   {
-    const auto phase        = setting_.phases.scope("dual_iteration");
-    ContactSurface &surface = setting_.surface;
+    const auto phase                      = setting_.phases.scope("dual_iteration");
+    ContactSurface &surface               = setting_.surface;
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
-    method_ =
-      create_dual_method(chosen, *Q_, surface.slip_bound().is_coulomb());
-    verifier_ = std::make_unique<BodyVerifier>(
-      setting_.elasticity, surface, *stiffness_solver_);
+    method_ = create_dual_method(chosen, *Q_, surface.slip_bound().is_coulomb());
+    verifier_ =
+      std::make_unique<BodyVerifier>(setting_.elasticity, surface, *stiffness_solver_);
     if (setting_.control == nullptr)
       return solve_there(chosen.tolerance, {}, observer);
 
@@ -112,41 +86,32 @@ namespace stiction
     const std::string reason = control.press(
       [&](const double accuracy) {
         Q_->shift_right_hand_side(-surface.move_obstacles(control.distances()));
-        solution = solve_there(accuracy, solution.lambda, observer);
+        solution                       = solve_there(accuracy, solution.lambda, observer);
         const Certificate &certificate = verifier_->certificate();
-        auto outcome = outcome_of(surface.motion().directions(),
-                                  certificate.lambda(),
-                                  certificate.gradient(),
-                                  certificate.force_scale());
+        auto outcome = outcome_of(surface.motion().directions(), certificate.lambda(),
+                                  certificate.gradient(), certificate.force_scale());
         if (!certificate.is_solved(std::max(accuracy, chosen.tolerance)))
           outcome.reason = solution.reason;
         if (solution.interrupted)
           outcome.reason = "interrupted";
         for (Eigen::Index j = 0; j < outcome.forces.size(); ++j)
-          print_progress(
-            "  obstacle moved by " +
-            with_unit(format("%.6g", control.distances()(j)), units.length) +
-            " presses with " +
-            with_unit(format("%.6g", outcome.forces(j)), units.force));
+          print_progress("  obstacle moved by " +
+                         with_unit(format("%.6g", control.distances()(j)), units.length) +
+                         " presses with " +
+                         with_unit(format("%.6g", outcome.forces(j)), units.force));
         return outcome;
       },
-      chosen.tolerance,
-      fixed_obstacle_accuracy * chosen.tolerance);
+      chosen.tolerance, fixed_obstacle_accuracy * chosen.tolerance);
     solution.converged = verifier_->certificate().converged(chosen.tolerance);
     solution.reason    = reason;
     return solution;
   }
 
-
-
-  nlohmann::json
-  DualContactSolver::to_json() const
+  nlohmann::json DualContactSolver::to_json() const
   {
-    nlohmann::json json = solver_to_json(setting_.parameters.contact_solver,
-                                         setting_.surface.slip_bound(),
-                                         *method_,
-                                         *Q_);
-    json["stiffness_solves"]            = stiffness_solver_->n_solves();
+    nlohmann::json json      = solver_to_json(setting_.parameters.contact_solver,
+                                              setting_.surface.slip_bound(), *method_, *Q_);
+    json["stiffness_solves"] = stiffness_solver_->n_solves();
     json["stiffness_krylov_iterations"] = stiffness_solver_->n_iterations();
     return json;
   }

@@ -23,8 +23,6 @@ namespace stiction
     constexpr double duality_gap_accuracy = 1e-6;
   } // namespace
 
-
-
   PrimalContactSolver::PrimalContactSolver(const Setting &setting)
     : ContactSolver(setting)
   {
@@ -34,54 +32,39 @@ namespace stiction
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
     options.other_method = other_method();
-    newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity,
-                                                setting_.surface,
-                                                parameters.is_matrix_free(),
-                                                options);
+    newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
+                                                parameters.is_matrix_free(), options);
   }
-
-
 
   PrimalContactSolver::~PrimalContactSolver() = default;
 
-
-
-  ContactSolution
-  PrimalContactSolver::solve(const Observer &observer)
+  ContactSolution PrimalContactSolver::solve(const Observer &observer)
   {
     const auto phase = setting_.phases.scope("displacement_iteration");
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
-    ContactSolution solution              = newton_->solve(
-      chosen.tolerance, chosen.maximum_iterations, observer, setting_.control);
+    ContactSolution solution = newton_->solve(chosen.tolerance, chosen.maximum_iterations,
+                                              observer, setting_.control);
     if (setting_.control != nullptr)
       setting_.surface.move_obstacles(setting_.control->distances());
     return solution;
   }
 
-
-
-  void
-  PrimalContactSolver::verify(ContactSolution &solution)
+  void PrimalContactSolver::verify(ContactSolution &solution)
   {
-    stiffness_solver_ =
-      std::make_unique<MultigridSolver>(setting_.elasticity,
-                                        newton_->free_preconditioner(),
-                                        newton_->finest_level(),
-                                        duality_gap_accuracy);
-    verifier_ = std::make_unique<BodyVerifier>(
-      setting_.elasticity, setting_.surface, *stiffness_solver_);
+    stiffness_solver_ = std::make_unique<MultigridSolver>(
+      setting_.elasticity, newton_->free_preconditioner(), newton_->finest_level(),
+      duality_gap_accuracy);
+    verifier_ = std::make_unique<BodyVerifier>(setting_.elasticity, setting_.surface,
+                                               *stiffness_solver_);
     verifier_->verify(newton_->displacement(), solution.lambda);
-    solution.converged = verifier_->certificate().converged(
-      setting_.parameters.contact_solver.tolerance);
+    solution.converged =
+      verifier_->certificate().converged(setting_.parameters.contact_solver.tolerance);
     if (!solution.converged && !solution.interrupted && solution.reason.empty())
       solution.reason = "the certificate measures more than the iteration did, "
                         "raise 'Contact solver/Tolerance'";
   }
 
-
-
-  nlohmann::json
-  PrimalContactSolver::to_json() const
+  nlohmann::json PrimalContactSolver::to_json() const
   {
     return solver_to_json(setting_.parameters.contact_solver, *newton_);
   }

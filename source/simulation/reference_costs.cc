@@ -11,9 +11,8 @@
 
 namespace stiction
 {
-  ElasticSolveCost
-  measure_elastic_solve(const LinearElasticity &elasticity,
-                        const bool matrix_free)
+  ElasticSolveCost measure_elastic_solve(const LinearElasticity &elasticity,
+                                         const bool matrix_free)
   {
     ElasticSolveCost best;
     for (unsigned int run = 0; run < 2; ++run)
@@ -21,8 +20,8 @@ namespace stiction
         ElasticSolveCost cost;
         {
           const Phases::Scope with_set_up(cost.seconds);
-          const auto solver = StiffnessSolver::create(
-            matrix_free ? "multigrid" : "amg", elasticity, 1e-8);
+          const auto solver =
+            StiffnessSolver::create(matrix_free ? "multigrid" : "amg", elasticity, 1e-8);
           LA::Vector u = elasticity.zero_vector();
           const Phases::Scope iteration(cost.seconds_of_iteration);
           solver->solve(u, elasticity.constrained_load());
@@ -36,11 +35,8 @@ namespace stiction
     return best;
   }
 
-
-
-  FactorizationCost
-  measure_factorizations(const LinearElasticity &elasticity,
-                         const Eigen::MatrixXd *const Q)
+  FactorizationCost measure_factorizations(const LinearElasticity &elasticity,
+                                           const Eigen::MatrixXd *const Q)
   {
     FactorizationCost cost;
     {
@@ -51,8 +47,7 @@ namespace stiction
       {
         Eigen::MatrixXd factor = *Q;
         const Phases::Scope clock(cost.dense_seconds);
-        dense_cholesky::factorize(factor.data(),
-                                  static_cast<int>(factor.rows()));
+        dense_cholesky::factorize(factor.data(), static_cast<int>(factor.rows()));
       }
     return cost;
   }

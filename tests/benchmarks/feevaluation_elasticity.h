@@ -9,27 +9,21 @@
 #include <utility>
 
 /// A number of the command line, -1 if it is none.
-inline int
-whole_number(const char *const text)
+inline int whole_number(const char *const text)
 {
   char *end;
   const long number = std::strtol(text, &end, 10);
   return end != text && *end == '\0' && number < 1000000 ? number : -1;
 }
 
-
-
 /// The reference brick (0,4)×(0,3)×(0,1) of its material, in m and Pa.
 namespace reference_brick
 {
   constexpr double youngs_modulus = 2.119e11, poisson_ratio = 0.277;
   constexpr double lame_lambda =
-    youngs_modulus * poisson_ratio /
-    ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
+    youngs_modulus * poisson_ratio / ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
   constexpr double shear_modulus = youngs_modulus / (2. * (1. + poisson_ratio));
 } // namespace reference_brick
-
-
 
 /// Elasticity as deal.II's tutorials would write it: what stiction's own
 /// product is compared with.
@@ -43,8 +37,7 @@ namespace feevaluation
 
   /// Gradients in, stress out, in the quadrature points of a batch of cells.
   template<typename Number>
-  inline void
-  integrate_stress(Displacement<Number> &displacement)
+  inline void integrate_stress(Displacement<Number> &displacement)
   {
     const dealii::VectorizedArray<Number> lambda(
       static_cast<Number>(reference_brick::lame_lambda)),
@@ -64,11 +57,9 @@ namespace feevaluation
 
   /// dst += K src on some cells, for MatrixFree::cell_loop().
   template<typename Number>
-  inline void
-  add_product(const dealii::MatrixFree<3, Number> &matrix_free,
-              Vector<Number> &dst,
-              const Vector<Number> &src,
-              const std::pair<unsigned int, unsigned int> &cells)
+  inline void add_product(const dealii::MatrixFree<3, Number> &matrix_free,
+                          Vector<Number> &dst, const Vector<Number> &src,
+                          const std::pair<unsigned int, unsigned int> &cells)
   {
     Displacement<Number> displacement(matrix_free);
     for (unsigned int cell = cells.first; cell < cells.second; ++cell)

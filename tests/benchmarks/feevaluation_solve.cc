@@ -53,18 +53,14 @@ namespace
   // Faces of the brick in deal.II's colours.
   const types::boundary_id y_low = 2, y_high = 3, z_high = 5;
 
-
-
   template<typename Number>
   class Stiffness : public MatrixFreeOperators::Base<3, Vector<Number>>
   {
   public:
-    void
-    compute_diagonal() override
+    void compute_diagonal() override
     {
-      this->inverse_diagonal_entries =
-        std::make_shared<DiagonalMatrix<Vector<Number>>>();
-      Vector<Number> &diagonal = this->inverse_diagonal_entries->get_vector();
+      this->inverse_diagonal_entries = std::make_shared<DiagonalMatrix<Vector<Number>>>();
+      Vector<Number> &diagonal       = this->inverse_diagonal_entries->get_vector();
       this->data->initialize_dof_vector(diagonal);
       MatrixFreeTools::compute_diagonal<3, 1, 2, 3, Number>(
         *this->data, diagonal, &feevaluation::integrate_stress<Number>);
@@ -74,14 +70,11 @@ namespace
     }
 
   private:
-    void
-    apply_add(Vector<Number> &dst, const Vector<Number> &src) const override
+    void apply_add(Vector<Number> &dst, const Vector<Number> &src) const override
     {
       this->data->cell_loop(&feevaluation::add_product<Number>, dst, src);
     }
   };
-
-
 
   struct Solution
   {
@@ -91,31 +84,22 @@ namespace
     double work_of_load;
   };
 
-
-
   class Brick
   {
   public:
     Brick(unsigned int level, unsigned int degree);
 
-    Solution
-    solve();
+    Solution solve();
 
-    types::global_dof_index
-    n_dofs() const
-    {
-      return dof_handler.n_dofs();
-    }
+    types::global_dof_index n_dofs() const { return dof_handler.n_dofs(); }
 
   private:
     using LevelStiffness = Stiffness<float>;
     using Smoother       = PreconditionChebyshev<LevelStiffness, Vector<float>>;
 
-    void
-    set_up_levels(unsigned int degree);
+    void set_up_levels(unsigned int degree);
 
-    void
-    assemble_load();
+    void assemble_load();
 
     parallel::distributed::Triangulation<3> triangulation;
     FESystem<3> fe;
@@ -127,20 +111,15 @@ namespace
 
     MGConstrainedDoFs level_constraints;
     MGLevelObject<LevelStiffness> level_stiffness;
-    MGLevelObject<MatrixFreeOperators::MGInterfaceOperator<LevelStiffness>>
-      interfaces;
+    MGLevelObject<MatrixFreeOperators::MGInterfaceOperator<LevelStiffness>> interfaces;
     MGTransferMatrixFree<3, float> transfer;
     mg::SmootherRelaxation<Smoother, Vector<float>> smoother;
   };
 
-
-
   template<typename Number>
-  std::shared_ptr<MatrixFree<3, Number>>
-  make_matrix_free(const DoFHandler<3> &dof_handler,
-                   const Mapping<3> &mapping,
-                   const AffineConstraints<double> &constraints,
-                   const unsigned int level)
+  std::shared_ptr<MatrixFree<3, Number>> make_matrix_free(
+    const DoFHandler<3> &dof_handler, const Mapping<3> &mapping,
+    const AffineConstraints<double> &constraints, const unsigned int level)
   {
     typename MatrixFree<3, Number>::AdditionalData data;
     data.tasks_parallel_scheme =
@@ -152,22 +131,16 @@ namespace
     return result;
   }
 
-
-
   Brick::Brick(const unsigned int level, const unsigned int degree)
     : triangulation(
-        MPI_COMM_WORLD,
-        Triangulation<3>::limit_level_difference_at_vertices,
+        MPI_COMM_WORLD, Triangulation<3>::limit_level_difference_at_vertices,
         parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
     , fe(FE_Q<3>(1), 3)
     , dof_handler(triangulation)
   {
-    GridGenerator::subdivided_hyper_rectangle(
-      triangulation,
-      std::vector<unsigned int>{4, 3, 1},
-      Point<3>(),
-      Point<3>(4., 3., 1.),
-      true);
+    GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                              std::vector<unsigned int>{4, 3, 1},
+                                              Point<3>(), Point<3>(4., 3., 1.), true);
     triangulation.refine_global(level);
     dof_handler.distribute_dofs(fe);
     dof_handler.distribute_mg_dofs();
@@ -175,26 +148,20 @@ namespace
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     constraints.reinit(relevant);
-    VectorTools::interpolate_boundary_values(
-      mapping, dof_handler, y_low, Functions::ZeroFunction<3>(3), constraints);
+    VectorTools::interpolate_boundary_values(mapping, dof_handler, y_low,
+                                             Functions::ZeroFunction<3>(3), constraints);
     constraints.close();
-    stiffness.initialize(make_matrix_free<double>(
-      dof_handler, mapping, constraints, numbers::invalid_unsigned_int));
+    stiffness.initialize(make_matrix_free<double>(dof_handler, mapping, constraints,
+                                                  numbers::invalid_unsigned_int));
     stiffness.initialize_dof_vector(load);
     assemble_load();
     set_up_levels(degree);
   }
 
-
-
-  void
-  Brick::assemble_load()
+  void Brick::assemble_load()
   {
-    FEFaceValues<3> values(mapping,
-                           fe,
-                           QGauss<2>(2),
-                           update_values | update_quadrature_points |
-                             update_JxW_values);
+    FEFaceValues<3> values(mapping, fe, QGauss<2>(2),
+                           update_values | update_quadrature_points | update_JxW_values);
     dealii::Vector<double> of_cell(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -202,8 +169,7 @@ namespace
         if (cell->is_locally_owned() && cell->face(face)->at_boundary())
           {
             const types::boundary_id id = cell->face(face)->boundary_id();
-            const bool on_top =
-              id == z_high && cell->face(face)->center()[1] > 1.5;
+            const bool on_top = id == z_high && cell->face(face)->center()[1] > 1.5;
             if (id != y_high && !on_top)
               continue;
             const Tensor<1, 3> traction =
@@ -220,38 +186,31 @@ namespace
     load.compress(VectorOperation::add);
   }
 
-
-
-  void
-  Brick::set_up_levels(const unsigned int degree)
+  void Brick::set_up_levels(const unsigned int degree)
   {
     level_constraints.initialize(dof_handler);
     level_constraints.make_zero_boundary_constraints(dof_handler, {y_low});
     const unsigned int n_levels = triangulation.n_global_levels();
     level_stiffness.resize(0, n_levels - 1);
     interfaces.resize(0, n_levels - 1);
-    std::vector<std::shared_ptr<const Utilities::MPI::Partitioner>>
-      partitioners;
+    std::vector<std::shared_ptr<const Utilities::MPI::Partitioner>> partitioners;
     MGLevelObject<Smoother::AdditionalData> smoother_data(0, n_levels - 1);
     for (unsigned int level = 0; level < n_levels; ++level)
       {
         IndexSet relevant;
-        DoFTools::extract_locally_relevant_level_dofs(
-          dof_handler, level, relevant);
+        DoFTools::extract_locally_relevant_level_dofs(dof_handler, level, relevant);
         AffineConstraints<double> of_level(relevant);
         of_level.add_lines(level_constraints.get_boundary_indices(level));
         of_level.close();
         const auto matrix_free =
           make_matrix_free<float>(dof_handler, mapping, of_level, level);
-        level_stiffness[level].initialize(
-          matrix_free, level_constraints, level);
+        level_stiffness[level].initialize(matrix_free, level_constraints, level);
         level_stiffness[level].compute_diagonal();
         interfaces[level].initialize(level_stiffness[level]);
         partitioners.push_back(matrix_free->get_vector_partitioner());
 
         Smoother::AdditionalData &data = smoother_data[level];
-        data.preconditioner =
-          level_stiffness[level].get_matrix_diagonal_inverse();
+        data.preconditioner = level_stiffness[level].get_matrix_diagonal_inverse();
         if (level > 0)
           {
             data.smoothing_range     = 15.;
@@ -279,19 +238,15 @@ namespace
       }
   }
 
-
-
-  Solution
-  Brick::solve()
+  Solution Brick::solve()
   {
     MGCoarseGridApplySmoother<Vector<float>> coarse(smoother);
     const mg::Matrix<Vector<float>> matrix(level_stiffness);
     const mg::Matrix<Vector<float>> interface(interfaces);
-    Multigrid<Vector<float>> multigrid(
-      matrix, coarse, transfer, smoother, smoother);
+    Multigrid<Vector<float>> multigrid(matrix, coarse, transfer, smoother, smoother);
     multigrid.set_edge_matrices(interface, interface);
-    const PreconditionMG<3, Vector<float>, MGTransferMatrixFree<3, float>>
-      preconditioner(dof_handler, multigrid, transfer);
+    const PreconditionMG<3, Vector<float>, MGTransferMatrixFree<3, float>> preconditioner(
+      dof_handler, multigrid, transfer);
 
     Vector<double> displacement;
     stiffness.initialize_dof_vector(displacement);
@@ -301,11 +256,8 @@ namespace
     return {control.last_step(), displacement * load};
   }
 
-
-
   // Peak resident memory of all ranks. Unit: MB.
-  double
-  peak_memory()
+  double peak_memory()
   {
     Utilities::System::MemoryStats stats;
     Utilities::System::get_memory_stats(stats);
@@ -313,10 +265,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize initialization(argc, argv, 1);
   const int level   = argc == 2 || argc == 3 ? whole_number(argv[1]) : -1;

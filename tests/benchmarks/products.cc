@@ -44,20 +44,17 @@ namespace
     std::vector<double> seconds;
   };
 
-  double
-  seconds_of(const std::function<void()> &run)
+  double seconds_of(const std::function<void()> &run)
   {
     const auto start = std::chrono::steady_clock::now();
     run();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                         start)
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
       .count();
   }
 
   template<typename Number>
-  CellStiffness<Number>
-  make_stiffness(const DoFHandler<3> &dof_handler,
-                 const InstructionSet instruction_set)
+  CellStiffness<Number> make_stiffness(const DoFHandler<3> &dof_handler,
+                                       const InstructionSet instruction_set)
   {
     CellStiffness<Number> K(instruction_set);
     std::vector<types::global_dof_index> dofs(24);
@@ -81,22 +78,16 @@ namespace
 
   // What memory has to do in any product.
   template<typename Number>
-  void
-  add(Number *const dst, const Number *const src, const std::size_t n)
+  void add(Number *const dst, const Number *const src, const std::size_t n)
   {
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i)
       dst[i] += Number(1e-3) * src[i];
   }
 
-
-
   template<typename Number>
-  void
-  measure(const DoFHandler<3> &dof_handler,
-          const std::string &cells,
-          const unsigned int level,
-          const unsigned int repetitions)
+  void measure(const DoFHandler<3> &dof_handler, const std::string &cells,
+               const unsigned int level, const unsigned int repetitions)
   {
     const AffineConstraints<Number> no_constraints;
     MatrixFree<3, Number> matrix_free;
@@ -104,8 +95,7 @@ namespace
     data.tasks_parallel_scheme =
       MatrixFree<3, Number>::AdditionalData::TasksParallelScheme::none;
     data.mapping_update_flags = update_gradients | update_JxW_values;
-    matrix_free.reinit(
-      MappingQ1<3>(), dof_handler, no_constraints, QGauss<1>(2), data);
+    matrix_free.reinit(MappingQ1<3>(), dof_handler, no_constraints, QGauss<1>(2), data);
     feevaluation::Vector<Number> src, dst;
     matrix_free.initialize_dof_vector(src);
     matrix_free.initialize_dof_vector(dst);
@@ -114,30 +104,24 @@ namespace
 
     std::vector<CellStiffness<Number>> products;
     std::vector<Candidate> candidates;
-    candidates.push_back({"FEEvaluation",
-                          [&] {
-                            matrix_free.cell_loop(
-                              &feevaluation::add_product<Number>, dst, src);
-                          },
-                          matrix_free.memory_consumption(),
-                          {}});
+    candidates.push_back(
+      {"FEEvaluation",
+       [&] { matrix_free.cell_loop(&feevaluation::add_product<Number>, dst, src); },
+       matrix_free.memory_consumption(),
+       {}});
     for (const InstructionSet instruction_set : all_instruction_sets)
       if (is_supported(instruction_set))
         {
-          products.push_back(
-            make_stiffness<Number>(dof_handler, instruction_set));
+          products.push_back(make_stiffness<Number>(dof_handler, instruction_set));
           candidates.push_back({name(instruction_set),
                                 [&, i = products.size() - 1] {
-                                  products[i].add_product(dst.begin(),
-                                                          src.begin());
+                                  products[i].add_product(dst.begin(), src.begin());
                                 },
                                 products.back().memory_consumption(),
                                 {}});
         }
-    candidates.push_back({"dst += a src",
-                          [&] { add(dst.begin(), src.begin(), src.size()); },
-                          0,
-                          {}});
+    candidates.push_back(
+      {"dst += a src", [&] { add(dst.begin(), src.begin(), src.size()); }, 0, {}});
 
     // Taking turns, so that what slows down the machine slows down all.
     for (Candidate &candidate : candidates)
@@ -163,10 +147,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   MultithreadInfo::set_thread_limit(1);
   const int level       = argc == 3 ? whole_number(argv[1]) : -1;
@@ -178,10 +159,8 @@ main(int argc, char **argv)
     }
 
   Triangulation<3> brick;
-  GridGenerator::subdivided_hyper_rectangle(brick,
-                                            std::vector<unsigned int>{4, 3, 1},
-                                            Point<3>(),
-                                            Point<3>(4., 3., 1.));
+  GridGenerator::subdivided_hyper_rectangle(brick, std::vector<unsigned int>{4, 3, 1},
+                                            Point<3>(), Point<3>(4., 3., 1.));
   brick.refine_global(level);
   const FESystem<3> fe(FE_Q<3>(1), 3);
   for (const std::string cells : {"congruent", "general"})

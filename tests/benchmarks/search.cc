@@ -3,8 +3,7 @@
 
 #include "../random_problem.h"
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (argc != 3)
@@ -12,8 +11,7 @@ main(int argc, char *argv[])
       std::cerr << "benchmark_search FIRST LAST" << std::endl;
       return 1;
     }
-  for (unsigned int number = std::stoul(argv[1]); number <= std::stoul(argv[2]);
-       ++number)
+  for (unsigned int number = std::stoul(argv[1]); number <= std::stoul(argv[2]); ++number)
     {
       const RandomProblem problem(number);
       const Comparison comparison = solve_by_all_methods(problem);

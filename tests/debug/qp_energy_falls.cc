@@ -42,10 +42,7 @@ namespace
     std::unique_ptr<ActiveSetMethod> solver;
   };
 
-  using Make =
-    std::function<Method(const SymmetricOperator &, const VectorXd &, double)>;
-
-
+  using Make = std::function<Method(const SymmetricOperator &, const VectorXd &, double)>;
 
   struct Candidate
   {
@@ -54,29 +51,21 @@ namespace
     Make make;
   };
 
-
-
-  Make
-  disc_active_set(const DiscActiveSet::Variant variant)
+  Make disc_active_set(const DiscActiveSet::Variant variant)
   {
-    return [variant](const SymmetricOperator &A,
-                     const VectorXd &radii,
-                     const double norm) {
-      auto discs  = std::make_unique<Discs>(radii);
-      auto solver = std::make_unique<DiscActiveSet>(A, *discs, norm, variant);
-      return Method{std::move(discs), std::move(solver)};
-    };
+    return
+      [variant](const SymmetricOperator &A, const VectorXd &radii, const double norm) {
+        auto discs  = std::make_unique<Discs>(radii);
+        auto solver = std::make_unique<DiscActiveSet>(A, *discs, norm, variant);
+        return Method{std::move(discs), std::move(solver)};
+      };
   }
 
-
-
-  Make
-  proportioning(
+  Make proportioning(
     const std::function<std::unique_ptr<FeasibleSet>(const VectorXd &)> &make,
     const ProportioningOptions &options = {})
   {
-    return [make, options](const SymmetricOperator &A,
-                           const VectorXd &radii,
+    return [make, options](const SymmetricOperator &A, const VectorXd &radii,
                            const double norm) {
       auto set    = make(radii);
       auto solver = std::make_unique<Proportioning>(A, *set, norm, options);
@@ -84,10 +73,7 @@ namespace
     };
   }
 
-
-
-  std::vector<Candidate>
-  candidates()
+  std::vector<Candidate> candidates()
   {
     const auto half_lines = [](const VectorXd &radii) {
       return std::make_unique<HalfLines>(radii.size());
@@ -108,9 +94,7 @@ namespace
       {"as_printed", 2, disc_active_set(Variant::as_printed)},
       {"with_expansion", 2, disc_active_set(Variant::with_expansion)},
       {"with_proportioning", 2, disc_active_set(Variant::with_proportioning)},
-      {"with_projected_release",
-       2,
-       disc_active_set(Variant::with_projected_release)},
+      {"with_projected_release", 2, disc_active_set(Variant::with_projected_release)},
       {"robust", 2, disc_active_set(Variant::robust)},
       {"spectral", 2, disc_active_set(Variant::spectral)},
       {"half-lines", 1, proportioning(half_lines)},
@@ -118,22 +102,15 @@ namespace
       {"half-lines times discs", 3, proportioning(product)},
       {"half-lines times boxes", 5, proportioning(boxes)},
       {"half-lines, literature", 1, proportioning(half_lines, literature)},
-      {"half-lines times discs, literature",
-       3,
-       proportioning(product, literature)},
-      {"half-lines times boxes, literature",
-       5,
-       proportioning(boxes, literature)},
+      {"half-lines times discs, literature", 3, proportioning(product, literature)},
+      {"half-lines times boxes, literature", 5, proportioning(boxes, literature)},
       {"half-lines, improved", 1, proportioning(half_lines, improved)},
       {"half-lines times discs, improved", 3, proportioning(product, improved)},
       {"half-lines times boxes, improved", 5, proportioning(boxes, improved)}};
   }
 
-
-
   // Runs that must not abort; returns whether all of them ended well.
-  bool
-  run(const Candidate &candidate)
+  bool run(const Candidate &candidate)
   {
     Random random(31);
     unsigned int not_finite = 0, products = 0;
@@ -156,22 +133,18 @@ namespace
               method.set->project(x);
               VectorXd r = matrix * x - b;
               products +=
-                method.solver
-                  ->solve(x, r, {VectorXd::Ones(m), 1.}, tolerance, 300)
+                method.solver->solve(x, r, {VectorXd::Ones(m), 1.}, tolerance, 300)
                   .multiplications;
               not_finite += !(x.allFinite() && r.allFinite());
             }
-    std::cout << candidate.name << ": " << products << " products, "
-              << not_finite << " results with a NaN" << std::endl;
+    std::cout << candidate.name << ": " << products << " products, " << not_finite
+              << " results with a NaN" << std::endl;
     return not_finite == 0 && products > 1000;
   }
 
-
-
   // The Hessians of the other formulations: scaled, and that of the squares,
   // which is singular.
-  bool
-  run_other_formulations()
+  bool run_other_formulations()
   {
     Random random(32);
     unsigned int not_finite = 0, products = 0;
@@ -202,8 +175,7 @@ namespace
               const unsigned int n_squares = 1 + sample % 4;
               const RotatedSquares squares(n_squares, radii);
               const SquaresOperator CQC(Q, squares);
-              const HalfLinesTimesBoxes boxes(squares.half_widths(),
-                                              2 * n_squares);
+              const HalfLinesTimesBoxes boxes(squares.half_widths(), 2 * n_squares);
               x = VectorXd::Zero(squares.n_unknowns());
               r = squares.pull_back(-b);
               Proportioning(CQC, boxes, n_squares, options)
@@ -216,8 +188,6 @@ namespace
     return not_finite == 0 && products > 1000;
   }
 
-
-
   // Releases by a step three times too long, and does not look at the result.
   class Overshooting : public Proportioning
   {
@@ -225,8 +195,7 @@ namespace
     using Proportioning::Proportioning;
 
   protected:
-    void
-    release() override
+    void release() override
     {
       const VectorXd d = -3. * fixed_step_ * chopped_;
       VectorXd Ad;
@@ -236,11 +205,8 @@ namespace
     }
   };
 
-
-
   // Whether the assertion ends this run, in a process of its own.
-  bool
-  overshooting_aborts()
+  bool overshooting_aborts()
   {
     std::cout << std::flush;
     const pid_t child = fork();
@@ -253,20 +219,16 @@ namespace
         const DenseOperator A(matrix);
         const HalfLines half_line(1);
         VectorXd x = VectorXd::Zero(1), r = VectorXd::Constant(1, -1.);
-        Overshooting(A, half_line, 1.)
-          .solve(x, r, {VectorXd::Ones(1), 1.}, 1e-8, 10);
+        Overshooting(A, half_line, 1.).solve(x, r, {VectorXd::Ones(1), 1.}, 1e-8, 10);
         _exit(0);
       }
     int status = 0;
-    return child > 0 && waitpid(child, &status, 0) == child &&
-           WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
+    return child > 0 && waitpid(child, &status, 0) == child && WIFSIGNALED(status) &&
+           WTERMSIG(status) == SIGABRT;
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   bool good = true;
   for (const Candidate &candidate : candidates())

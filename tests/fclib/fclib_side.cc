@@ -23,8 +23,7 @@ namespace
 {
   int failures = 0;
 
-  void
-  expect(const bool condition, const char *what)
+  void expect(const bool condition, const char *what)
   {
     if (!condition)
       {
@@ -34,8 +33,7 @@ namespace
   }
 
   // An entry of any of FCLIB's three kinds of matrix.
-  double
-  entry(const fclib_matrix &matrix, const int row, const int column)
+  double entry(const fclib_matrix &matrix, const int row, const int column)
   {
     double sum = 0.;
     if (matrix.nz >= 0)
@@ -53,20 +51,17 @@ namespace
     return sum;
   }
 
-  void
-  read(const char *file)
+  void read(const char *file)
   {
     fclib_local *const problem = fclib_read_local(file);
     expect(problem != nullptr, "FCLIB reads the problem");
     if (problem == nullptr)
       return;
     expect(problem->spacedim == 3, "three dimensions");
-    expect(problem->V == nullptr && problem->R == nullptr,
-           "no equality constraints");
+    expect(problem->V == nullptr && problem->R == nullptr, "no equality constraints");
     expect(problem->W->m == n && problem->W->n == n, "the order of W");
     expect(problem->info != nullptr && problem->info->title != nullptr &&
-             problem->info->description != nullptr &&
-             problem->info->math_info != nullptr,
+             problem->info->description != nullptr && problem->info->math_info != nullptr,
            "the problem is described");
     if (failures > 0)
       return;
@@ -86,8 +81,7 @@ namespace
     expect(same_mu, "the same mu");
 
     fclib_solution *const solution = fclib_read_solution(file);
-    expect(solution != nullptr && solution->u != nullptr &&
-             solution->r != nullptr,
+    expect(solution != nullptr && solution->u != nullptr && solution->r != nullptr,
            "FCLIB reads the solution");
     if (failures > 0)
       return;
@@ -114,8 +108,7 @@ namespace
       }
   }
 
-  void
-  write(const std::string &kind, const char *file)
+  void write(const std::string &kind, const char *file)
   {
     std::vector<int> p, i;
     std::vector<double> x;
@@ -153,15 +146,11 @@ namespace
     fclib_solution solution{};
     solution.u = u.data();
     solution.r = r.data();
-    expect(fclib_write_solution(&solution, file) == 1,
-           "FCLIB writes the solution");
+    expect(fclib_write_solution(&solution, file) == 1, "FCLIB writes the solution");
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   if (argc == 3 && argv[1] == std::string("read"))
     read(argv[2]);

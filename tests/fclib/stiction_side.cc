@@ -17,14 +17,12 @@ using namespace stiction;
 
 namespace
 {
-  Eigen::Index
-  in_blocks(const int k)
+  Eigen::Index in_blocks(const int k)
   {
     return k % 3 * exchange::m + k / 3;
   }
 
-  Eigen::VectorXd
-  in_blocks(const std::array<double, exchange::n> &values)
+  Eigen::VectorXd in_blocks(const std::array<double, exchange::n> &values)
   {
     Eigen::VectorXd result(exchange::n);
     for (int k = 0; k < exchange::n; ++k)
@@ -32,8 +30,7 @@ namespace
     return result;
   }
 
-  DualProblem
-  the_problem()
+  DualProblem the_problem()
   {
     DualProblem problem;
     problem.Q.resize(exchange::n, exchange::n);
@@ -49,10 +46,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (argc != 3)
@@ -62,18 +56,15 @@ main(int argc, char *argv[])
   const DualProblem problem = the_problem();
   if (task == "write")
     {
-      write_fclib(file,
-                  problem,
-                  in_blocks(exchange::reaction),
+      write_fclib(file, problem, in_blocks(exchange::reaction),
                   in_blocks(exchange::velocity));
       return 0;
     }
 
   const DualProblem read = read_fclib(file);
-  if (read.Q == problem.Q && read.h == problem.h &&
-      read.slip_bound.is_coulomb() &&
-      read.slip_bound.data() == problem.slip_bound.data() &&
-      read.areas.size() == 0 && read.positions.size() == 0)
+  if (read.Q == problem.Q && read.h == problem.h && read.slip_bound.is_coulomb() &&
+      read.slip_bound.data() == problem.slip_bound.data() && read.areas.size() == 0 &&
+      read.positions.size() == 0)
     return 0;
   std::cout << file << " is read as another problem:\nQ\n"
             << read.Q << "\nh\n"

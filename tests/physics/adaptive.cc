@@ -20,12 +20,10 @@ using namespace stiction;
 
 namespace
 {
-  Run
-  solve(std::vector<std::string> settings)
+  Run solve(std::vector<std::string> settings)
   {
     settings.insert(settings.end(),
-                    {"Geometry/Table 1 level=0",
-                     "Geometry/Lengths=4,3,1",
+                    {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
                      "Geometry/Subdivisions=4,3,1",
                      "Boundary conditions/Traction=top : 0; 0; if(abs(x - 2) < "
                      "0.25 && abs(y - 1.5) < 0.25, -1e9, 0)",
@@ -36,33 +34,27 @@ namespace
   }
 
   // The same cells are cut on any number of ranks.
-  void
-  print_meshes(const Run &run)
+  void print_meshes(const Run &run)
   {
     double last = 0.;
     for (const auto &mesh : run.summary()["refinement"])
       {
         const double error = mesh["relative_estimated_error"];
-        out() << "  " << mesh["cells"] << " cells, " << mesh["dofs"]
-              << " unknowns, " << mesh["contact_nodes"]
-              << " contact nodes, estimate falls "
+        out() << "  " << mesh["cells"] << " cells, " << mesh["dofs"] << " unknowns, "
+              << mesh["contact_nodes"] << " contact nodes, estimate falls "
               << yes(last == 0. || error < last) << '\n';
         last = error;
       }
   }
 
-  double
-  potential_energy(const Run &run)
+  double potential_energy(const Run &run)
   {
     const auto &energy = run.summary()["energy"];
     return energy["strain"].get<double>() - energy["load_work"].get<double>();
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Run uniform = solve({"Geometry/Global refinement=3"});
@@ -83,19 +75,16 @@ main(int argc, char *argv[])
   for (const std::string method : {"newton", "newton multigrid"})
     {
       const Run run(shipped("adaptive.prm"),
-                    {"Refinement/Adaptive steps=3",
-                     "Contact solver/Method=" + method,
+                    {"Refinement/Adaptive steps=3", "Contact solver/Method=" + method,
                      "Contact solver/Tolerance=1e-10"});
       out() << method << ": certified " << yes(run.converged);
-      const std::vector<double> this_force =
-        run.summary()["contact"]["force_on_body"];
+      const std::vector<double> this_force = run.summary()["contact"]["force_on_body"];
       if (force.empty())
         force = this_force;
       double difference = 0.;
       for (unsigned int c = 0; c < 3; ++c)
         difference = std::max(difference, std::abs(this_force[c] - force[c]));
-      out() << ", agrees to 1e-8 "
-            << yes(difference < 1e-8 * std::abs(force[2])) << '\n';
+      out() << ", agrees to 1e-8 " << yes(difference < 1e-8 * std::abs(force[2])) << '\n';
       print_meshes(run);
     }
 }

@@ -11,8 +11,7 @@
 namespace
 {
   // What follows a text up to a quote, or nothing.
-  std::string
-  after(const std::string &sentence, const std::string &text)
+  std::string after(const std::string &sentence, const std::string &text)
   {
     const auto begin = sentence.find(text);
     if (begin == std::string::npos)
@@ -22,16 +21,14 @@ namespace
   }
 
   // Whether a sentence names this method.
-  bool
-  names(const std::string &sentence, const std::string &value)
+  bool names(const std::string &sentence, const std::string &value)
   {
     return sentence.find("= " + value + "'") != std::string::npos ||
            sentence.find("'" + value + "'") != std::string::npos;
   }
 
   // The entries that the sentence wants changed, as they are to be.
-  Settings
-  follow(const std::string &advice, const Run &run)
+  Settings follow(const std::string &advice, const Run &run)
   {
     Settings changes;
     const auto choose = [&](const std::string &entry) {
@@ -51,11 +48,9 @@ namespace
           "Contact solver/Maximum iterations=" +
           std::to_string(
             run.parameters.contact_solver.maximum_iterations +
-            (more.empty() ? 100
-                          : static_cast<unsigned int>(2. * std::stod(more)))));
+            (more.empty() ? 100 : static_cast<unsigned int>(2. * std::stod(more)))));
       }
-    if (advice.find("raise 'Contact solver/Tolerance' above") !=
-        std::string::npos)
+    if (advice.find("raise 'Contact solver/Tolerance' above") != std::string::npos)
       {
         double worst = 0.;
         for (const auto &figure : run.problem->certificate().deciding_figures())
@@ -72,8 +67,7 @@ namespace
   };
 
   // A stiff block on a layer that is softer, dragged along and turned.
-  Settings
-  weakly_held(const std::string &soft)
+  Settings weakly_held(const std::string &soft)
   {
     return {"Geometry/Table 1 level=0",
             "Geometry/Lengths=2,2,1",
@@ -91,24 +85,22 @@ namespace
   }
 } // namespace
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Settings small    = {"Geometry/Table 1 level=1"};
   std::vector<Case> cases = {
     {"weakly held, newton",
      weakly_held("2e1") + Settings{"Contact solver/Method=newton"}},
-    {"weakly held, mpgp",
-     weakly_held("2e8") + Settings{"Contact solver/Method=mpgp"}}};
+    {"weakly held, mpgp", weakly_held("2e8") + Settings{"Contact solver/Method=mpgp"}}};
   for (const std::string method :
        {"newton", "gauss seidel", "mpgp", "admm", "newton multigrid"})
     {
       const Settings chosen = {"Contact solver/Method=" + method};
-      cases.push_back({method + ", few iterations",
-                       small + chosen +
-                         Settings{"Contact solver/Maximum iterations=5",
-                                  "Contact solver/Tolerance=1e-10"}});
+      cases.push_back(
+        {method + ", few iterations", small + chosen +
+                                        Settings{"Contact solver/Maximum iterations=5",
+                                                 "Contact solver/Tolerance=1e-10"}});
     }
 
   for (const Case &c : cases)
@@ -124,27 +116,24 @@ main(int argc, char *argv[])
           is_certified = run.converged;
           if (is_certified)
             break;
-          const auto &chosen = run.parameters.contact_solver;
-          const std::string advice =
-            stiction::explain(run.problem->solution(),
-                              run.problem->certificate(),
-                              chosen.tolerance);
+          const auto &chosen       = run.parameters.contact_solver;
+          const std::string advice = stiction::explain(
+            run.problem->solution(), run.problem->certificate(), chosen.tolerance);
           names_own =
             names_own || names(advice, chosen.method) ||
-            advice.find("Disc solver = " + chosen.disc_solver) !=
-              std::string::npos ||
+            advice.find("Disc solver = " + chosen.disc_solver) != std::string::npos ||
             advice.find("Coulomb iteration = " + chosen.coulomb_iteration) !=
               std::string::npos;
           const Settings changes = follow(advice, run);
           if (changes.empty())
             break;
           for (const std::string &change : changes)
-            changed += (changed.empty() ? "" : ", then ") +
-                       change.substr(0, change.find('='));
+            changed +=
+              (changed.empty() ? "" : ", then ") + change.substr(0, change.find('='));
           settings = settings + changes;
         }
       out() << c.name << ": advised [" << changed << "], certified in the end "
-            << yes(is_certified) << ", never what was in use "
-            << yes(!names_own) << std::endl;
+            << yes(is_certified) << ", never what was in use " << yes(!names_own)
+            << std::endl;
     }
 }

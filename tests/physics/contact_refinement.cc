@@ -14,20 +14,17 @@ namespace
     double force, at_centre, largest;
   };
 
-  Answer
-  press(const Settings &mesh)
+  Answer press(const Settings &mesh)
   {
     const Run run(shipped("half_ball.prm"),
                   Settings{"Geometry/Global refinement=3",
                            "Boundary conditions/Prescribed displacement="
                            "flat : 0; 0; -2e-2",
-                           "Friction/Law=frictionless",
-                           "Output/Write solution=false"} +
+                           "Friction/Law=frictionless", "Output/Write solution=false"} +
                     mesh);
     const ContactSurface &surface = run.problem->contact_surface();
     const auto &lambda            = run.problem->certificate().lambda();
-    Answer answer{
-      run.summary()["contact"]["force_on_body"][2].get<double>(), 0., 0.};
+    Answer answer{run.summary()["contact"]["force_on_body"][2].get<double>(), 0., 0.};
     double nearest = 1.;
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
@@ -44,18 +41,14 @@ namespace
     return answer;
   }
 
-  Settings
-  refined(const unsigned int steps)
+  Settings refined(const unsigned int steps)
   {
     return {"Geometry/Contact refinement=" + std::to_string(steps),
             "Geometry/Contact refinement where=0.1 - z"};
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -64,8 +57,8 @@ main(int argc, char *argv[])
   out() << "refined once: pressure at the centre to 1 % that of a uniform mesh "
            "with cells as small "
         << yes(std::abs(once.at_centre / uniform.at_centre - 1.) < 0.01)
-        << ", force to 1 % "
-        << yes(std::abs(once.force / uniform.force - 1.) < 0.01) << std::endl;
+        << ", force to 1 % " << yes(std::abs(once.force / uniform.force - 1.) < 0.01)
+        << std::endl;
   out() << "refined twice: the largest pressure is at the centre "
         << yes(twice.at_centre > (1. - 1e-6) * twice.largest) << std::endl;
 }

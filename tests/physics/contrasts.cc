@@ -11,13 +11,11 @@
 #include <array>
 #include <cmath>
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const auto force = [](const Run &run) {
-    return run.summary()["contact"]["force_on_body"]
-      .get<std::array<double, 3>>();
+    return run.summary()["contact"]["force_on_body"].get<std::array<double, 3>>();
   };
   for (const std::string where : {"above", "below"})
     for (const int exponent : {0, 2, 4, 6, 8, 10, 12})
@@ -31,17 +29,14 @@ main(int argc, char *argv[])
         for (const std::string method :
              {"newton", "gauss seidel", "mpgp", "admm", "newton multigrid"})
           {
-            const Run run(
-              shipped("brick.prm"),
-              {"Geometry/Table 1 level=0",
-               "Geometry/Lengths=4,3,1",
-               "Geometry/Subdivisions=8,6,2",
-               "Geometry/Global refinement=0",
-               "Material/Material ids=if(z > 0.5, 1, 0)",
-               "Material/Materials=0 : " + (where == "above" ? stiff : soft) +
-                 " | 1 : " + (where == "above" ? soft : stiff),
-               "Contact solver/Method=" + method,
-               "Contact solver/Tolerance=1e-8"});
+            const Run run(shipped("brick.prm"),
+                          {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+                           "Geometry/Subdivisions=8,6,2", "Geometry/Global refinement=0",
+                           "Material/Material ids=if(z > 0.5, 1, 0)",
+                           "Material/Materials=0 : " + (where == "above" ? stiff : soft) +
+                             " | 1 : " + (where == "above" ? soft : stiff),
+                           "Contact solver/Method=" + method,
+                           "Contact solver/Tolerance=1e-8"});
             if (!run.converged)
               continue;
             const auto f = force(run);
@@ -55,9 +50,8 @@ main(int argc, char *argv[])
               }
             largest = std::max(largest, difference / size);
           }
-        out() << "softer by 10^" << exponent << " " << where
-              << ": certified by " << n_certified
-              << " of 5 methods, their forces agree to 1e-6 "
+        out() << "softer by 10^" << exponent << " " << where << ": certified by "
+              << n_certified << " of 5 methods, their forces agree to 1e-6 "
               << yes(largest < 1e-6) << std::endl;
       }
 }

@@ -9,8 +9,7 @@
 #include <array>
 #include <cmath>
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string distance : {"1", "100", "1000"})
@@ -19,26 +18,22 @@ main(int argc, char *argv[])
       {
         const Run run(
           shipped("brick.prm"),
-          {"Geometry/Table 1 level=0",
-           "Geometry/Lengths=2,2,1",
-           "Geometry/Subdivisions=4,4,2",
-           "Geometry/Global refinement=0",
-           "Material/Young's modulus=1e9",
-           "Material/Poisson ratio=0.3",
+          {"Geometry/Table 1 level=0", "Geometry/Lengths=2,2,1",
+           "Geometry/Subdivisions=4,4,2", "Geometry/Global refinement=0",
+           "Material/Young's modulus=1e9", "Material/Poisson ratio=0.3",
            "Boundary conditions/Prescribed displacement=5 : 0; 0; 0",
            "Boundary conditions/Traction=",
-           "Boundary conditions/Obstacle displacement=" + distance +
-             "; 0; 1e-3",
+           "Boundary conditions/Obstacle displacement=" + distance + "; 0; 1e-3",
            "Contact solver/Method=" + method});
-        const auto force = run.summary()["contact"]["force_on_body"]
-                             .get<std::array<double, 3>>();
-        out() << "drawn along by " << distance << ", " << method
-              << ": certified " << yes(run.converged) << ", friction is F N "
+        const auto force =
+          run.summary()["contact"]["force_on_body"].get<std::array<double, 3>>();
+        out() << "drawn along by " << distance << ", " << method << ": certified "
+              << yes(run.converged) << ", friction is F N "
               << yes(std::abs(force[0] / force[2] - 0.3) < 1e-6);
         if (method == "admm")
           out() << ", in less than 60 iterations "
-                << yes(run.summary()["solver"]["admm_iterations"]
-                         .get<unsigned int>() < 60);
+                << yes(run.summary()["solver"]["admm_iterations"].get<unsigned int>() <
+                       60);
         out() << std::endl;
       }
 }

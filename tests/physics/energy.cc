@@ -8,8 +8,7 @@
 
 using namespace stiction;
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   double without_friction = 0.;
@@ -17,10 +16,8 @@ main(int argc, char *argv[])
     for (const std::string gap : {"0", "1e-5*(x-2)"})
       {
         const Run run(shipped("brick.prm"),
-                      {"Geometry/Table 1 level=2",
-                       "Friction/Law=" + law,
-                       "Friction/Slip stress=1.5e7",
-                       "Friction/Slip stress=1.5e7",
+                      {"Geometry/Table 1 level=2", "Friction/Law=" + law,
+                       "Friction/Slip stress=1.5e7", "Friction/Slip stress=1.5e7",
                        "Boundary conditions/Initial gap=" + gap,
                        "Contact solver/Tolerance=1e-12"});
         const auto &energy  = run.summary()["energy"];
@@ -34,13 +31,10 @@ main(int argc, char *argv[])
           without_friction = strain;
 
         out() << law << ", gap " << gap << ": certified " << yes(run.converged)
-              << ", energies balance to 1e-10 "
-              << yes(std::abs(balance) < 1e-10 * work)
-              << ", friction dissipates "
-              << (friction > 1e-3 * work ? "yes" : "no")
+              << ", energies balance to 1e-10 " << yes(std::abs(balance) < 1e-10 * work)
+              << ", friction dissipates " << (friction > 1e-3 * work ? "yes" : "no")
               << ", changes the strain energy "
-              << (std::abs(strain - without_friction) > 1e-3 * strain ? "yes"
-                                                                      : "no")
+              << (std::abs(strain - without_friction) > 1e-3 * strain ? "yes" : "no")
               << std::endl;
       }
 }

@@ -9,13 +9,11 @@
 
 #include <cmath>
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const std::vector<std::pair<std::string, Settings>> cases = {
-    {"moved",
-     {"Boundary conditions/Prescribed displacement=flat : 0; 0; -1e-4"}},
+    {"moved", {"Boundary conditions/Prescribed displacement=flat : 0; 0; -1e-4"}},
     {"moved aside",
      {"Boundary conditions/Prescribed displacement=flat : 2e-6; 0; -1e-4"}},
     {"pressed",
@@ -29,18 +27,15 @@ main(int argc, char *argv[])
       for (const std::string method : {"newton", "newton multigrid"})
         {
           const Run run(shipped("half_ball.prm"),
-                        settings +
-                          Settings{"Geometry/Global refinement=3",
-                                   "Boundary conditions/Obstacle=plane : 0; 0; "
-                                   "0; 0; 0; 1",
-                                   "Boundary conditions/Initial gap=0",
-                                   "Contact solver/Method=" + method});
+                        settings + Settings{"Geometry/Global refinement=3",
+                                            "Boundary conditions/Obstacle=plane : 0; 0; "
+                                            "0; 0; 0; 1",
+                                            "Boundary conditions/Initial gap=0",
+                                            "Contact solver/Method=" + method});
           certified   = certified && run.converged;
           forces[k++] = run.summary()["contact"]["normal_force"].get<double>();
         }
-      out() << name << ": certified " << yes(certified)
-            << ", forces agree to 1e-7 "
-            << yes(std::abs(forces[1] - forces[0]) <= 1e-7 * forces[0])
-            << std::endl;
+      out() << name << ": certified " << yes(certified) << ", forces agree to 1e-7 "
+            << yes(std::abs(forces[1] - forces[0]) <= 1e-7 * forces[0]) << std::endl;
     }
 }

@@ -22,8 +22,7 @@ using namespace stiction;
 
 namespace
 {
-  Eigen::MatrixXd
-  to_eigen(const dealii::FullMatrix<double> &matrix)
+  Eigen::MatrixXd to_eigen(const dealii::FullMatrix<double> &matrix)
   {
     Eigen::MatrixXd result(matrix.m(), matrix.n());
     for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -32,8 +31,7 @@ namespace
     return result;
   }
 
-  unsigned int
-  rank(const Eigen::MatrixXd &K)
+  unsigned int rank(const Eigen::MatrixXd &K)
   {
     const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();
@@ -42,8 +40,7 @@ namespace
   }
 
   // A hexahedron without a right angle.
-  void
-  element_matrices()
+  void element_matrices()
   {
     dealii::Triangulation<3> triangulation;
     dealii::GridGenerator::hyper_cube(triangulation);
@@ -60,11 +57,10 @@ namespace
         const dealii::MappingQ1<3> mapping;
         GeneralElementStiffness stiffness(mapping, fe);
         const auto begin = dof_handler.begin_active();
-        CellMaterial material{
-          Material::isotropic(G * (3. * lame + 2. * G) / (lame + G),
-                              lame / (2. * (lame + G)))
-            .stiffness,
-          false};
+        CellMaterial material{Material::isotropic(G * (3. * lame + 2. * G) / (lame + G),
+                                                  lame / (2. * (lame + G)))
+                                .stiffness,
+                              false};
         const Eigen::MatrixXd K = to_eigen(stiffness(begin, material));
         out() << "degree " << degree << ": all but six motions strain the cell "
               << yes(rank(K) == K.rows() - 6);
@@ -78,8 +74,7 @@ namespace
                 hexahedron.vertices[v][d] = cell->vertex(v)[d];
             ElementStiffness simple;
             out() << ", same matrix as of the simple element "
-                  << yes((to_eigen(simple(hexahedron)) - K).norm() <
-                         1e-13 * K.norm());
+                  << yes((to_eigen(simple(hexahedron)) - K).norm() < 1e-13 * K.norm());
           }
 
         // u linear in space: its strain is constant, and so its own mean
@@ -89,10 +84,10 @@ namespace
           for (unsigned int b = 0; b < 3; ++b)
             H[a][b] = 1. + a - 0.3 * b * b;
         for (unsigned int i = 0; i < K.rows(); ++i)
-          u(i) = (H * dealii::Tensor<1, 3>(mapping.transform_unit_to_real_cell(
-                        begin,
-                        fe.unit_support_point(
-                          i))))[fe.system_to_component_index(i).first];
+          u(i) =
+            (H *
+             dealii::Tensor<1, 3>(mapping.transform_unit_to_real_cell(
+               begin, fe.unit_support_point(i))))[fe.system_to_component_index(i).first];
         material.mean_dilatation   = true;
         const Eigen::MatrixXd mean = to_eigen(stiffness(begin, material));
         const auto unit            = dealii::unit_symmetric_tensor<3>();
@@ -101,9 +96,10 @@ namespace
         out() << "; mean dilatation: same force of a constant strain "
               << yes((mean * u - K * u).norm() < 1e-12 * (K * u).norm())
               << ", less stiff "
-              << yes((K - mean).norm() > 1e-3 * K.norm() &&
-                     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K - mean)
-                         .eigenvalues()(0) > -1e-12 * K.norm())
+              << yes(
+                   (K - mean).norm() > 1e-3 * K.norm() &&
+                   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K - mean).eigenvalues()(
+                     0) > -1e-12 * K.norm())
               << ", one volume a cell "
               << yes(rank(to_eigen(stiffness(begin, fluid))) == 1) << std::endl;
       }
@@ -116,37 +112,28 @@ namespace
     bool has_hanging_nodes;
   };
 
-  void
-  patches()
+  void patches()
   {
-    const std::string part =
-      "Geometry/Contact refinement where=x < 0.7 && y < 0.7";
+    const std::string part = "Geometry/Contact refinement where=x < 0.7 && y < 0.7";
     const std::vector<Mesh> meshes = {
       {"trilinear, part of the contact face refined",
-       {"Geometry/Subdivisions=2,2,2",
-        "Geometry/Global refinement=1",
-        "Geometry/Contact refinement=1",
-        part},
+       {"Geometry/Subdivisions=2,2,2", "Geometry/Global refinement=1",
+        "Geometry/Contact refinement=1", part},
        true},
       {"triquadratic",
-       {"Geometry/Subdivisions=2,2,2",
-        "Geometry/Global refinement=0",
+       {"Geometry/Subdivisions=2,2,2", "Geometry/Global refinement=0",
         "Geometry/Element degree=2"},
        false},
       {"triquadratic, part of the contact face refined",
-       {"Geometry/Subdivisions=2,2,2",
-        "Geometry/Global refinement=0",
-        "Geometry/Element degree=2",
-        "Geometry/Contact refinement=1",
-        part},
+       {"Geometry/Subdivisions=2,2,2", "Geometry/Global refinement=0",
+        "Geometry/Element degree=2", "Geometry/Contact refinement=1", part},
        true}};
     // one that solves for contact forces: the others see the same Q and h
     const std::vector<Method> methods = {
       {"gauss seidel", {"Contact solver/Method=gauss seidel"}},
       {"newton multigrid", {"Contact solver/Method=newton multigrid"}},
       {"newton by solves with amg",
-       {"Contact solver/Method=newton",
-        "Dual operator/Form=by solves",
+       {"Contact solver/Method=newton", "Dual operator/Form=by solves",
         "Stiffness solver/Type=amg"}}};
     for (const Mesh &mesh : meshes)
       for (const Method &method : methods)
@@ -154,20 +141,18 @@ namespace
           for (const std::string ending : {"stick", "slip"})
             {
               std::vector<std::string> settings = mesh.settings;
-              settings.insert(
-                settings.end(), method.settings.begin(), method.settings.end());
+              settings.insert(settings.end(), method.settings.begin(),
+                              method.settings.end());
               settings.emplace_back("Contact solver/Tolerance=1e-10");
               settings.emplace_back("Output/Write solution=false");
-              const Patch patch = solve_patch(
-                settings, law, ending, ending == "stick" ? 3e-5 : 2e-4, 30.);
-              out() << mesh.name << ", " << method.name << ", " << law << ", "
-                    << ending << ": certified " << yes(patch.certified)
-                    << ", all nodes " << yes(patch.ends_as_expected)
-                    << ", displacement exact to 1e-8 "
+              const Patch patch =
+                solve_patch(settings, law, ending, ending == "stick" ? 3e-5 : 2e-4, 30.);
+              out() << mesh.name << ", " << method.name << ", " << law << ", " << ending
+                    << ": certified " << yes(patch.certified) << ", all nodes "
+                    << yes(patch.ends_as_expected) << ", displacement exact to 1e-8 "
                     << yes(patch.displacement_error < 1e-8)
-                    << ", contact forces exact to 1e-8 "
-                    << yes(patch.force_error < 1e-8) << ", energy balance "
-                    << yes(patch.energy_error < 1e-8)
+                    << ", contact forces exact to 1e-8 " << yes(patch.force_error < 1e-8)
+                    << ", energy balance " << yes(patch.energy_error < 1e-8)
                     << ", areas sum to that of the face "
                     << yes(patch.area_error < 1e-12 &&
                            patch.has_hanging_nodes == mesh.has_hanging_nodes)
@@ -175,22 +160,18 @@ namespace
             }
   }
 
-  std::array<double, 3>
-  force_on_brick(const std::vector<std::string> &mesh)
+  std::array<double, 3> force_on_brick(const std::vector<std::string> &mesh)
   {
-    std::vector<std::string> settings = {"Geometry/Table 1 level=0",
-                                         "Geometry/Lengths=4,3,1",
-                                         "Contact solver/Method=newton",
-                                         "Contact solver/Tolerance=1e-7",
-                                         "Output/Write solution=false"};
+    std::vector<std::string> settings = {
+      "Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+      "Contact solver/Method=newton", "Contact solver/Tolerance=1e-7",
+      "Output/Write solution=false"};
     settings.insert(settings.end(), mesh.begin(), mesh.end());
     const Run run(shipped("brick.prm"), settings);
-    return run.summary()["contact"]["force_on_body"]
-      .get<std::array<double, 3>>();
+    return run.summary()["contact"]["force_on_body"].get<std::array<double, 3>>();
   }
 
-  double
-  distance(const std::array<double, 3> &a, const std::array<double, 3> &b)
+  double distance(const std::array<double, 3> &a, const std::array<double, 3> &b)
   {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) /
            std::hypot(b[0], b[1], b[2]);
@@ -198,32 +179,27 @@ namespace
 
   // The force on the reference brick, against a mesh of about four times as
   // many trilinear cells along each edge.
-  void
-  brick()
+  void brick()
   {
-    const auto fine = force_on_brick(
-      {"Geometry/Subdivisions=20,15,5", "Geometry/Global refinement=0"});
-    const auto coarse = force_on_brick(
-      {"Geometry/Subdivisions=5,4,1", "Geometry/Global refinement=0"});
-    const auto refined   = force_on_brick({"Geometry/Subdivisions=5,4,1",
-                                           "Geometry/Global refinement=0",
-                                           "Geometry/Contact refinement=2"});
-    const auto quadratic = force_on_brick({"Geometry/Subdivisions=5,4,1",
-                                           "Geometry/Global refinement=0",
-                                           "Geometry/Element degree=2"});
+    const auto fine =
+      force_on_brick({"Geometry/Subdivisions=20,15,5", "Geometry/Global refinement=0"});
+    const auto coarse =
+      force_on_brick({"Geometry/Subdivisions=5,4,1", "Geometry/Global refinement=0"});
+    const auto refined =
+      force_on_brick({"Geometry/Subdivisions=5,4,1", "Geometry/Global refinement=0",
+                      "Geometry/Contact refinement=2"});
+    const auto quadratic =
+      force_on_brick({"Geometry/Subdivisions=5,4,1", "Geometry/Global refinement=0",
+                      "Geometry/Element degree=2"});
     out() << "reference brick: degree 2 nearer to a fine mesh than degree 1 "
           << yes(distance(quadratic, fine) < 0.5 * distance(coarse, fine))
           << ", within 0.5 per cent " << yes(distance(quadratic, fine) < 5e-3)
           << ", contact refinement nearer "
-          << yes(distance(refined, fine) < 0.5 * distance(coarse, fine))
-          << std::endl;
+          << yes(distance(refined, fine) < 0.5 * distance(coarse, fine)) << std::endl;
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   element_matrices();

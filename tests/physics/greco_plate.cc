@@ -9,8 +9,7 @@
 
 using namespace stiction;
 
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Run run(shipped("greco_plate.prm"), {});
@@ -26,16 +25,14 @@ main(int argc, char **argv)
                                               {5e-3, 2.2867},
                                               {7.5e-3, 1.9807},
                                               {11.25e-3, 1.5413}};
-  const Eigen::VectorXd u =
-    surface.B().dofs().restriction(run.problem->displacement());
+  const Eigen::VectorXd u = surface.B().dofs().restriction(run.problem->displacement());
   for (const auto &point : points)
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const auto &x = surface.nodes()[i].position;
         if (std::abs(x[0] - point.first) < 1e-9 && x[1] < 1e-9)
           out() << "x = " << 1e3 * point.first << " mm: within 0.5 %: "
-                << yes(std::abs(1e5 * u(i) - point.second) <
-                       0.005 * point.second)
+                << yes(std::abs(1e5 * u(i) - point.second) < 0.005 * point.second)
                 << '\n';
       }
 
@@ -53,9 +50,7 @@ main(int argc, char **argv)
   out() << "open to 3.3 mm: " << yes(std::abs(open - 3.3e-3) < 1.01 * h) << '\n'
         << "slip to 30 mm: " << yes(std::abs(slip - 30e-3) < 1.01 * h) << '\n';
 
-  const double pull =
-    run.summary()["contact"]["force_on_body"][0].get<double>();
+  const double pull = run.summary()["contact"]["force_on_body"][0].get<double>();
   out() << "tangential force on the plate within 0.5 %: "
-        << yes(std::abs(pull / thickness + 1.4054e6) < 0.005 * 1.4054e6)
-        << '\n';
+        << yes(std::abs(pull / thickness + 1.4054e6) < 0.005 * 1.4054e6) << '\n';
 }

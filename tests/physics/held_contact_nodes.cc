@@ -20,12 +20,10 @@ using namespace stiction;
 
 namespace
 {
-  Settings
-  brick(const int nx, const int ny, const std::string &prescribed)
+  Settings brick(const int nx, const int ny, const std::string &prescribed)
   {
     return {"Geometry/Table 1 level=0",
-            "Geometry/Lengths=" + std::to_string(nx) + "," +
-              std::to_string(ny) + ",1",
+            "Geometry/Lengths=" + std::to_string(nx) + "," + std::to_string(ny) + ",1",
             "Geometry/Subdivisions=" + std::to_string(2 * nx) + "," +
               std::to_string(2 * ny) + ",2",
             "Geometry/Global refinement=1",
@@ -33,8 +31,7 @@ namespace
             "Contact solver/Tolerance=1e-11"};
   }
 
-  Eigen::Vector3d
-  force(const Run &run, const Eigen::Index i)
+  Eigen::Vector3d force(const Run &run, const Eigen::Index i)
   {
     return run.problem->contact_surface().nodes()[i].force_to_cartesian(
       at_node(run.problem->solution().lambda, i));
@@ -43,8 +40,7 @@ namespace
   // How far the forces of a part are from those of the whole. On the planes of
   // symmetry x = 1 and (of a quarter) y = 1 half the forces act on the part,
   // and the tangential forces across it cancel.
-  double
-  difference(const Run &part, const Run &whole, const bool is_quarter)
+  double difference(const Run &part, const Run &whole, const bool is_quarter)
   {
     const auto &nodes = part.problem->contact_surface().nodes();
     const auto &all   = whole.problem->contact_surface().nodes();
@@ -54,24 +50,21 @@ namespace
       for (std::size_t j = 0; j < all.size(); ++j)
         if (nodes[i].position.distance(all[j].position) < 1e-9)
           {
-            Eigen::Vector3d expected =
-              force(whole, static_cast<Eigen::Index>(j));
-            largest = std::max(largest, expected.norm());
+            Eigen::Vector3d expected = force(whole, static_cast<Eigen::Index>(j));
+            largest                  = std::max(largest, expected.norm());
             if (nodes[i].position[0] > 1. - 1e-9)
               expected *= 0.5;
             if (is_quarter && nodes[i].position[1] > 1. - 1e-9)
               expected *= 0.5;
             error = std::max(
-              error,
-              (force(part, static_cast<Eigen::Index>(i)) - expected).norm());
+              error, (force(part, static_cast<Eigen::Index>(i)) - expected).norm());
             ++n_compared;
           }
     return n_compared == nodes.size() ? error / largest : 1.;
   }
 
   // The largest friction at a partly held node over its normal force.
-  double
-  friction_in_plane(const Run &run)
+  double friction_in_plane(const Run &run)
   {
     double largest     = 0.;
     const auto &lambda = run.problem->solution().lambda;
@@ -86,8 +79,7 @@ namespace
   }
 
   // Contact forces in directions that are held.
-  double
-  in_held_directions(const Run &run)
+  double in_held_directions(const Run &run)
   {
     return run.problem->contact_surface()
       .held()
@@ -96,60 +88,47 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::vector<Method> methods = all_methods();
   methods.push_back({"by solves, amg",
-                     {"Contact solver/Method=newton",
-                      "Dual operator/Form=by solves",
+                     {"Contact solver/Method=newton", "Dual operator/Form=by solves",
                       "Stiffness solver/Type=amg"}});
 
   const std::string top         = "top : 0; 4e-5; -1e-4*(1 + y)";
   const std::string quarter_top = "top : 0; 0; -1e-4";
   const Settings squeezed       = {
           "Boundary conditions/Traction=left : 2e7; 0; 0 | right : -2e7; 0; 0"};
-  const Settings squeezed_half = {
-    "Boundary conditions/Traction=left : 2e7; 0; 0"};
+  const Settings squeezed_half = {"Boundary conditions/Traction=left : 2e7; 0; 0"};
   for (const std::string coefficient : {"0.3", "0.5; 0.3"})
     {
       const Settings friction = {"Friction/Coefficient=" + coefficient};
       const Settings newton   = methods.front().settings + friction;
-      const Run whole(shipped("brick.prm"),
-                      brick(2, 1, top) + squeezed + newton);
+      const Run whole(shipped("brick.prm"), brick(2, 1, top) + squeezed + newton);
       const Run all_four(shipped("brick.prm"),
                          brick(2, 2, quarter_top) + squeezed + newton);
       const auto &states = whole.summary()["contact"];
       out() << "F = " << coefficient << ": whole certified "
-            << yes(whole.converged && all_four.converged)
-            << ", slips and sticks "
-            << yes(states["slip"].get<int>() > 0 &&
-                   states["stick"].get<int>() > 0)
+            << yes(whole.converged && all_four.converged) << ", slips and sticks "
+            << yes(states["slip"].get<int>() > 0 && states["stick"].get<int>() > 0)
             << std::endl;
       for (const Method &method : methods)
         {
           const Run half(shipped("brick.prm"),
-                         brick(1, 1, "right : 0; free; free | " + top) +
-                           squeezed_half + friction + method.settings);
+                         brick(1, 1, "right : 0; free; free | " + top) + squeezed_half +
+                           friction + method.settings);
           const Run quarter(
             shipped("brick.prm"),
-            brick(1,
-                  1,
-                  "right : 0; free; free | back : free; 0; free | " +
-                    quarter_top) +
+            brick(1, 1, "right : 0; free; free | back : free; 0; free | " + quarter_top) +
               squeezed_half + friction + method.settings);
           out() << method.name << ": certified "
-                << yes(half.converged && quarter.converged)
-                << ", half agrees to 1e-8 "
+                << yes(half.converged && quarter.converged) << ", half agrees to 1e-8 "
                 << yes(difference(half, whole, false) < 1e-8)
                 << ", quarter agrees to 1e-8 "
                 << yes(difference(quarter, all_four, true) < 1e-8)
                 << ", friction acts in the plane of symmetry "
-                << yes(friction_in_plane(half) > 0.1)
-                << ", no force in held directions "
+                << yes(friction_in_plane(half) > 0.1) << ", no force in held directions "
                 << yes(in_held_directions(half) == 0. &&
                        in_held_directions(quarter) == 0.)
                 << std::endl;
@@ -158,13 +137,12 @@ main(int argc, char *argv[])
 
   // Energies balance if nothing but the clamped top and the fixed rollers holds
   // the body; a moved roller does work.
-  const Settings moved = brick(1,
-                               1,
-                               "right : 1e-4; free; free | top : 1e-4*x; 4e-5; "
-                               "-1e-4*(1 + y)") +
-                         squeezed_half +
-                         Settings{"Friction/Coefficient=0.4; 0.15",
-                                  "Friction/First direction=1; 1; 0"};
+  const Settings moved =
+    brick(1, 1,
+          "right : 1e-4; free; free | top : 1e-4*x; 4e-5; "
+          "-1e-4*(1 + y)") +
+    squeezed_half +
+    Settings{"Friction/Coefficient=0.4; 0.15", "Friction/First direction=1; 1; 0"};
   const Run newton(shipped("brick.prm"), moved + methods.front().settings);
   for (const Method &method : methods)
     {
@@ -181,24 +159,20 @@ main(int argc, char *argv[])
             << ", work is strain and friction "
             << yes(std::abs(work - kept) < 1e-8 * std::abs(work))
             << ", energy error bounded "
-            << yes(run.summary()["certificate"]["duality_gap"].get<double>() <
-                   1e-6)
+            << yes(run.summary()["certificate"]["duality_gap"].get<double>() < 1e-6)
             << std::endl;
     }
 
   // Given friction by the method of multipliers alone, which is what Newton's
   // method in displacements falls back to.
-  const Settings given = {"Friction/Law=given",
-                          "Friction/Slip stress=1e7; 4e6",
+  const Settings given = {"Friction/Law=given", "Friction/Slip stress=1e7; 4e6",
                           "Contact solver/Tolerance=1e-9"};
-  const Run dual(shipped("brick.prm"),
-                 moved + given + methods.front().settings);
+  const Run dual(shipped("brick.prm"), moved + given + methods.front().settings);
   LevelNewton::Options options;
   options.only_fallback = true;
-  NewtonMultigrid newton_multigrid(
-    dual.problem->elasticity(), dual.problem->contact_surface(), true, options);
-  const auto solution =
-    newton_multigrid.solve(1e-9, 1000, [](const ContactStep &) {});
+  NewtonMultigrid newton_multigrid(dual.problem->elasticity(),
+                                   dual.problem->contact_surface(), true, options);
+  const auto solution = newton_multigrid.solve(1e-9, 1000, [](const ContactStep &) {});
   const Eigen::VectorXd &lambda = dual.problem->solution().lambda;
   out() << "method of multipliers alone: converged " << yes(solution.converged)
         << ", agrees to 1e-6 "

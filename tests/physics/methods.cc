@@ -12,16 +12,13 @@
 
 namespace
 {
-  std::string
-  file(const std::string &reading, const std::string &law)
+  std::string file(const std::string &reading, const std::string &law)
   {
     return shipped("table_1/" + reading + "_" + law + ".prm");
   }
 
-  Run
-  solve(const std::string &prm,
-        const unsigned int level,
-        std::vector<std::string> settings)
+  Run solve(const std::string &prm, const unsigned int level,
+            std::vector<std::string> settings)
   {
     settings.push_back("Geometry/Table 1 level=" + std::to_string(level));
     settings.push_back("Contact solver/Tolerance=1e-8");
@@ -29,10 +26,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -41,19 +35,16 @@ main(int argc, char *argv[])
       for (const unsigned int level : {1, 2, 3})
         {
           const std::string prm = file(reading, law);
-          const Run newton =
-            solve(prm, level, {"Contact solver/Method=newton"});
+          const Run newton      = solve(prm, level, {"Contact solver/Method=newton"});
           const double products =
             newton.summary()["solver"]["dual_multiplications"].get<double>();
-          out() << reading << ", " << law << ", k = " << level
-                << ": newton certified " << yes(newton.converged)
-                << ", products within bounds "
+          out() << reading << ", " << law << ", k = " << level << ": newton certified "
+                << yes(newton.converged) << ", products within bounds "
                 << yes(products <= (law == "coulomb" ? 120. : 100.)) << ";";
 
           std::vector<std::vector<std::string>> others = {
             {"Contact solver/Method=gauss seidel"},
-            {"Contact solver/Method=gauss seidel",
-             "Contact solver/Disc solver=spectral"},
+            {"Contact solver/Method=gauss seidel", "Contact solver/Disc solver=spectral"},
             {"Contact solver/Method=mpgp"},
             {"Contact solver/Method=admm"},
             {"Contact solver/Method=newton", "Dual operator/Form=by solves"}};
@@ -62,9 +53,8 @@ main(int argc, char *argv[])
               others.push_back({"Contact solver/Method=newton",
                                 "Contact solver/Coulomb iteration=fixed "
                                 "point"});
-              others.push_back(
-                {"Contact solver/Method=gauss seidel",
-                 "Contact solver/Coulomb iteration=fixed point"});
+              others.push_back({"Contact solver/Method=gauss seidel",
+                                "Contact solver/Coulomb iteration=fixed point"});
             }
           unsigned int certified = 0;
           double largest         = 0.;
@@ -83,15 +73,12 @@ main(int argc, char *argv[])
   double last           = 1.;
   for (const unsigned int squares : {1, 2, 4, 8, 16})
     {
-      const Run run =
-        solve(prm,
-              2,
-              {"Contact solver/Method=squares",
-               "Contact solver/Squares=" + std::to_string(squares)});
+      const Run run      = solve(prm, 2,
+                                 {"Contact solver/Method=squares",
+                                  "Contact solver/Squares=" + std::to_string(squares)});
       const double error = distance(run, disc);
       // the corners of the polygon lie outside of the circle by this part
-      const double corners =
-        1. / std::cos(std::acos(-1.) / (4. * squares)) - 1.;
+      const double corners = 1. / std::cos(std::acos(-1.) / (4. * squares)) - 1.;
       const double violation =
         run.summary()["certificate"]["cone_violation"].get<double>();
       // bounds are relative to A p0; the slip stress is 1.5e7 Pa at every node

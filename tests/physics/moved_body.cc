@@ -6,8 +6,7 @@
 
 #include "tests.h"
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string cells : {"1,1,1", "2,2,1", "2,2,2"})
@@ -16,15 +15,12 @@ main(int argc, char *argv[])
            {"gauss seidel", "newton", "mpgp", "newton multigrid"})
         {
           const Run run(shipped("brick_given_friction.prm"),
-                        {"Geometry/Table 1 level=0",
-                         "Geometry/Lengths=1,1,0.5",
-                         "Geometry/Subdivisions=" + cells,
-                         "Geometry/Global refinement=0",
+                        {"Geometry/Table 1 level=0", "Geometry/Lengths=1,1,0.5",
+                         "Geometry/Subdivisions=" + cells, "Geometry/Global refinement=0",
                          "Boundary conditions/Traction=",
                          "Boundary conditions/Prescribed displacement=5 : 0.1; "
                          "0; -1e-4",
-                         "Friction/Law=" + law,
-                         "Friction/Coefficient=0.3",
+                         "Friction/Law=" + law, "Friction/Coefficient=0.3",
                          "Contact solver/Method=" + method});
           const auto &solver  = run.summary()["solver"];
           const auto &contact = run.summary()["contact"];
@@ -33,10 +29,8 @@ main(int argc, char *argv[])
                 << yes(run.converged) << ", all nodes closed "
                 << yes(contact["closed"] == m) << ", all with friction slip "
                 << yes(contact["slip"] == (law == "frictionless" ? 0 : m) &&
-                       contact["stick"] == 0 &&
-                       contact["undecided_tangential"] == 0)
+                       contact["stick"] == 0 && contact["undecided_tangential"] == 0)
                 << ", in at most 150 products "
-                << yes(solver["dual_multiplications"].get<double>() < 150.)
-                << std::endl;
+                << yes(solver["dual_multiplications"].get<double>() < 150.) << std::endl;
         }
 }

@@ -11,8 +11,7 @@
 
 namespace
 {
-  Run
-  solve(std::vector<std::string> settings, const std::string &method)
+  Run solve(std::vector<std::string> settings, const std::string &method)
   {
     settings.push_back("Contact solver/Method=" + method);
     settings.emplace_back("Contact solver/Tolerance=1e-8");
@@ -20,21 +19,17 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   for (const std::string law : {"coulomb", "given", "frictionless"})
     for (const std::string level : {"1", "2", "3"})
       {
-        const std::vector<std::string> settings = {
-          "Geometry/Table 1 level=" + level,
-          "Friction/Law=" + law,
-          "Friction/Slip stress=1.5e7"};
-        const Run dual = solve(settings, "newton");
+        const std::vector<std::string> settings = {"Geometry/Table 1 level=" + level,
+                                                   "Friction/Law=" + law,
+                                                   "Friction/Slip stress=1.5e7"};
+        const Run dual                          = solve(settings, "newton");
         out() << law << ", k = " << level << ":";
         for (const std::string type : {"multigrid", "amg"})
           {
@@ -57,19 +52,16 @@ main(int argc, char *argv[])
   for (const std::string F : {"0", "0.1", "0.3", "0.6", "1", "2", "5"})
     for (const std::string refinement : {"2", "3"})
       {
-        const Run run      = solve({"Geometry/Table 1 level=0",
-                                    "Geometry/Lengths=4,3,1",
-                                    "Geometry/Subdivisions=4,3,1",
-                                    "Geometry/Global refinement=" + refinement,
-                                    "Friction/Coefficient=" + F},
-                              "newton multigrid");
+        const Run run =
+          solve({"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+                 "Geometry/Subdivisions=4,3,1",
+                 "Geometry/Global refinement=" + refinement, "Friction/Coefficient=" + F},
+                "newton multigrid");
         const auto &solver = run.summary()["solver"];
-        out() << "F = " << F << ", refined " << refinement
-              << " times: certified " << yes(run.converged)
-              << ", at most 12 steps "
+        out() << "F = " << F << ", refined " << refinement << " times: certified "
+              << yes(run.converged) << ", at most 12 steps "
               << yes(solver["newton_steps"].get<unsigned int>() <= 12)
               << ", at most 30 Krylov iterations "
-              << yes(solver["krylov_iterations"].get<unsigned int>() <= 30)
-              << std::endl;
+              << yes(solver["krylov_iterations"].get<unsigned int>() <= 30) << std::endl;
       }
 }

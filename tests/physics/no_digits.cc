@@ -12,8 +12,7 @@
 #include <array>
 #include <cmath>
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const int exponent : {2, 6, 10, 12})
@@ -25,43 +24,36 @@ main(int argc, char *argv[])
         {
           const Run run(
             shipped("brick.prm"),
-            {"Geometry/Table 1 level=0",
-             "Geometry/Lengths=2,2,1",
-             "Geometry/Subdivisions=4,4,4",
-             "Geometry/Global refinement=0",
-             "Material/Poisson ratio=0.3",
-             "Material/Young's modulus=2e11",
+            {"Geometry/Table 1 level=0", "Geometry/Lengths=2,2,1",
+             "Geometry/Subdivisions=4,4,4", "Geometry/Global refinement=0",
+             "Material/Poisson ratio=0.3", "Material/Young's modulus=2e11",
              "Material/Material ids=if(z < 0.25, 1, 0)",
-             "Material/Materials=1 : isotropic; 2e" +
-               std::to_string(11 - exponent) + "; 0.3",
+             "Material/Materials=1 : isotropic; 2e" + std::to_string(11 - exponent) +
+               "; 0.3",
              "Boundary conditions/Prescribed displacement=4 : 0; 0; 0",
              "Boundary conditions/Traction=1 : 2e6; 0; 5e6 | 0 : 0; 1e6; 3e6",
-             "Boundary conditions/Contact boundary=5",
-             "Friction/Coefficient=0.2",
-             "Contact solver/Maximum iterations=300",
-             "Contact solver/Method=" + method});
+             "Boundary conditions/Contact boundary=5", "Friction/Coefficient=0.2",
+             "Contact solver/Maximum iterations=300", "Contact solver/Method=" + method});
           const stiction::Certificate &certificate = run.problem->certificate();
-          const auto force = run.summary()["contact"]["force_on_body"]
-                               .get<std::array<double, 3>>();
+          const auto force =
+            run.summary()["contact"]["force_on_body"].get<std::array<double, 3>>();
           const std::string last =
             stiction::explain(run.problem->solution(), certificate, 1e-8);
           n_named += last.find("double precision") != std::string::npos;
           // what is lacking in equilibrium is at least what is estimated
-          is_seen =
-            is_seen && certificate.rounding() <=
-                         certificate.body_figures().equilibrium_residual;
+          is_seen = is_seen && certificate.rounding() <=
+                                 certificate.body_figures().equilibrium_residual;
           if (!run.converged)
             continue;
           if (++n_certified == 1)
             reference = force;
           for (unsigned int c = 0; c < 3; ++c)
-            agree = agree && std::abs(force[c] - reference[c]) <
-                               1e-6 * std::abs(reference[2]);
+            agree =
+              agree && std::abs(force[c] - reference[c]) < 1e-6 * std::abs(reference[2]);
         }
-      out() << "softer by 10^" << exponent << ": certified by "
-            << n_certified << " of 2"
-            << ", their forces agree to 1e-6 " << yes(agree)
-            << ", rounding counts " << yes(is_seen) << ", named as the reason "
-            << (n_named > 0 ? "yes" : "no") << std::endl;
+      out() << "softer by 10^" << exponent << ": certified by " << n_certified << " of 2"
+            << ", their forces agree to 1e-6 " << yes(agree) << ", rounding counts "
+            << yes(is_seen) << ", named as the reason " << (n_named > 0 ? "yes" : "no")
+            << std::endl;
     }
 }

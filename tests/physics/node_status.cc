@@ -50,10 +50,8 @@ namespace
     {"is just held", 1., 0., TangentialStatus::undecided}};
 
   // Both statuses of every node, and the counts of summary.json.
-  bool
-  all_nodes_are(const Run &run,
-                const NormalStatus normal,
-                const TangentialStatus tangential)
+  bool all_nodes_are(const Run &run, const NormalStatus normal,
+                     const TangentialStatus tangential)
   {
     for (const NodeStatus status : run.problem->node_statuses())
       if (status.normal != normal || status.tangential != tangential)
@@ -69,16 +67,13 @@ namespace
            is("undecided_normal", normal == NormalStatus::undecided) &&
            is("slip", tangential == TangentialStatus::slip) &&
            is("stick", tangential == TangentialStatus::stick) &&
-           is("undecided_tangential",
-              tangential == TangentialStatus::undecided) &&
-           is("undecided",
-              normal == NormalStatus::undecided ||
-                tangential == TangentialStatus::undecided);
+           is("undecided_tangential", tangential == TangentialStatus::undecided) &&
+           is("undecided", normal == NormalStatus::undecided ||
+                             tangential == TangentialStatus::undecided);
   }
 
   // All that come to an end: at a switch ADMM converges too slowly.
-  std::vector<Method>
-  methods(const std::string &law)
+  std::vector<Method> methods(const std::string &law)
   {
     std::vector<Method> chosen;
     for (const Method &method : all_methods())
@@ -87,8 +82,7 @@ namespace
     return chosen;
   }
 
-  Settings
-  brick(const std::string &law)
+  Settings brick(const std::string &law)
   {
     return {"Geometry/Table 1 level=0",
             "Geometry/Lengths=1.5,1.2,1",
@@ -103,23 +97,20 @@ namespace
 
   // The largest error of the displacement over slip and lift, and of the
   // contact forces over the slip stress.
-  double
-  error(const Run &run, const Case &c, const Ending &ending)
+  double error(const Run &run, const Case &c, const Ending &ending)
   {
     const double gamma = ending.shear * slip_stress / G;
     const double p     = c.lift < 0. ? -(lame + 2. * G) * c.lift : 0.;
     const auto &u      = run.problem->displacement();
     double largest     = 0.;
-    for (const auto &node :
-         run.problem->elasticity().body().locally_owned_nodes())
+    for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
         const double z         = node.position[2];
         const double exact_u[] = {cx * (gamma * z + ending.slip),
                                   cy * (gamma * z + ending.slip),
                                   c.lift < 0. ? c.lift * z : c.lift};
         for (unsigned int k = 0; k < 3; ++k)
-          largest =
-            std::max(largest, std::abs(u(node.dofs[k]) - exact_u[k]) / 1e-4);
+          largest = std::max(largest, std::abs(u(node.dofs[k]) - exact_u[k]) / 1e-4);
       }
     largest = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
 
@@ -128,17 +119,14 @@ namespace
       {
         const ContactNode &node = run.problem->contact_surface().nodes()[i];
         const Eigen::Vector3d force =
-          node.force_to_cartesian(at_node(run.problem->solution().lambda, i)) /
-          node.area;
-        largest = std::max(
-          largest,
-          (force - Eigen::Vector3d(t * cx, t * cy, -p)).norm() / slip_stress);
+          node.force_to_cartesian(at_node(run.problem->solution().lambda, i)) / node.area;
+        largest = std::max(largest, (force - Eigen::Vector3d(t * cx, t * cy, -p)).norm() /
+                                      slip_stress);
       }
     return largest;
   }
 
-  void
-  given_friction(const Case &c, const Ending &ending)
+  void given_friction(const Case &c, const Ending &ending)
   {
     const double gamma = ending.shear * slip_stress / G;
     const double top   = gamma + ending.slip;
@@ -151,45 +139,41 @@ namespace
           brick("given") + method.settings +
             Settings{"Boundary conditions/Prescribed displacement=5 : " +
                        three(top * cx, top * cy, c.lift),
-                     "Boundary conditions/Traction=0 : " +
-                       three(-sxx, 0, -sxz) + " | 1 : " + three(sxx, 0, sxz) +
-                       " | 2 : " + three(0, -sxx, -syz) +
+                     "Boundary conditions/Traction=0 : " + three(-sxx, 0, -sxz) +
+                       " | 1 : " + three(sxx, 0, sxz) + " | 2 : " + three(0, -sxx, -syz) +
                        " | 3 : " + three(0, sxx, syz)});
-        out() << c.name << ", " << ending.name << ", " << method.name
-              << ": certified " << yes(run.converged) << ", exact to 1e-6 "
+        out() << c.name << ", " << ending.name << ", " << method.name << ": certified "
+              << yes(run.converged) << ", exact to 1e-6 "
               << yes(error(run, c, ending) < 1e-6) << ", status of all nodes "
-              << yes(all_nodes_are(run, c.expected, ending.expected))
-              << std::endl;
+              << yes(all_nodes_are(run, c.expected, ending.expected)) << std::endl;
       }
   }
 
   // The top is drawn so far along x that a pressed face slides; nothing holds
   // one that is not pressed, in a body that is stretched.
-  void
-  friction_by_pressure(const Case &c, const std::string &law)
+  void friction_by_pressure(const Case &c, const std::string &law)
   {
-    const bool is_pressed = c.lift < 0.;
-    const double p        = is_pressed ? -(lame + 2. * G) * c.lift : 0.;
-    const double stretch  = is_pressed ? 0. : 1e-4;
-    const double sxx      = is_pressed ? lame * c.lift : E * stretch;
-    const double syy      = is_pressed ? sxx : 0.;
-    const double sxz      = law == "coulomb" ? 0.3 * p : 0.;
-    const TangentialStatus expected =
-      law == "frictionless" || c.lift > 0. ? TangentialStatus::none
-      : is_pressed                         ? TangentialStatus::slip
-                                           : TangentialStatus::undecided;
+    const bool is_pressed           = c.lift < 0.;
+    const double p                  = is_pressed ? -(lame + 2. * G) * c.lift : 0.;
+    const double stretch            = is_pressed ? 0. : 1e-4;
+    const double sxx                = is_pressed ? lame * c.lift : E * stretch;
+    const double syy                = is_pressed ? sxx : 0.;
+    const double sxz                = law == "coulomb" ? 0.3 * p : 0.;
+    const TangentialStatus expected = law == "frictionless" || c.lift > 0.
+                                        ? TangentialStatus::none
+                                      : is_pressed ? TangentialStatus::slip
+                                                   : TangentialStatus::undecided;
     for (const Method &method : methods(law))
       {
         const Run run(
           shipped("brick.prm"),
           brick(law) + method.settings +
-            Settings{
-              "Boundary conditions/Prescribed displacement=5 : 1e-3+" +
-                exact(stretch) + "*x; " + exact(-nu * stretch) + "*y; " +
-                exact(c.lift - nu * stretch),
-              "Boundary conditions/Traction=0 : " + three(-sxx, 0, -sxz) +
-                " | 1 : " + three(sxx, 0, sxz) + " | 2 : " + three(0, -syy, 0) +
-                " | 3 : " + three(0, syy, 0)});
+            Settings{"Boundary conditions/Prescribed displacement=5 : 1e-3+" +
+                       exact(stretch) + "*x; " + exact(-nu * stretch) + "*y; " +
+                       exact(c.lift - nu * stretch),
+                     "Boundary conditions/Traction=0 : " + three(-sxx, 0, -sxz) +
+                       " | 1 : " + three(sxx, 0, sxz) + " | 2 : " + three(0, -syy, 0) +
+                       " | 3 : " + three(0, syy, 0)});
         out() << c.name << ", " << law << ", " << method.name << ": certified "
               << yes(run.converged) << ", status of all nodes "
               << yes(all_nodes_are(run, c.expected, expected)) << std::endl;
@@ -197,10 +181,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const Case &c : cases)

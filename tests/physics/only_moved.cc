@@ -7,8 +7,7 @@
 
 #include <array>
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string moved : {"1e-3;0;0", "1e-3;0;1e-3", "1e-3;0;-1e-6"})
@@ -18,24 +17,19 @@ main(int argc, char *argv[])
         for (const std::string method :
              {"newton", "newton multigrid", "gauss seidel", "mpgp", "admm"})
           {
-            const Run run(
-              shipped("brick.prm"),
-              {"Geometry/Table 1 level=0",
-               "Geometry/Lengths=2,2,1",
-               "Geometry/Subdivisions=3,3,2",
-               "Boundary conditions/Traction=",
-               "Boundary conditions/Prescribed displacement=5:" + moved,
-               "Friction/Law=" + law,
-               "Contact solver/Method=" + method});
+            const Run run(shipped("brick.prm"),
+                          {"Geometry/Table 1 level=0", "Geometry/Lengths=2,2,1",
+                           "Geometry/Subdivisions=3,3,2", "Boundary conditions/Traction=",
+                           "Boundary conditions/Prescribed displacement=5:" + moved,
+                           "Friction/Law=" + law, "Contact solver/Method=" + method});
             const auto &contact = run.summary()["contact"];
             const double force  = contact["normal_force"].get<double>();
             if (first < 0.)
               first = force;
             out() << moved << ", " << law << ", " << method << ": certified "
-                  << yes(run.converged) << ", forces "
-                  << (force > 0. ? "yes" : "none") << ", the same "
-                  << yes(std::abs(force - first) <= 1e-7 * first) << ", open "
-                  << contact["open"] << ", closed " << contact["closed"]
+                  << yes(run.converged) << ", forces " << (force > 0. ? "yes" : "none")
+                  << ", the same " << yes(std::abs(force - first) <= 1e-7 * first)
+                  << ", open " << contact["open"] << ", closed " << contact["closed"]
                   << ", undecided " << contact["undecided"] << std::endl;
           }
       }

@@ -26,12 +26,9 @@ struct Patch
 
 // The brick of 1.5 m x 1.2 m x 1 m, its top shifted in a direction that is
 // given in degrees; settings are those of mesh and solver.
-inline Patch
-solve_patch(std::vector<std::string> settings,
-            const std::string &law,
-            const std::string &ending,
-            const double shift,
-            const double degrees)
+inline Patch solve_patch(std::vector<std::string> settings, const std::string &law,
+                         const std::string &ending, const double shift,
+                         const double degrees)
 {
   constexpr double E = 2e11, nu = 0.3, epsilon = 1e-4, height = 1.;
 
@@ -52,16 +49,14 @@ solve_patch(std::vector<std::string> settings,
   const double sxz = G * gamma * cx, syz = G * gamma * cy;
   for (const std::string &setting :
        {std::string("Geometry/Table 1 level=0"),
-        std::string("Geometry/Lengths=1.5,1.2,1"),
-        "Material/Young's modulus=" + exact(E),
+        std::string("Geometry/Lengths=1.5,1.2,1"), "Material/Young's modulus=" + exact(E),
         "Material/Poisson ratio=" + exact(nu),
         "Boundary conditions/Prescribed displacement=5 : " +
           three(shift * cx, shift * cy, -epsilon * height),
         "Boundary conditions/Traction=0 : " + three(-sxx, 0, -sxz) +
           " | 1 : " + three(sxx, 0, sxz) + " | 2 : " + three(0, -sxx, -syz) +
           " | 3 : " + three(0, sxx, syz),
-        "Friction/Law=" + law,
-        "Friction/Coefficient=" + exact(mu),
+        "Friction/Law=" + law, "Friction/Coefficient=" + exact(mu),
         "Friction/Slip stress=" + exact(0.2 * p)})
     settings.push_back(setting);
   const Run run(shipped("brick.prm"), settings);
@@ -75,8 +70,7 @@ solve_patch(std::vector<std::string> settings,
   for (const auto &node : body.locally_owned_nodes())
     {
       const double z         = node.position[2];
-      const double exact_u[] = {
-        cx * (gamma * z + s), cy * (gamma * z + s), -epsilon * z};
+      const double exact_u[] = {cx * (gamma * z + s), cy * (gamma * z + s), -epsilon * z};
       for (unsigned int c = 0; c < 3; ++c)
         error = std::max(error, std::abs(u(node.dofs[c]) - exact_u[c]) / shift);
     }
@@ -93,27 +87,25 @@ solve_patch(std::vector<std::string> settings,
       const double exact_l[] = {
         p * node.area,
         G * gamma * node.area * (cx * node.tangent1[0] + cy * node.tangent1[1]),
-        G * gamma * node.area *
-          (cx * node.tangent2[0] + cy * node.tangent2[1])};
+        G * gamma * node.area * (cx * node.tangent2[0] + cy * node.tangent2[1])};
       for (unsigned int c = 0; c < 3; ++c)
-        patch.force_error =
-          std::max(patch.force_error,
-                   std::abs(lambda(i + c * m) - exact_l[c]) / (p * node.area));
-      right_status += statuses[i].normal == stiction::NormalStatus::closed &&
-                          statuses[i].tangential ==
-                            (sticks ? stiction::TangentialStatus::stick
-                                    : stiction::TangentialStatus::slip)
-                        ? 1
-                        : 0;
+        patch.force_error = std::max(
+          patch.force_error, std::abs(lambda(i + c * m) - exact_l[c]) / (p * node.area));
+      right_status +=
+        statuses[i].normal == stiction::NormalStatus::closed &&
+            statuses[i].tangential == (sticks ? stiction::TangentialStatus::stick
+                                              : stiction::TangentialStatus::slip)
+          ? 1
+          : 0;
     }
   patch.ends_as_expected = right_status == m && sticks == (ending == "stick");
   patch.area_error       = std::abs(surface.areas().sum() / 1.8 - 1.);
 
   const auto &energy = run.summary()["energy"];
-  patch.energy_error = std::abs((2. * energy["strain"].get<double>() +
-                                 energy["friction_dissipation"].get<double>()) /
-                                  energy["load_work"].get<double>() -
-                                1.);
+  patch.energy_error = std::abs(
+    (2. * energy["strain"].get<double>() + energy["friction_dissipation"].get<double>()) /
+      energy["load_work"].get<double>() -
+    1.);
   return patch;
 }
 

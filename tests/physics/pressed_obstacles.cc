@@ -16,21 +16,18 @@ using namespace stiction;
 
 namespace
 {
-  const Eigen::VectorXd &
-  lambda(const Run &run)
+  const Eigen::VectorXd &lambda(const Run &run)
   {
     return run.problem->solution().lambda;
   }
 
-  nlohmann::json
-  boundary(const Run &run, const unsigned int number = 0)
+  nlohmann::json boundary(const Run &run, const unsigned int number = 0)
   {
     return run.summary()["contact"]["boundaries"][number];
   }
 
   // Relative to the work of the loads and of the obstacles.
-  double
-  imbalance_of_energy(const Run &run)
+  double imbalance_of_energy(const Run &run)
   {
     const auto &energy  = run.summary()["energy"];
     const double strain = energy["strain"], work = energy["load_work"],
@@ -42,8 +39,7 @@ namespace
   }
 
   // P = 3000 N on 0.5 m², E = 1e6 Pa, height 2 m: 0.012 m beyond the gap.
-  void
-  press_column()
+  void press_column()
   {
     const Settings column = {
       "Geometry/Table 1 level=0",
@@ -73,13 +69,10 @@ namespace
       are_certified       = are_certified && run.converged;
       const auto &surface = run.problem->contact_surface();
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        error = std::max(
-          error, std::abs(lambda(run)(i) / surface.areas()(i) / 6e3 - 1.));
+        error = std::max(error, std::abs(lambda(run)(i) / surface.areas()(i) / 6e3 - 1.));
       error = std::max(
-        error,
-        std::abs(boundary(run)["obstacle_displacement"][2].get<double>() /
-                   0.013 -
-                 1.));
+          error,
+          std::abs(boundary(run)["obstacle_displacement"][2].get<double>() / 0.013 - 1.));
       error = std::max(error, imbalance_of_energy(run));
     };
     for (const Method &method : all_methods())
@@ -94,23 +87,19 @@ namespace
           << std::endl;
   }
 
-  const Settings brick = {"Geometry/Table 1 level=0",
-                          "Geometry/Lengths=4,3,1",
-                          "Geometry/Subdivisions=4,3,1",
-                          "Geometry/Global refinement=1",
+  const Settings brick = {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+                          "Geometry/Subdivisions=4,3,1", "Geometry/Global refinement=1",
                           "Contact solver/Tolerance=1e-9"};
 
   // The whole world moved by U changes no force.
-  void
-  move_the_foundation()
+  void move_the_foundation()
   {
     const std::string U = "2e-4; -1e-4; 1e-4", minus_U = "-2e-4; 1e-4; -1e-4";
     for (const std::string law : {"given", "coulomb"})
       for (const std::string method : {"gauss seidel", "newton multigrid"})
         {
           const Settings all =
-            brick + Settings{"Friction/Law=" + law,
-                             "Friction/Slip stress=1.5e7",
+            brick + Settings{"Friction/Law=" + law, "Friction/Slip stress=1.5e7",
                              "Contact solver/Method=" + method};
           const Run foundation(shipped("brick.prm"),
                                all + Settings{"Boundary conditions/Obstacle "
@@ -122,10 +111,8 @@ namespace
                                             minus_U});
           const Run neither(shipped("brick.prm"), all);
           out() << law << ", " << method << ", moved foundation: certified "
-                << yes(foundation.converged)
-                << ", the forces of moved supports to 1e-6 "
-                << yes(distance(foundation, supports) < 1e-6)
-                << ", others than at rest "
+                << yes(foundation.converged) << ", the forces of moved supports to 1e-6 "
+                << yes(distance(foundation, supports) < 1e-6) << ", others than at rest "
                 << yes(distance(foundation, neither) > 0.1)
                 << ", energies balance to 1e-8 "
                 << yes(imbalance_of_energy(foundation) < 1e-8) << std::endl;
@@ -135,24 +122,20 @@ namespace
   // A body of one layer of cells, of which every contact node is held along x,
   // and a plane that leans that way: all that the plane sees of supports that
   // are moved along x is that it is moved the other way.
-  void
-  move_held_nodes()
+  void move_held_nodes()
   {
     const auto press = [](const double u, const double obstacle) {
       const std::string along_x = exact(u) + "; free; free";
-      return Run(
-        shipped("brick.prm"),
-        {"Geometry/Table 1 level=0",
-         "Geometry/Lengths=0.25,3,1",
-         "Geometry/Subdivisions=1,6,2",
-         "Geometry/Global refinement=0",
-         "Boundary conditions/Prescribed displacement=front : free; "
-         "0; 0 | left : " +
-           along_x + " | right : " + along_x,
-         "Boundary conditions/Traction=top : 0; 0; -1e8",
-         "Boundary conditions/Obstacle=plane : 0; 0; -1e-3; 0.3; 0; 1",
-         "Boundary conditions/Obstacle displacement=" + three(obstacle, 0., 0.),
-         "Contact solver/Tolerance=1e-9"});
+      return Run(shipped("brick.prm"),
+                 {"Geometry/Table 1 level=0", "Geometry/Lengths=0.25,3,1",
+                  "Geometry/Subdivisions=1,6,2", "Geometry/Global refinement=0",
+                  "Boundary conditions/Prescribed displacement=front : free; "
+                  "0; 0 | left : " +
+                    along_x + " | right : " + along_x,
+                  "Boundary conditions/Traction=top : 0; 0; -1e8",
+                  "Boundary conditions/Obstacle=plane : 0; 0; -1e-3; 0.3; 0; 1",
+                  "Boundary conditions/Obstacle displacement=" + three(obstacle, 0., 0.),
+                  "Contact solver/Tolerance=1e-9"});
     };
     const Run supports = press(2e-3, 0.), plane = press(0., -2e-3),
               neither = press(0., 0.);
@@ -164,8 +147,7 @@ namespace
   }
 
   // Up and a little sideways, with all three states.
-  void
-  press_obliquely()
+  void press_obliquely()
   {
     const std::string entry = "Boundary conditions/Obstacle force=";
     const Settings all      = brick + Settings{entry + "1e7; 0; 3e8"};
@@ -182,16 +164,14 @@ namespace
     const auto &contact = first.summary()["contact"];
     out() << "oblique: certified " << yes(first.converged)
           << ", force along its direction to 1e-8 "
-          << yes(std::abs(along_force(boundary(first)["force_on_body"]) / P -
-                          1.) < 1e-8)
+          << yes(std::abs(along_force(boundary(first)["force_on_body"]) / P - 1.) < 1e-8)
           << ", moved along it "
-          << yes(std::abs(u[0].get<double>() * 3e8 - u[2].get<double>() * 1e7) <
-                 1e-8 * P)
+          << yes(std::abs(u[0].get<double>() * 3e8 - u[2].get<double>() * 1e7) < 1e-8 * P)
           << ", the forces of that displacement to 1e-6 "
           << yes(distance(first, displaced) < 1e-6) << ", nodes slip and stick "
           << yes(contact["slip"] > 0 && contact["stick"] > 0)
-          << ", energies balance to 1e-8 "
-          << yes(imbalance_of_energy(first) < 1e-8) << std::endl;
+          << ", energies balance to 1e-8 " << yes(imbalance_of_energy(first) < 1e-8)
+          << std::endl;
 
     bool are_certified = true;
     double largest     = 0.;
@@ -206,24 +186,21 @@ namespace
   }
 
   // One from below and one from above, which are felt by each other.
-  void
-  press_from_two_sides()
+  void press_from_two_sides()
   {
     const Settings two =
-      brick +
-      Settings{
-        "Boundary conditions/Traction=",
-        "Boundary conditions/Contact boundary=bottom | top",
-        "Boundary conditions/Obstacle=foundation | sphere : 2; 2; 11; 10",
-      };
+      brick + Settings{
+                "Boundary conditions/Traction=",
+                "Boundary conditions/Contact boundary=bottom | top",
+                "Boundary conditions/Obstacle=foundation | sphere : 2; 2; 11; 10",
+              };
     for (const double below : {3e7, 3e5})
       for (const std::string method : {"newton", "newton multigrid"})
         {
           const Run run(shipped("brick.prm"),
-                        two +
-                          Settings{"Contact solver/Method=" + method,
-                                   "Boundary conditions/Obstacle force=" +
-                                     three(0., 0., below) + " | 0; 0; -2e7"});
+                        two + Settings{"Contact solver/Method=" + method,
+                                       "Boundary conditions/Obstacle force=" +
+                                         three(0., 0., below) + " | 0; 0; -2e7"});
           const auto force = [&](const unsigned int b) {
             return boundary(run, b)["force_on_body"][2].get<double>();
           };
@@ -236,8 +213,7 @@ namespace
   }
 
   // Amontons' law for a sphere that slides, and less for one that does not.
-  void
-  slide()
+  void slide()
   {
     const auto ratio = [](const Run &run) {
       const auto force = boundary(run)["force_on_body"];
@@ -249,66 +225,55 @@ namespace
                   "Geometry/Global refinement=1"});
     };
     const Run little = draw("0.002"), far = draw("0.03");
-    out() << "sliding sphere: certified "
-          << yes(little.converged && far.converged) << ", pressed by its force "
-          << yes(std::abs(boundary(far)["force_on_body"][2].get<double>() /
-                            -3077. -
-                          1.) < 1e-6)
+    out() << "sliding sphere: certified " << yes(little.converged && far.converged)
+          << ", pressed by its force "
+          << yes(std::abs(boundary(far)["force_on_body"][2].get<double>() / -3077. - 1.) <
+                 1e-6)
           << ", slips and sticks "
           << yes(little.summary()["contact"]["slip"] > 0 &&
                  little.summary()["contact"]["stick"] > 0)
-          << ", with less than friction could carry "
-          << yes(ratio(little) < 0.8) << ", slides as a whole "
-          << yes(far.summary()["contact"]["stick"] == 0)
+          << ", with less than friction could carry " << yes(ratio(little) < 0.8)
+          << ", slides as a whole " << yes(far.summary()["contact"]["stick"] == 0)
           << ", with what friction carries to 1e-3 "
           << yes(std::abs(ratio(far) - 1.) < 1e-3) << std::endl;
   }
 
   // Where there is no load, a little overlap is all there is: no tolerance is
   // too loose to see it.
-  void
-  overlap_a_little()
+  void overlap_a_little()
   {
-    const auto force = [](const std::string &method,
-                          const std::string &tolerance) {
+    const auto force = [](const std::string &method, const std::string &tolerance) {
       const Run run(shipped("hertz.prm"),
                     {"Boundary conditions/Obstacle force=0; 0; 0",
                      "Boundary conditions/Obstacle displacement=0; 0; -1e-4",
-                     "Geometry/Global refinement=1",
-                     "Contact solver/Method=" + method,
+                     "Geometry/Global refinement=1", "Contact solver/Method=" + method,
                      "Contact solver/Tolerance=" + tolerance});
-      return run.converged
-               ? run.summary()["contact"]["normal_force"].get<double>()
-               : -1.;
+      return run.converged ? run.summary()["contact"]["normal_force"].get<double>() : -1.;
     };
     const double exact = force("newton", "1e-10");
     bool is_seen       = exact > 0.;
     for (const std::string method :
          {"newton", "gauss seidel", "mpgp", "newton multigrid"})
       is_seen = is_seen && std::abs(force(method, "1e-2") / exact - 1.) < 1e-2;
-    out() << "a little overlap and no load: seen at a tolerance of 1e-2 "
-          << yes(is_seen) << std::endl;
+    out() << "a little overlap and no load: seen at a tolerance of 1e-2 " << yes(is_seen)
+          << std::endl;
   }
 
   // A force that the body cannot take within its size.
-  void
-  press_too_hard()
+  void press_too_hard()
   {
     const Run run(shipped("brick.prm"),
                   brick + Settings{"Boundary conditions/Obstacle force="
                                    "0; 0; 1e13"});
-    out() << "more than the body can take: not converged "
-          << yes(!run.converged) << ", says why "
+    out() << "more than the body can take: not converged " << yes(!run.converged)
+          << ", says why "
           << yes(run.problem->solution().reason.find("Obstacle force") !=
                  std::string::npos)
           << std::endl;
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   press_column();

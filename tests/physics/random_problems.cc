@@ -4,8 +4,7 @@
 
 #include "../random_problem.h"
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   unsigned int not_certified = 0, different = 0, certified = 0;
@@ -15,13 +14,11 @@ main(int argc, char *argv[])
       for (const auto &outcome : comparison.outcomes)
         {
           not_certified += outcome.method == "newton" && !outcome.certified;
-          different +=
-            outcome.certified && outcome.distance > comparison.agreement();
+          different += outcome.certified && outcome.distance > comparison.agreement();
           certified += outcome.certified;
         }
     }
   out() << "not certified by newton: " << not_certified
         << "\ncertified and different: " << different
-        << "\nmost are certified by all methods: " << yes(certified >= 100)
-        << std::endl;
+        << "\nmost are certified by all methods: " << yes(certified >= 100) << std::endl;
 }

@@ -28,19 +28,16 @@ namespace
                           "Contact solver/Method=newton",
                           "Contact solver/Tolerance=1e-9"};
 
-  Vector3
-  vector(const nlohmann::json &v)
+  Vector3 vector(const nlohmann::json &v)
   {
-    return Vector3(
-      {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()});
+    return Vector3({v[0].get<double>(), v[1].get<double>(), v[2].get<double>()});
   }
 
   struct Sum
   {
     Vector3 force, moment;
 
-    void
-    add(const dealii::Point<3> &at, const Vector3 &f)
+    void add(const dealii::Point<3> &at, const Vector3 &f)
     {
       force += f;
       moment += cross_product_3d(at, f);
@@ -48,8 +45,7 @@ namespace
   };
 
   // Of all supports in the summary, and of all loads.
-  Sum
-  reactions(const Run &run)
+  Sum reactions(const Run &run)
   {
     Sum sum;
     const auto &json = run.summary()["reactions"];
@@ -63,12 +59,10 @@ namespace
     return sum;
   }
 
-  Sum
-  nodal(const Run &run, const LA::Vector &v)
+  Sum nodal(const Run &run, const LA::Vector &v)
   {
     Sum sum;
-    for (const Body::Node &node :
-         run.problem->elasticity().body().locally_owned_nodes())
+    for (const Body::Node &node : run.problem->elasticity().body().locally_owned_nodes())
       {
         Vector3 f;
         for (unsigned int c = 0; c < 3; ++c)
@@ -81,8 +75,7 @@ namespace
   }
 
   // ‖reactions + loads + contact forces‖ relative to S, and of the moments.
-  bool
-  is_balanced(const Run &run)
+  bool is_balanced(const Run &run)
   {
     const Sum R         = reactions(run);
     const Sum loads     = nodal(run, run.problem->elasticity().load());
@@ -95,41 +88,34 @@ namespace
         moment += vector(boundary["moment"]);
       }
     const double S = run.problem->certificate().force_scale();
-    return run.converged &&
-           (R.force + loads.force + force).norm() < 1e-10 * S &&
+    return run.converged && (R.force + loads.force + force).norm() < 1e-10 * S &&
            (R.moment + loads.moment + moment).norm() < 1e-10 * 5. * S &&
            (R.force - all.force).norm() < 1e-12 * S &&
            (R.moment - all.moment).norm() < 1e-12 * 5. * S;
   }
 
-  bool
-  has(const nlohmann::json &v, const Vector3 &exact, const double scale)
+  bool has(const nlohmann::json &v, const Vector3 &exact, const double scale)
   {
     return (vector(v) - exact).norm() < 1e-9 * scale;
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const std::string file = shipped("brick.prm");
   {
     const Run run(
-      file,
-      block + Settings{"Boundary conditions/Prescribed displacement=left : 0; "
-                       "free; free",
-                       "Boundary conditions/Prescribed points=0;0;0 : free;0;0 "
-                       "| 0;3;0 : free;free;0",
-                       "Boundary conditions/Traction=right : 1e6; 0; 0"});
+      file, block + Settings{"Boundary conditions/Prescribed displacement=left : 0; "
+                             "free; free",
+                             "Boundary conditions/Prescribed points=0;0;0 : free;0;0 "
+                             "| 0;3;0 : free;free;0",
+                             "Boundary conditions/Traction=right : 1e6; 0; 0"});
     const auto &R    = run.summary()["reactions"];
     const double F   = 3e6;
     const auto &left = R["boundaries"][0];
     out() << "Pulled bar: held with the load "
-          << yes(left["name"] == "left" &&
-                 has(left["force"], Vector3({-F, 0., 0.}), F))
+          << yes(left["name"] == "left" && has(left["force"], Vector3({-F, 0., 0.}), F))
           << ", its moment "
           << yes(has(left["moment"], Vector3({0., -F / 2., 1.5 * F}), F))
           << ", nothing at the points "
@@ -139,17 +125,15 @@ main(int argc, char *argv[])
   }
   {
     const Run run(
-      file,
-      block + Settings{"Boundary conditions/Prescribed displacement=left : 0; "
-                       "0; 0 | front : 0; 0; 0",
-                       "Boundary conditions/Prescribed points=0;0;0 : 0;0;0",
-                       "Boundary conditions/Traction=top : 0; 0; -1e6"});
+      file, block + Settings{"Boundary conditions/Prescribed displacement=left : 0; "
+                             "0; 0 | front : 0; 0; 0",
+                             "Boundary conditions/Prescribed points=0;0;0 : 0;0;0",
+                             "Boundary conditions/Traction=top : 0; 0; -1e6"});
     const Sum R = reactions(run);
     out() << "Two clamped faces and a point: force "
-          << yes((R.force - Vector3({0., 0., 1.2e7})).norm() < 1e-3)
-          << ", moment "
-          << yes((R.moment - Vector3({1.8e7, -2.4e7, 0.})).norm() < 1e-3)
-          << ", balance " << yes(is_balanced(run)) << std::endl;
+          << yes((R.force - Vector3({0., 0., 1.2e7})).norm() < 1e-3) << ", moment "
+          << yes((R.moment - Vector3({1.8e7, -2.4e7, 0.})).norm() < 1e-3) << ", balance "
+          << yes(is_balanced(run)) << std::endl;
   }
   const Settings all =
     block + Settings{"Boundary conditions/Prescribed displacement=left : 0; "
@@ -166,21 +150,18 @@ main(int argc, char *argv[])
   for (const auto &what : std::vector<std::pair<std::string, Settings>>{
          {"uniform", {}},
          {"hanging nodes",
-          {"Geometry/Contact refinement=1",
-           "Geometry/Contact refinement where=x<2"}},
-         {"triquadratic",
-          {"Geometry/Global refinement=0", "Geometry/Element degree=2"}}})
+          {"Geometry/Contact refinement=1", "Geometry/Contact refinement where=x<2"}},
+         {"triquadratic", {"Geometry/Global refinement=0", "Geometry/Element degree=2"}}})
     {
       const Run run(file, all + what.second);
       const auto &contact = run.summary()["contact"]["boundaries"];
       const auto &R       = run.summary()["reactions"];
       const double S      = run.problem->certificate().force_scale();
       bool only_held      = true;
-      only_held =
-        only_held &&
-        std::abs(R["boundaries"][0]["force"][1].get<double>()) == 0. &&
-        std::abs(R["boundaries"][0]["force"][2].get<double>()) == 0. &&
-        std::abs(R["boundaries"][1]["force"][0].get<double>()) == 0.;
+      only_held           = only_held &&
+                  std::abs(R["boundaries"][0]["force"][1].get<double>()) == 0. &&
+                  std::abs(R["boundaries"][0]["force"][2].get<double>()) == 0. &&
+                  std::abs(R["boundaries"][1]["force"][0].get<double>()) == 0.;
       bool parts = contact.size() == 2;
       for (const auto &boundary : contact)
         parts = parts && boundary["normal_force"].get<double>() > 1e-3 * S &&
@@ -189,14 +170,12 @@ main(int argc, char *argv[])
                   boundary["nodes"].get<int>() &&
                 vector(boundary["tangential_force"]).norm() > 1e-6 * S;
       // a plane: what is left of the force is along its normal
-      const Vector3 bottom = vector(contact[0]["force_on_body"]) -
-                             vector(contact[0]["tangential_force"]);
+      const Vector3 bottom =
+        vector(contact[0]["force_on_body"]) - vector(contact[0]["tangential_force"]);
       parts = parts &&
-              (bottom - Vector3({0., 0., contact[0]["normal_force"]})).norm() <
-                1e-12 * S;
-      out() << "Rollers, points, two contact boundaries, " << what.first
-            << ": balance " << yes(is_balanced(run))
-            << ", held components alone " << yes(only_held)
+              (bottom - Vector3({0., 0., contact[0]["normal_force"]})).norm() < 1e-12 * S;
+      out() << "Rollers, points, two contact boundaries, " << what.first << ": balance "
+            << yes(is_balanced(run)) << ", held components alone " << yes(only_held)
             << ", contact boundaries " << yes(parts) << std::endl;
     }
 }

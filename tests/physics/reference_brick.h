@@ -25,10 +25,7 @@ namespace
      {"given", 3, {{-3.962652e7, -5.799868e7, 5.268582e8}}, {{71, 178, 200}}}}};
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const Reference &reference : references)
@@ -36,29 +33,26 @@ main(int argc, char *argv[])
       {
         if (reference.level > LARGEST_LEVEL)
           continue;
-        const Run run(
-          shipped("brick.prm"),
-          {"Geometry/Table 1 level=" + std::to_string(reference.level),
-           "Friction/Law=" + std::string(reference.law),
-           "Friction/Slip stress=1.5e7",
-           "Contact solver/Tolerance=1e-7",
-           "Dual operator/Form=" + form,
-           "Stiffness solver/Type=" STIFFNESS_SOLVER});
+        const Run run(shipped("brick.prm"),
+                      {"Geometry/Table 1 level=" + std::to_string(reference.level),
+                       "Friction/Law=" + std::string(reference.law),
+                       "Friction/Slip stress=1.5e7", "Contact solver/Tolerance=1e-7",
+                       "Dual operator/Form=" + form,
+                       "Stiffness solver/Type=" STIFFNESS_SOLVER});
         const auto &contact = run.summary()["contact"];
 
         double error = 0., size = 0.;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            error += std::pow(contact["force_on_body"][c].get<double>() -
-                                reference.force[c],
-                              2);
+            error +=
+              std::pow(contact["force_on_body"][c].get<double>() - reference.force[c], 2);
             size += std::pow(reference.force[c], 2);
           }
         out() << reference.law << ", k = " << reference.level << ", " << form
               << ": certified " << yes(run.converged) << ", force to 1e-6 "
               << yes(std::sqrt(error / size) < 1e-6) << ", open/stick/slip "
-              << contact["open"] << "/" << contact["stick"] << "/"
-              << contact["slip"] << ", as they should be "
+              << contact["open"] << "/" << contact["stick"] << "/" << contact["slip"]
+              << ", as they should be "
               << yes(contact["open"] == reference.status[0] &&
                      contact["stick"] == reference.status[1] &&
                      contact["slip"] == reference.status[2])

@@ -14,8 +14,7 @@
 
 using namespace stiction;
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   bool has_changed_rho = false, has_fallen_back = false;
@@ -23,8 +22,7 @@ main(int argc, char *argv[])
     {
       Parameters parameters;
       parameters.read(shipped("brick.prm"),
-                      {"Geometry/Table 1 level=2",
-                       "Friction/Law=" + law,
+                      {"Geometry/Table 1 level=2", "Friction/Law=" + law,
                        "Friction/Slip stress=1.5e7",
                        "Contact solver/Method=newton multigrid"});
       const Body body(parameters.geometry, MPI_COMM_WORLD);
@@ -32,13 +30,11 @@ main(int argc, char *argv[])
       const ContactSurface surface(elasticity, parameters);
 
       Eigen::VectorXd reference;
-      const auto run = [&](const std::string &name,
-                           const LevelNewton::Options &options) {
+      const auto run = [&](const std::string &name, const LevelNewton::Options &options) {
         NewtonMultigrid newton(elasticity, surface, true, options);
-        const auto solution =
-          newton.solve(1e-9, 1000, [](const ContactStep &) {});
-        const Certificate certificate(
-          elasticity, surface, newton.displacement(), solution.lambda);
+        const auto solution = newton.solve(1e-9, 1000, [](const ContactStep &) {});
+        const Certificate certificate(elasticity, surface, newton.displacement(),
+                                      solution.lambda);
         if (reference.size() == 0)
           reference = solution.lambda;
         for (const LevelNewton::Statistics &level : newton.statistics())
@@ -49,8 +45,7 @@ main(int argc, char *argv[])
         out() << law << ", " << name << ": certified "
               << yes(solution.converged && certificate.converged(1e-9))
               << ", same forces to 1e-6 "
-              << yes((solution.lambda - reference).norm() <
-                     1e-6 * reference.norm())
+              << yes((solution.lambda - reference).norm() < 1e-6 * reference.norm())
               << std::endl;
       };
 
@@ -65,6 +60,5 @@ main(int argc, char *argv[])
       run("method of multipliers alone", options);
     }
   out() << "rho was changed on the way: " << yes(has_changed_rho)
-        << ", the method of multipliers called: " << yes(has_fallen_back)
-        << std::endl;
+        << ", the method of multipliers called: " << yes(has_fallen_back) << std::endl;
 }

@@ -26,8 +26,7 @@ public:
 
   // The nodes are those of a triquadratic element.
   SecondOrderFile(
-    const dealii::Triangulation<3> &triangulation,
-    const Names &names,
+    const dealii::Triangulation<3> &triangulation, const Names &names,
     const dealii::Mapping<3> &mapping,
     const std::function<dealii::Point<3>(dealii::Point<3>)> &moved =
       [](dealii::Point<3> p) { return p; })
@@ -42,8 +41,7 @@ public:
       points_.push_back(moved(p.second));
   }
 
-  void
-  write(const std::string &file, const unsigned int n) const
+  void write(const std::string &file, const unsigned int n) const
   {
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
@@ -58,35 +56,22 @@ public:
   }
 
 private:
-  static Places
-  corners()
+  static Places corners()
   {
     return {"000", "200", "220", "020", "002", "202", "222", "022"};
   }
 
   // The edges of the bottom, of the top, the upright ones.
-  static Places
-  common_20()
+  static Places common_20()
   {
     Places places = corners();
-    for (const char *const p : {"100",
-                                "210",
-                                "120",
-                                "010",
-                                "102",
-                                "212",
-                                "122",
-                                "012",
-                                "001",
-                                "201",
-                                "221",
-                                "021"})
+    for (const char *const p : {"100", "210", "120", "010", "102", "212", "122", "012",
+                                "001", "201", "221", "021"})
       places.emplace_back(p);
     return places;
   }
 
-  static Places
-  cut(Places places, const unsigned int n, const Places &others = {})
+  static Places cut(Places places, const unsigned int n, const Places &others = {})
   {
     places.insert(places.end(), others.begin(), others.end());
     places.resize(n);
@@ -94,12 +79,10 @@ private:
   }
 
   // Of a face of deal.II, going around it.
-  static Places
-  on_face(const unsigned int face, const unsigned int n)
+  static Places on_face(const unsigned int face, const unsigned int n)
   {
     Places places;
-    for (const std::string p :
-         {"00", "20", "22", "02", "10", "21", "12", "01", "11"})
+    for (const std::string p : {"00", "20", "22", "02", "10", "21", "12", "01", "11"})
       {
         std::string place = p;
         place.insert(face / 2, face % 2 == 0 ? "0" : "2");
@@ -109,11 +92,9 @@ private:
   }
 
   // Numbers of nodes, from 'first' on.
-  std::string
-  nodes(const dealii::DoFHandler<3>::active_cell_iterator &cell,
-        const Places &places,
-        const unsigned int first,
-        const std::string &separator) const
+  std::string nodes(const dealii::DoFHandler<3>::active_cell_iterator &cell,
+                    const Places &places, const unsigned int first,
+                    const std::string &separator) const
   {
     std::vector<dealii::types::global_dof_index> dofs(fe_.n_dofs_per_cell());
     cell->get_dof_indices(dofs);
@@ -124,15 +105,13 @@ private:
           const auto &p = fe_.unit_support_point(i);
           if (place[0] - '0' == 2 * p[0] && place[1] - '0' == 2 * p[1] &&
               place[2] - '0' == 2 * p[2])
-            text +=
-              (text.empty() ? "" : separator) + std::to_string(first + dofs[i]);
+            text += (text.empty() ? "" : separator) + std::to_string(first + dofs[i]);
         }
     return text;
   }
 
   template<typename Function>
-  void
-  for_boundary(const Function &function) const
+  void for_boundary(const Function &function) const
   {
     for (const auto &cell : dofs_.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
@@ -140,16 +119,14 @@ private:
           function(cell, f, cell->face(f)->boundary_id());
   }
 
-  unsigned int
-  n_faces() const
+  unsigned int n_faces() const
   {
     unsigned int n = 0;
     for_boundary([&](const auto &, unsigned int, unsigned int) { ++n; });
     return n;
   }
 
-  void
-  write_gmsh(std::ostream &out, const unsigned int n) const
+  void write_gmsh(std::ostream &out, const unsigned int n) const
   {
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
         << names_.size() << '\n';
@@ -164,35 +141,17 @@ private:
       out << "1 " << (n == 20 ? 16 : 10) << " 2 " << id + 1 << " 1 "
           << nodes(cell, on_face(f, n == 20 ? 8 : 9), 1, " ") << '\n';
     });
-    const Places places = cut(corners(),
-                              n,
-                              {"100",
-                               "010",
-                               "001",
-                               "210",
-                               "201",
-                               "120",
-                               "221",
-                               "021",
-                               "102",
-                               "012",
-                               "212",
-                               "122",
-                               "110",
-                               "101",
-                               "011",
-                               "211",
-                               "121",
-                               "112",
-                               "111"});
+    const Places places =
+      cut(corners(), n,
+          {"100", "010", "001", "210", "201", "120", "221", "021", "102", "012", "212",
+           "122", "110", "101", "011", "211", "121", "112", "111"});
     for (const auto &cell : dofs_.active_cell_iterators())
-      out << "1 " << (n == 20 ? 17 : 12) << " 2 0 1 "
-          << nodes(cell, places, 1, " ") << '\n';
+      out << "1 " << (n == 20 ? 17 : 12) << " 2 0 1 " << nodes(cell, places, 1, " ")
+          << '\n';
     out << "$EndElements\n";
   }
 
-  void
-  write_abaqus(std::ostream &out, const unsigned int n) const
+  void write_abaqus(std::ostream &out, const unsigned int n) const
   {
     out << "*HEADING\n*NODE\n";
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -215,14 +174,12 @@ private:
       }
   }
 
-  void
-  write_vtk(std::ostream &out, const unsigned int n) const
+  void write_vtk(std::ostream &out, const unsigned int n) const
   {
     const unsigned int n_cells = dofs_.get_triangulation().n_active_cells();
     const unsigned int of_face = n == 20 ? 8 : 9;
     out << "# vtk DataFile Version 3.0\nsecond order\nASCII\n"
-        << "DATASET UNSTRUCTURED_GRID\nPOINTS " << points_.size()
-        << " double\n";
+        << "DATASET UNSTRUCTURED_GRID\nPOINTS " << points_.size() << " double\n";
     for (const auto &p : points_)
       out << p << '\n';
     out << "CELLS " << n_cells + n_faces() << ' '
@@ -243,9 +200,8 @@ private:
         << "\nSCALARS MaterialID int\nLOOKUP_TABLE default\n";
     for (unsigned int i = 0; i < n_cells; ++i)
       out << "0\n";
-    for_boundary([&](const auto &, unsigned int, unsigned int id) {
-      out << id + 1 << '\n';
-    });
+    for_boundary(
+      [&](const auto &, unsigned int, unsigned int id) { out << id + 1 << '\n'; });
   }
 
   Names names_;

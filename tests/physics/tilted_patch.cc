@@ -21,8 +21,7 @@ namespace
 {
   constexpr double E = 2e11, nu = 0.3, epsilon = 1e-4, height = 1., mu = 0.25;
 
-  Tensor<2, 3>
-  rotation()
+  Tensor<2, 3> rotation()
   {
     const double a = 0.7, b = -1.9;
     Tensor<2, 3> about_x, about_y;
@@ -38,16 +37,14 @@ namespace
 
   const Tensor<2, 3> R = rotation();
 
-  std::string
-  turned(const double x, const double y, const double z)
+  std::string turned(const double x, const double y, const double z)
   {
     const Tensor<1, 3> v = R * Tensor<1, 3>({x, y, z});
     return exact(v[0]) + ";" + exact(v[1]) + ";" + exact(v[2]);
   }
 
   // The shipped mesh with its nodes turned.
-  void
-  write_turned_mesh()
+  void write_turned_mesh()
   {
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       {
@@ -76,11 +73,8 @@ namespace
     MPI_Barrier(MPI_COMM_WORLD);
   }
 
-  void
-  patch(const std::string &name,
-        const std::vector<std::string> &obstacle,
-        const std::string &method,
-        const bool sticks)
+  void patch(const std::string &name, const std::vector<std::string> &obstacle,
+             const std::string &method, const bool sticks)
   {
     const double lame  = E * nu / ((1. + nu) * (1. - 2. * nu));
     const double G     = E / (2. * (1. + nu));
@@ -103,8 +97,8 @@ namespace
       "Boundary conditions/Prescribed displacement=top : " +
         turned(shift * cx, shift * cy, -epsilon * height),
       "Boundary conditions/Traction=left : " + turned(-sxx, 0, -sxz) +
-        " | right : " + turned(sxx, 0, sxz) + " | front : " +
-        turned(0, -sxx, -syz) + " | back : " + turned(0, sxx, syz),
+        " | right : " + turned(sxx, 0, sxz) + " | front : " + turned(0, -sxx, -syz) +
+        " | back : " + turned(0, sxx, syz),
       "Friction/Coefficient=" + exact(mu),
       "Contact solver/Tolerance=1e-11",
       "Contact solver/Method=" + method};
@@ -113,16 +107,13 @@ namespace
 
     double error_u = 0., error_force = 0.;
     const auto &u = run.problem->displacement();
-    for (const auto &node :
-         run.problem->elasticity().body().locally_owned_nodes())
+    for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
         const double z = (transpose(R) * Tensor<1, 3>(node.position))[2];
         const Tensor<1, 3> exact_u =
-          R * Tensor<1, 3>(
-                {cx * (gamma * z + s), cy * (gamma * z + s), -epsilon * z});
+          R * Tensor<1, 3>({cx * (gamma * z + s), cy * (gamma * z + s), -epsilon * z});
         for (unsigned int c = 0; c < 3; ++c)
-          error_u =
-            std::max(error_u, std::abs(u(node.dofs[c]) - exact_u[c]) / shift);
+          error_u = std::max(error_u, std::abs(u(node.dofs[c]) - exact_u[c]) / shift);
       }
     error_u = dealii::Utilities::MPI::max(error_u, MPI_COMM_WORLD);
 
@@ -134,20 +125,15 @@ namespace
     for (Eigen::Index i = 0; i < m; ++i)
       for (unsigned int c = 0; c < 3; ++c)
         error_force = std::max(
-          error_force,
-          std::abs(force(i + c * m) / surface.areas()(i) - per_area[c]) / p);
+          error_force, std::abs(force(i + c * m) / surface.areas()(i) - per_area[c]) / p);
     out() << name << ", " << method << ", " << (sticks ? "stick" : "slip")
-          << ": certified " << yes(run.converged)
-          << ", displacement exact to 1e-8 " << yes(error_u < 1e-8)
-          << ", contact forces exact to 1e-8 " << yes(error_force < 1e-8)
-          << '\n';
+          << ": certified " << yes(run.converged) << ", displacement exact to 1e-8 "
+          << yes(error_u < 1e-8) << ", contact forces exact to 1e-8 "
+          << yes(error_force < 1e-8) << '\n';
   }
 } // namespace
 
-
-
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   write_turned_mesh();
@@ -159,14 +145,11 @@ main(int argc, char **argv)
       {
         patch("foundation", {}, method, sticks);
         patch("plane",
-              {"Boundary conditions/Obstacle=plane : 0; 0; 0; " + exact(n[0]) +
-               "; " + exact(n[1]) + "; " + exact(n[2])},
-              method,
-              sticks);
-        patch(
-          "formula",
-          {"Boundary conditions/Obstacle=formula : (" + plane + ")*(2+sin(x))"},
-          method,
-          sticks);
+              {"Boundary conditions/Obstacle=plane : 0; 0; 0; " + exact(n[0]) + "; " +
+               exact(n[1]) + "; " + exact(n[2])},
+              method, sticks);
+        patch("formula",
+              {"Boundary conditions/Obstacle=formula : (" + plane + ")*(2+sin(x))"},
+              method, sticks);
       }
 }

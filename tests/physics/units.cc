@@ -10,36 +10,26 @@ using namespace stiction;
 
 namespace
 {
-  std::vector<std::string>
-  settings(const std::string &law,
-           const std::string &method,
-           const double stress,
-           const double length)
+  std::vector<std::string> settings(const std::string &law, const std::string &method,
+                                    const double stress, const double length)
   {
-    const auto pascal = [&](const double value) {
-      return exact(value * stress);
-    };
+    const auto pascal = [&](const double value) { return exact(value * stress); };
     return {"Friction/Law=" + law,
             "Contact solver/Method=" + method,
             "Geometry/Table 1 level=0",
-            "Geometry/Lengths=" + exact(4. * length) + "," +
-              exact(3. * length) + "," + exact(length),
+            "Geometry/Lengths=" + exact(4. * length) + "," + exact(3. * length) + "," +
+              exact(length),
             "Geometry/Subdivisions=5,4,1",
             "Geometry/Global refinement=1",
             "Material/Young's modulus=" + pascal(2.119e11),
             "Friction/Slip stress=" + pascal(1.5e7),
-            "Boundary conditions/Traction=5 : 0; 0; if(y > " +
-              exact(1.5 * length) + ", -" + pascal(1e8) + ", 0) | 3 : " +
-              pascal(1e7) + ";" + pascal(2e7) + ";" + pascal(2e7)};
+            "Boundary conditions/Traction=5 : 0; 0; if(y > " + exact(1.5 * length) +
+              ", -" + pascal(1e8) + ", 0) | 3 : " + pascal(1e7) + ";" + pascal(2e7) +
+              ";" + pascal(2e7)};
   }
 
-  void
-  compare(const char *name,
-          const Run &run,
-          const Run &reference,
-          const double force,
-          const bool identical,
-          const double spread)
+  void compare(const char *name, const Run &run, const Run &reference, const double force,
+               const bool identical, const double spread)
   {
     const auto &a = run.summary()["solver"], &b = reference.summary()["solver"];
     const auto &lambda   = run.problem->solution().lambda;
@@ -53,11 +43,9 @@ namespace
     out() << "  " << name << ": certified " << yes(run.converged);
     if (identical)
       out() << ", identical counts "
-            << yes(near("coulomb_iterations", 0) &&
-                   near("gauss_seidel_iterations", 0) &&
+            << yes(near("coulomb_iterations", 0) && near("gauss_seidel_iterations", 0) &&
                    near("newton_steps", 0) && near("krylov_iterations", 0) &&
-                   near("admm_iterations", 0) &&
-                   near("dual_multiplications", 0) &&
+                   near("admm_iterations", 0) && near("dual_multiplications", 0) &&
                    near("stiffness_solves", 0))
             << ", identical forces " << yes(error == 0.);
     else
@@ -70,22 +58,19 @@ namespace
               reference.summary()["contact"]["force_on_body"][c].get<double>();
             difference = std::hypot(
               difference,
-              run.summary()["contact"]["force_on_body"][c].get<double>() /
-                  force -
+              run.summary()["contact"]["force_on_body"][c].get<double>() / force -
                 expected_force);
             size = std::hypot(size, expected_force);
           }
         const bool forces = difference <= 1e-8 * size;
         out() << ", outer counts within 1 "
-              << yes(
-                   near("coulomb_iterations", 1) &&
-                   near("newton_steps",
-                        0.05 * b["newton_steps"].get<double>() + 1) &&
-                   (!b.contains("levels") || near("krylov_iterations", 1)) &&
-                   near("admm_iterations",
-                        0.05 * b["admm_iterations"].get<double>() + 1) &&
-                   near("gauss_seidel_iterations",
-                        0.05 * b["gauss_seidel_iterations"].get<double>() + 1))
+              << yes(near("coulomb_iterations", 1) &&
+                     near("newton_steps", 0.05 * b["newton_steps"].get<double>() + 1) &&
+                     (!b.contains("levels") || near("krylov_iterations", 1)) &&
+                     near("admm_iterations",
+                          0.05 * b["admm_iterations"].get<double>() + 1) &&
+                     near("gauss_seidel_iterations",
+                          0.05 * b["gauss_seidel_iterations"].get<double>() + 1))
               << ", products within " << 100. * spread << " % "
               << yes(near("dual_multiplications", spread * products + 1))
               << ", forces to 1e-8 " << yes(forces);
@@ -94,10 +79,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const double two_20 = std::ldexp(1., 20);
@@ -111,20 +93,12 @@ main(int argc, char *argv[])
         // to 354 products
         const double spread = method == "mpgp" ? 0.15 : 0.05;
         const auto run      = [&](const double stress, const double length) {
-          return Run(shipped("brick.prm"),
-                     settings(law, method, stress, length));
+          return Run(shipped("brick.prm"), settings(law, method, stress, length));
         };
         const Run reference = run(1., 1.);
-        compare("2^20 times stiffer",
-                run(two_20, 1.),
-                reference,
-                two_20,
-                true,
-                spread);
-        compare(
-          "1e6 times stiffer", run(1e6, 1.), reference, 1e6, false, spread);
-        compare(
-          "1e-6 times as stiff", run(1e-6, 1.), reference, 1e-6, false, spread);
+        compare("2^20 times stiffer", run(two_20, 1.), reference, two_20, true, spread);
+        compare("1e6 times stiffer", run(1e6, 1.), reference, 1e6, false, spread);
+        compare("1e-6 times as stiff", run(1e-6, 1.), reference, 1e-6, false, spread);
         compare("in millimetres", run(1e-6, 1e3), reference, 1., false, spread);
       }
 }

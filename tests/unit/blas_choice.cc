@@ -8,15 +8,13 @@
 #include <string>
 
 // Stands in for OpenBLAS: believes in a Prescott unless it is told otherwise.
-extern "C" const char *
-openblas_get_corename()
+extern "C" const char *openblas_get_corename()
 {
   const char *const told = std::getenv("OPENBLAS_CORETYPE");
   return told != nullptr ? told : "Prescott";
 }
 
-int
-main()
+int main()
 {
   stiction::choose_blas_kernels();
 
@@ -25,11 +23,9 @@ main()
   is_old = !__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma");
 #endif
   const std::string core = openblas_get_corename();
-  const bool is_right =
-    is_old ? core == "Prescott" && stiction::blas_remark().empty()
-           : core != "Prescott" && !stiction::blas_remark().empty();
-  std::cout << "kernels for this processor: " << (is_right ? "yes" : "NO")
-            << std::endl;
+  const bool is_right    = is_old ? core == "Prescott" && stiction::blas_remark().empty()
+                                  : core != "Prescott" && !stiction::blas_remark().empty();
+  std::cout << "kernels for this processor: " << (is_right ? "yes" : "NO") << std::endl;
 
   // whoever chose kernels has them
   unsetenv("STICTION_OPENBLAS_CORE_WAS");

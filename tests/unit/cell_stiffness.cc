@@ -30,34 +30,28 @@ namespace
     std::size_t n_general, n_patched;
   };
 
-  Point
-  identity(const Point &x)
+  Point identity(const Point &x)
   {
     return x;
   }
 
-  Point
-  stretched(const Point &x)
+  Point stretched(const Point &x)
   {
     return {{.5 * x[0], .7 * x[1] - 3., 1.25 * x[2] + 2.}};
   }
 
-  Point
-  sheared(const Point &x)
+  Point sheared(const Point &x)
   {
-    return {{x[0] + .3 * x[1] - .2 * x[2],
-             .1 * x[0] + .8 * x[1] + .25 * x[2],
+    return {{x[0] + .3 * x[1] - .2 * x[2], .1 * x[0] + .8 * x[1] + .25 * x[2],
              -.15 * x[0] + .4 * x[1] + 1.1 * x[2]}};
   }
 
-  Point
-  far_away(const Point &x)
+  Point far_away(const Point &x)
   {
     return {{1e3 + 1e-2 * x[0], 1e-2 * x[1] - 1e3, 1e-2 * x[2]}};
   }
 
-  Point
-  curved(const Point &x)
+  Point curved(const Point &x)
   {
     return {{x[0] + .06 * std::sin(2. * x[1] + x[2]),
              x[1] + .05 * std::cos(3. * x[0]) * x[2],
@@ -65,8 +59,7 @@ namespace
   }
 
   // Cells of different length, so that each layer is a class.
-  Point
-  graded(const Point &x)
+  Point graded(const Point &x)
   {
     return {{x[0] + .002 * x[0] * x[0], x[1], x[2]}};
   }
@@ -79,13 +72,9 @@ namespace
   };
 
   // The image of the cells with edges 1 in (0, n_1) × (0, n_2) × (0, n_3).
-  Mesh
-  make_mesh(const std::string &name,
-            const std::array<unsigned int, 3> &n,
-            const Order order,
-            const Map &map,
-            const std::size_t n_general,
-            const std::size_t n_patched)
+  Mesh make_mesh(const std::string &name, const std::array<unsigned int, 3> &n,
+                 const Order order, const Map &map, const std::size_t n_general,
+                 const std::size_t n_patched)
   {
     Mesh mesh{name, {}, {}, n_general, n_patched};
     for (unsigned int k = 0; k <= n[2]; ++k)
@@ -97,8 +86,7 @@ namespace
       HexahedralCell cell;
       for (unsigned int v = 0; v < 8; ++v)
         cell.nodes[v] =
-          i + (v & 1) +
-          (n[0] + 1) * (j + (v >> 1 & 1) + (n[1] + 1) * (k + (v >> 2 & 1)));
+          i + (v & 1) + (n[0] + 1) * (j + (v >> 1 & 1) + (n[1] + 1) * (k + (v >> 2 & 1)));
       cell.lame_lambda   = 1.3;
       cell.shear_modulus = .8;
       mesh.cells.push_back(cell);
@@ -108,8 +96,7 @@ namespace
       for (unsigned int j = 0; j < n[1]; j += step)
         for (unsigned int i = 0; i < n[0]; i += step)
           for (unsigned int child = 0; child < step * step * step; ++child)
-            add_cell(
-              i + (child & 1), j + (child >> 1 & 1), k + (child >> 2 & 1));
+            add_cell(i + (child & 1), j + (child >> 1 & 1), k + (child >> 2 & 1));
     if (order == Order::random)
       {
         Random random(7);
@@ -119,23 +106,18 @@ namespace
     return mesh;
   }
 
-  void
-  place_vertices(Mesh &mesh)
+  void place_vertices(Mesh &mesh)
   {
     for (HexahedralCell &cell : mesh.cells)
       for (unsigned int v = 0; v < 8; ++v)
         cell.vertices[v] = mesh.nodes[cell.nodes[v]];
   }
 
-  std::vector<Mesh>
-  all_meshes()
+  std::vector<Mesh> all_meshes()
   {
     std::vector<Mesh> meshes;
-    const auto add = [&](const std::string &name,
-                         const std::array<unsigned int, 3> &n,
-                         const Order order,
-                         const Map &map,
-                         const std::size_t n_general,
+    const auto add = [&](const std::string &name, const std::array<unsigned int, 3> &n,
+                         const Order order, const Map &map, const std::size_t n_general,
                          const std::size_t n_patched) {
       meshes.push_back(make_mesh(name, n, order, map, n_general, n_patched));
     };
@@ -147,25 +129,14 @@ namespace
     add("families of boxes", {{6, 4, 6}}, O::families, stretched, 0, 144);
     add("a row of parallelepipeds", {{1, 1, 21}}, O::random, sheared, 0, 0);
     add("parallelepipeds", {{3, 6, 7}}, O::lexicographic, sheared, 0, 72);
-    add(
-      "families of parallelepipeds", {{4, 2, 6}}, O::families, sheared, 0, 48);
+    add("families of parallelepipeds", {{4, 2, 6}}, O::families, sheared, 0, 48);
     add("small boxes far away", {{4, 4, 4}}, O::families, far_away, 0, 64);
     add("one hexahedron", {{1, 1, 1}}, O::lexicographic, curved, 1, 0);
     add("hexahedra", {{3, 5, 3}}, O::random, curved, 45, 0);
-    add("more shapes than classes",
-        {{70, 2, 1}},
-        O::lexicographic,
-        graded,
-        12,
-        0);
+    add("more shapes than classes", {{70, 2, 1}}, O::lexicographic, graded, 12, 0);
 
     // moves one node, makes two materials
-    add("two materials, eight hexahedra",
-        {{6, 4, 4}},
-        O::families,
-        sheared,
-        8,
-        80);
+    add("two materials, eight hexahedra", {{6, 4, 4}}, O::families, sheared, 8, 80);
     Mesh &mixed = meshes.back();
     mixed.nodes[2 + 7 * (3 + 5 * 3)][1] += .2;
     for (std::size_t i = 48; i < mixed.cells.size(); ++i)
@@ -177,8 +148,7 @@ namespace
   }
 
   // The derivative of a shape function on the cell (−1, 1)³.
-  Eigen::Vector3d
-  shape_gradient(const unsigned int v, const Eigen::Vector3d &at)
+  Eigen::Vector3d shape_gradient(const unsigned int v, const Eigen::Vector3d &at)
   {
     Eigen::Vector3d sign, gradient;
     for (unsigned int d = 0; d < 3; ++d)
@@ -187,15 +157,13 @@ namespace
       {
         const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
 
-        gradient(d) =
-          sign(d) * (1. + sign(e) * at(e)) * (1. + sign(f) * at(f)) / 8.;
+        gradient(d) = sign(d) * (1. + sign(e) * at(e)) * (1. + sign(f) * at(f)) / 8.;
       }
     return gradient;
   }
 
   // Strain, in Voigt's notation, as a matrix times displacements.
-  MatrixXd
-  stiffness(const Mesh &mesh)
+  MatrixXd stiffness(const Mesh &mesh)
   {
     const Index n = 3 * mesh.nodes.size();
     MatrixXd K    = MatrixXd::Zero(n, n);
@@ -207,10 +175,9 @@ namespace
           C(i, i) += (i < 3 ? 2. : 1.) * cell.shear_modulus;
         for (unsigned int q = 0; q < 8; ++q)
           {
-            const Eigen::Vector3d point = Eigen::Vector3d(q & 1 ? 1. : -1.,
-                                                          q & 2 ? 1. : -1.,
-                                                          q & 4 ? 1. : -1.) /
-                                          std::sqrt(3.);
+            const Eigen::Vector3d point =
+              Eigen::Vector3d(q & 1 ? 1. : -1., q & 2 ? 1. : -1., q & 4 ? 1. : -1.) /
+              std::sqrt(3.);
             Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
             for (unsigned int v = 0; v < 8; ++v)
               J += Eigen::Vector3d(cell.vertices[v].data()) *
@@ -220,8 +187,8 @@ namespace
               {
                 const Eigen::Vector3d g =
                   J.inverse().transpose() * shape_gradient(v, point);
-                B.middleCols(3 * v, 3) << g(0), 0., 0., 0., g(1), 0., 0., 0.,
-                  g(2), 0., g(2), g(1), g(2), 0., g(0), g(1), g(0), 0.;
+                B.middleCols(3 * v, 3) << g(0), 0., 0., 0., g(1), 0., 0., 0., g(2), 0.,
+                  g(2), g(1), g(2), 0., g(0), g(1), g(0), 0.;
               }
             const MatrixXd stress  = J.determinant() * (C * B);
             const MatrixXd of_cell = B.transpose() * stress;
@@ -245,8 +212,7 @@ namespace
 
   // K times a vector, added to ones, in the middle of arrays of NaN.
   template<typename Number>
-  VectorXd
-  product(const CellStiffness<Number> &K, const VectorXd &u, Errors &errors)
+  VectorXd product(const CellStiffness<Number> &K, const VectorXd &u, Errors &errors)
   {
     const Index n = u.size(), margin = 16;
     const Number nan = std::numeric_limits<Number>::quiet_NaN();
@@ -256,19 +222,14 @@ namespace
     src.segment(margin, n) = u.cast<Number>();
     dst.segment(margin, n).setOnes();
     K.add_product(dst.data() + margin, src.data() + margin);
-    errors.outside +=
-      (dst.head(margin).array() == dst.head(margin).array()).any();
-    errors.outside +=
-      (dst.tail(margin).array() == dst.tail(margin).array()).any();
+    errors.outside += (dst.head(margin).array() == dst.head(margin).array()).any();
+    errors.outside += (dst.tail(margin).array() == dst.tail(margin).array()).any();
     return dst.segment(margin, n).template cast<double>().array() - 1.;
   }
 
   template<typename Number>
-  void
-  examine(const Mesh &mesh,
-          const MatrixXd &expected,
-          const InstructionSet instruction_set,
-          Errors &errors)
+  void examine(const Mesh &mesh, const MatrixXd &expected,
+               const InstructionSet instruction_set, Errors &errors)
   {
     CellStiffness<Number> K(instruction_set);
     for (const HexahedralCell &cell : mesh.cells)
@@ -302,8 +263,7 @@ namespace
               motion < 3 ? axis : Eigen::Vector3d(axis.cross(arm));
           }
         rigid /= rigid.cwiseAbs().maxCoeff();
-        errors.rigid_motion.add(
-          product(K, rigid, errors).cwiseAbs().maxCoeff() / norm);
+        errors.rigid_motion.add(product(K, rigid, errors).cwiseAbs().maxCoeff() / norm);
       }
 
     Vector<Number> blocks = Vector<Number>::Zero(3 * n);
@@ -317,8 +277,7 @@ namespace
   }
 
   template<typename Number>
-  void
-  print_errors(const std::string &number)
+  void print_errors(const std::string &number)
   {
     const double bound = 50. * std::numeric_limits<Number>::epsilon();
     for (const Mesh &mesh : all_meshes())
@@ -347,8 +306,7 @@ namespace
   }
 
   template<typename Function>
-  bool
-  throws(const Function &function)
+  bool throws(const Function &function)
   {
     try
       {
@@ -362,10 +320,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   print_errors<double>("double");
   print_errors<float>("float");

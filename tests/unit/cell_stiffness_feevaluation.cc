@@ -31,48 +31,42 @@ namespace
   const double lame_lambda = 1.3, shear_modulus = .8;
 
   template<typename Number>
-  Vector<Number>
-  product_of_dealii(const DoFHandler<3> &dof_handler,
-                    const AffineConstraints<Number> &hanging_nodes,
-                    const Vector<Number> &u)
+  Vector<Number> product_of_dealii(const DoFHandler<3> &dof_handler,
+                                   const AffineConstraints<Number> &hanging_nodes,
+                                   const Vector<Number> &u)
   {
     MatrixFree<3, Number> matrix_free;
     typename MatrixFree<3, Number>::AdditionalData data;
     data.mapping_update_flags = update_gradients | update_JxW_values;
-    matrix_free.reinit(
-      MappingQ1<3>(), dof_handler, hanging_nodes, QGauss<1>(2), data);
+    matrix_free.reinit(MappingQ1<3>(), dof_handler, hanging_nodes, QGauss<1>(2), data);
 
     Vector<Number> f(u.size());
-    const auto add_cells =
-      [](const MatrixFree<3, Number> &matrix_free,
-         Vector<Number> &f,
-         const Vector<Number> &u,
-         const std::pair<unsigned int, unsigned int> &cells) {
-        FEEvaluation<3, 1, 2, 3, Number> displacement(matrix_free);
-        for (unsigned int cell = cells.first; cell < cells.second; ++cell)
-          {
-            displacement.reinit(cell);
-            displacement.gather_evaluate(u, EvaluationFlags::gradients);
-            for (unsigned int q = 0; q < displacement.n_q_points; ++q)
-              {
-                const auto strain = displacement.get_symmetric_gradient(q);
-                auto stress       = Number(2. * shear_modulus) * strain;
-                for (unsigned int d = 0; d < 3; ++d)
-                  stress[d][d] += Number(lame_lambda) * trace(strain);
-                displacement.submit_symmetric_gradient(stress, q);
-              }
-            displacement.integrate_scatter(EvaluationFlags::gradients, f);
-          }
-      };
-    matrix_free.template cell_loop<Vector<Number>, Vector<Number>>(
-      add_cells, f, u);
+    const auto add_cells = [](const MatrixFree<3, Number> &matrix_free, Vector<Number> &f,
+                              const Vector<Number> &u,
+                              const std::pair<unsigned int, unsigned int> &cells) {
+      FEEvaluation<3, 1, 2, 3, Number> displacement(matrix_free);
+      for (unsigned int cell = cells.first; cell < cells.second; ++cell)
+        {
+          displacement.reinit(cell);
+          displacement.gather_evaluate(u, EvaluationFlags::gradients);
+          for (unsigned int q = 0; q < displacement.n_q_points; ++q)
+            {
+              const auto strain = displacement.get_symmetric_gradient(q);
+              auto stress       = Number(2. * shear_modulus) * strain;
+              for (unsigned int d = 0; d < 3; ++d)
+                stress[d][d] += Number(lame_lambda) * trace(strain);
+              displacement.submit_symmetric_gradient(stress, q);
+            }
+          displacement.integrate_scatter(EvaluationFlags::gradients, f);
+        }
+    };
+    matrix_free.template cell_loop<Vector<Number>, Vector<Number>>(add_cells, f, u);
     return f;
   }
 
   template<typename Number>
-  CellStiffness<Number>
-  make_stiffness(const DoFHandler<3> &dof_handler,
-                 const InstructionSet instruction_set)
+  CellStiffness<Number> make_stiffness(const DoFHandler<3> &dof_handler,
+                                       const InstructionSet instruction_set)
   {
     CellStiffness<Number> K(instruction_set);
     std::vector<types::global_dof_index> dofs(24);
@@ -96,11 +90,8 @@ namespace
   }
 
   template<typename Number>
-  void
-  compare(const std::string &name,
-          const DoFHandler<3> &dof_handler,
-          const unsigned int n_general,
-          const unsigned int n_patched)
+  void compare(const std::string &name, const DoFHandler<3> &dof_handler,
+               const unsigned int n_general, const unsigned int n_patched)
   {
     Vector<Number> u(dof_handler.n_dofs());
     std::mt19937 random(1);
@@ -110,8 +101,7 @@ namespace
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();
     hanging_nodes.distribute(u);
-    const Vector<Number> expected =
-      product_of_dealii(dof_handler, hanging_nodes, u);
+    const Vector<Number> expected = product_of_dealii(dof_handler, hanging_nodes, u);
 
     bool agree = true, counted = true;
     for (const InstructionSet instruction_set : all_instruction_sets)
@@ -123,9 +113,8 @@ namespace
           K.add_product(f.begin(), u.begin());
           hanging_nodes.condense(f);
           f -= expected;
-          agree = agree && f.linfty_norm() <
-                             20 * std::numeric_limits<Number>::epsilon() *
-                               expected.linfty_norm();
+          agree = agree && f.linfty_norm() < 20 * std::numeric_limits<Number>::epsilon() *
+                                               expected.linfty_norm();
           counted = counted && K.n_general_cells() == n_general &&
                     K.n_patched_cells() == n_patched;
         }
@@ -134,11 +123,8 @@ namespace
               << ", cells counted: " << (counted ? "yes" : "NO") << std::endl;
   }
 
-  void
-  compare(const std::string &name,
-          const Triangulation<3> &triangulation,
-          const unsigned int n_general,
-          const unsigned int n_patched)
+  void compare(const std::string &name, const Triangulation<3> &triangulation,
+               const unsigned int n_general, const unsigned int n_patched)
   {
     const FESystem<3> fe(FE_Q<3>(1), 3);
     DoFHandler<3> dof_handler(triangulation);
@@ -147,14 +133,12 @@ namespace
     compare<float>(name, dof_handler, n_general, n_patched);
   }
 
-  Point<3>
-  sheared(const Point<3> &x)
+  Point<3> sheared(const Point<3> &x)
   {
     return {x[0] + .3 * x[1], x[1] - .2 * x[2], x[2] + .1 * x[0] + .25 * x[1]};
   }
 
-  Point<3>
-  curved(const Point<3> &x)
+  Point<3> curved(const Point<3> &x)
   {
     return {x[0] + .1 * std::sin(2. * x[1] + x[2]),
             x[1] + .08 * std::cos(3. * x[0]) * x[2],
@@ -162,14 +146,11 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   const auto make_brick = [](Triangulation<3> &triangulation) {
-    GridGenerator::subdivided_hyper_rectangle(
-      triangulation, {4, 3, 1}, Point<3>(), Point<3>(4., 3., 1.));
+    GridGenerator::subdivided_hyper_rectangle(triangulation, {4, 3, 1}, Point<3>(),
+                                              Point<3>(4., 3., 1.));
   };
   Triangulation<3> brick, half, parallelepiped, hexahedra;
   make_brick(brick);

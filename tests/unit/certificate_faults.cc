@@ -29,27 +29,21 @@ namespace
   {
   public:
     WrongSchurComplement(const LinearElasticity &elasticity,
-                         const ContactSurface &surface,
-                         StiffnessSolver &solver)
+                         const ContactSurface &surface, StiffnessSolver &solver)
       : DualOperator(surface.n_nodes())
-      , right_(
-          SchurComplement::create("by solves", elasticity, surface, solver))
+      , right_(SchurComplement::create("by solves", elasticity, surface, solver))
     {
       set_right_hand_side(right_->right_hand_side());
     }
 
-    Eigen::VectorXd
-    compute_nodal_compliance() const override
+    Eigen::VectorXd compute_nodal_compliance() const override
     {
       return right_->nodal_compliance();
     }
 
   protected:
-    void
-    apply(const DualBlock rows,
-          const DualBlock columns,
-          Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const override
+    void apply(const DualBlock rows, const DualBlock columns, Eigen::VectorXd &dst,
+               const Eigen::VectorXd &src) const override
     {
       right_->vmult(rows, columns, dst, src);
       if (rows == DualBlock::tangential && columns == DualBlock::tangential)
@@ -61,17 +55,12 @@ namespace
   };
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Run run(shipped("brick.prm"),
-                {"Geometry/Table 1 level=2",
-                 "Friction/Law=given",
-                 "Friction/Slip stress=1.5e7",
-                 "Friction/Slip stress=1.5e7",
+                {"Geometry/Table 1 level=2", "Friction/Law=given",
+                 "Friction/Slip stress=1.5e7", "Friction/Slip stress=1.5e7",
                  "Contact solver/Tolerance=1e-10"});
 
   const auto &elasticity       = run.problem->elasticity();
@@ -82,25 +71,24 @@ main(int argc, char *argv[])
   const Eigen::Index m         = surface.n_nodes();
 
   const auto solver       = StiffnessSolver::create("mumps", elasticity, 1e-14);
-  const auto displacement = [&](const Eigen::VectorXd &forces,
-                                StiffnessSolver &with) {
+  const auto displacement = [&](const Eigen::VectorXd &forces, StiffnessSolver &with) {
     LA::Vector load = elasticity.constrained_load();
     surface.B().add_transpose(-1., forces, load);
     LA::Vector v = elasticity.zero_vector();
     with.solve(v, load);
     return v;
   };
-  const auto show =
-    [&](const char *fault, const LA::Vector &v, const Eigen::VectorXd &forces) {
-      const Certificate certificate(elasticity, surface, v, forces);
-      out() << fault << ":";
-      for (const auto &figure : certificate.deciding_figures())
-        if (!(figure.second <= 1e-6))
-          out() << " " << figure.first;
-      if (certificate.contact_figures().slip_angle > 0.1)
-        out() << " slip_angle";
-      out() << (certificate.converged(1e-6) ? " (certified)" : "") << std::endl;
-    };
+  const auto show = [&](const char *fault, const LA::Vector &v,
+                        const Eigen::VectorXd &forces) {
+    const Certificate certificate(elasticity, surface, v, forces);
+    out() << fault << ":";
+    for (const auto &figure : certificate.deciding_figures())
+      if (!(figure.second <= 1e-6))
+        out() << " " << figure.first;
+    if (certificate.contact_figures().slip_angle > 0.1)
+      out() << " slip_angle";
+    out() << (certificate.converged(1e-6) ? " (certified)" : "") << std::endl;
+  };
 
   // a node of each kind, the most decided one
   const auto node = [&](const std::function<double(Eigen::Index)> &size) {
@@ -112,8 +100,7 @@ main(int argc, char *argv[])
   };
   const Eigen::Index open =
     node([&](const Eigen::Index i) { return right.gradient()(i); });
-  const Eigen::Index closed =
-    node([&](const Eigen::Index i) { return lambda(i); });
+  const Eigen::Index closed = node([&](const Eigen::Index i) { return lambda(i); });
 
   show("nothing wrong", u, lambda);
 
@@ -126,13 +113,10 @@ main(int argc, char *argv[])
     rule.change         = std::numeric_limits<double>::infinity();
     rule.max_iterations = 200;
     const auto result =
-      gauss_seidel.solve(iterate,
-                         qp::SlipBound::given(right.slip_bound()),
-                         right.scaling(),
-                         rule,
-                         [](const DualMethod::Step &) {});
-    out() << "(the solver with the wrong Q says it converged: "
-          << yes(result.converged) << ")" << std::endl;
+      gauss_seidel.solve(iterate, qp::SlipBound::given(right.slip_bound()),
+                         right.scaling(), rule, [](const DualMethod::Step &) {});
+    out() << "(the solver with the wrong Q says it converged: " << yes(result.converged)
+          << ")" << std::endl;
     show("a wrong Q", displacement(iterate.lambda, *solver), iterate.lambda);
   }
 
@@ -144,9 +128,7 @@ main(int argc, char *argv[])
     LA::Vector loose = elasticity.zero_vector();
     dealii::IterationNumberControl control(100, 0.);
     dealii::SolverCG<LA::Vector> cg(control);
-    cg.solve(elasticity.constrained_stiffness(),
-             loose,
-             load,
+    cg.solve(elasticity.constrained_stiffness(), loose, load,
              dealii::PreconditionIdentity());
     show("a loose linear solve", loose, lambda);
   }
@@ -154,12 +136,10 @@ main(int argc, char *argv[])
   {
     Eigen::VectorXd forces = lambda;
     forces.tail(2 * m) *= 1.001;
-    show(
-      "friction forces 0.1 % too large", displacement(forces, *solver), forces);
+    show("friction forces 0.1 % too large", displacement(forces, *solver), forces);
     forces = lambda;
     forces.tail(2 * m) *= 0.999;
-    show(
-      "friction forces 0.1 % too small", displacement(forces, *solver), forces);
+    show("friction forces 0.1 % too small", displacement(forces, *solver), forces);
   }
 
   {
@@ -169,8 +149,7 @@ main(int argc, char *argv[])
       std::cos(angle) * lambda.segment(m, m) - std::sin(angle) * lambda.tail(m);
     forces.tail(m) =
       std::sin(angle) * lambda.segment(m, m) + std::cos(angle) * lambda.tail(m);
-    show("friction forces turned by half a degree",
-         displacement(forces, *solver),
+    show("friction forces turned by half a degree", displacement(forces, *solver),
          forces);
   }
 
@@ -183,9 +162,7 @@ main(int argc, char *argv[])
 
     Eigen::VectorXd forces = lambda;
     forces(closed)         = 0.99 * lambda(closed);
-    show("a node held too little, in equilibrium",
-         displacement(forces, *solver),
-         forces);
+    show("a node held too little, in equilibrium", displacement(forces, *solver), forces);
   }
 
   {
@@ -213,10 +190,9 @@ main(int argc, char *argv[])
       // the pair (û, λ̂) is near (u, λ): compare with the error of u itself
       LA::Vector error = v;
       error -= u;
-      const double true_error =
-        std::sqrt((error * elasticity.internal_force(error)) /
-                  (u * elasticity.internal_force(u)));
-      const double ratio = certificate.body_figures().duality_gap / true_error;
+      const double true_error = std::sqrt((error * elasticity.internal_force(error)) /
+                                          (u * elasticity.internal_force(u)));
+      const double ratio      = certificate.body_figures().duality_gap / true_error;
       out() << "error of size " << size
             << ": the gap is 0.9 to 10 times the energy error: "
             << yes(ratio > 0.9 && ratio < 10.) << std::endl;

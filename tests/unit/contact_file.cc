@@ -13,22 +13,16 @@
 
 #include <array>
 
-
 using namespace stiction;
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string law : {"coulomb", "given"})
     {
       const Run run(shipped("brick.prm"),
-                    {"Geometry/Table 1 level=2",
-                     "Friction/Law=" + law,
-                     "Friction/Slip stress=1.5e7",
-                     "Friction/Slip stress=1.5e7"});
+                    {"Geometry/Table 1 level=2", "Friction/Law=" + law,
+                     "Friction/Slip stress=1.5e7", "Friction/Slip stress=1.5e7"});
       MPI_Barrier(MPI_COMM_WORLD); // the files of the others
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
@@ -42,13 +36,12 @@ main(int argc, char *argv[])
         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       for (unsigned int r = 0; r < n_ranks; ++r)
         {
-          auto a = read_vtu("results/contact." +
-                            dealii::Utilities::int_to_string(r, 4) + ".vtu");
+          auto a = read_vtu("results/contact." + dealii::Utilities::int_to_string(r, 4) +
+                            ".vtu");
           for (std::size_t i = 0; i < a["normal_status"].size(); ++i)
             {
-              const auto place = std::make_tuple(a["points"][3 * i],
-                                                 a["points"][3 * i + 1],
-                                                 a["points"][3 * i + 2]);
+              const auto place = std::make_tuple(
+                a["points"][3 * i], a["points"][3 * i + 1], a["points"][3 * i + 2]);
               if (!seen.emplace(place, true).second)
                 continue; // a node is in the file once a face
               const float here = a["area"][i];
@@ -60,8 +53,7 @@ main(int argc, char *argv[])
                 traction[c] += here * a["traction"][3 * i + c];
               if (a["normal_status"][i] == 0.f)
                 open_slip = std::max<double>(
-                  open_slip,
-                  std::hypot(a["slip"][3 * i], a["slip"][3 * i + 1]));
+                  open_slip, std::hypot(a["slip"][3 * i], a["slip"][3 * i + 1]));
               // the parts of the traction along the normal and across it
               float normal_part = 0.f, across = 0.f, length = 0.f;
               for (unsigned int c = 0; c < 3; ++c)
@@ -72,16 +64,13 @@ main(int argc, char *argv[])
                   across += n * t;
                   normal_part += n * a["traction"][3 * i + c];
                   parts_error =
-                    std::max<double>(parts_error,
-                                     std::abs(a["traction"][3 * i + c] +
-                                              a["pressure"][i] * n - t) /
-                                       1.5e7);
+                    std::max<double>(parts_error, std::abs(a["traction"][3 * i + c] +
+                                                           a["pressure"][i] * n - t) /
+                                                    1.5e7);
                 }
               if (a["normal_status"][i] >= 0.f)
                 parts_error = std::max<double>(
-                  {parts_error,
-                   std::abs(length - 1.),
-                   std::abs(across) / 1.5e7,
+                  {parts_error, std::abs(length - 1.), std::abs(across) / 1.5e7,
                    std::abs(normal_part + a["pressure"][i]) / 1.5e7});
               // the foundation is at z = 0: the gap is what is left
               if (a["normal_status"][i] >= 0.f)
@@ -91,9 +80,8 @@ main(int argc, char *argv[])
               if (a["normal_status"][i] >= 0.f)
                 bound_error = std::max<double>(
                   bound_error,
-                  std::abs(a["slip_bound"][i] - (law == "given"
-                                                   ? 1.5e7f
-                                                   : 0.3f * a["pressure"][i])) /
+                  std::abs(a["slip_bound"][i] -
+                           (law == "given" ? 1.5e7f : 0.3f * a["pressure"][i])) /
                     1.5e7);
             }
         }
@@ -101,17 +89,15 @@ main(int argc, char *argv[])
       const auto &contact = run.summary()["contact"];
       bool forces         = true;
       for (unsigned int c = 0; c < 3; ++c)
-        forces = forces && std::abs(traction[c] -
-                                    contact["force_on_body"][c].get<double>()) <
-                             1e-5 * contact["normal_force"].get<double>();
-      out() << law << ": nodes in the file " << seen.size() << ", clamped "
-            << normal[-1] << ", pressure sums to the force "
+        forces =
+          forces && std::abs(traction[c] - contact["force_on_body"][c].get<double>()) <
+                      1e-5 * contact["normal_force"].get<double>();
+      out() << law << ": nodes in the file " << seen.size() << ", clamped " << normal[-1]
+            << ", pressure sums to the force "
             << yes(std::abs(pressure - contact["normal_force"].get<double>()) <
                    1e-5 * pressure)
-            << ", tractions to the resultant " << yes(forces)
-            << ", states as counted "
-            << yes(normal[0] == contact["open"] &&
-                   normal[1] == contact["closed"] &&
+            << ", tractions to the resultant " << yes(forces) << ", states as counted "
+            << yes(normal[0] == contact["open"] && normal[1] == contact["closed"] &&
                    normal[3] == contact["undecided_normal"] &&
                    tangential[1] == contact["slip"] &&
                    tangential[2] == contact["stick"] &&
@@ -119,11 +105,10 @@ main(int argc, char *argv[])
                    tangential[-1] == normal[-1] && normal[0] > 0 &&
                    tangential[0] == (law == "given" ? 0 : normal[0]))
             // with given friction they are held at their bound, too
-            << ", open nodes slip "
-            << (law == "given" || open_slip > 1e-6 ? "yes" : "NO")
+            << ", open nodes slip " << (law == "given" || open_slip > 1e-6 ? "yes" : "NO")
             << ", slip bound of the law " << yes(bound_error < 1e-5)
             << ", normal and tangential parts " << yes(parts_error < 1e-5)
-            << ", displaced to the gap " << yes(moved_error < 1e-5) << ", area "
-            << area << std::endl;
+            << ", displaced to the gap " << yes(moved_error < 1e-5) << ", area " << area
+            << std::endl;
     }
 }

@@ -15,15 +15,13 @@ using dealii::Tensor;
 
 namespace
 {
-  Eigen::Vector3d
-  eigen(const Tensor<1, 3> &v)
+  Eigen::Vector3d eigen(const Tensor<1, 3> &v)
   {
     return {v[0], v[1], v[2]};
   }
 
-  ContactFrame
-  frame_of(const Tensor<1, 3> &normal,
-           const std::array<bool, 3> &prescribed = {{false, false, false}})
+  ContactFrame frame_of(const Tensor<1, 3> &normal,
+                        const std::array<bool, 3> &prescribed = {{false, false, false}})
   {
     ContactFrame frame;
     frame.normal     = normal / normal.norm();
@@ -32,21 +30,16 @@ namespace
     return frame;
   }
 
-  const char *
-  is_orthonormal(const ContactFrame &frame)
+  const char *is_orthonormal(const ContactFrame &frame)
   {
     const Eigen::Matrix3d R = frame.axes();
-    return yes(
-      (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-14 &&
-      (cross_product_3d(frame.tangent1, frame.normal) - frame.tangent2).norm() <
-        1e-14);
+    return yes((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-14 &&
+               (cross_product_3d(frame.tangent1, frame.normal) - frame.tangent2).norm() <
+                 1e-14);
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -54,20 +47,17 @@ main(int argc, char *argv[])
   const Eigen::Vector3d u(0.3, -1.2, 0.7), y(2., 0.4, -0.9);
   {
     ContactFrame frame = frame_of(slanted);
-    const auto radius =
-      set_friction_ellipse(frame, 0.5, 0.2, Tensor<1, 3>({1., 2., 3.}));
+    const auto radius = set_friction_ellipse(frame, 0.5, 0.2, Tensor<1, 3>({1., 2., 3.}));
     const Eigen::Vector3d w     = frame.displacement_to_local(u);
     const Eigen::Vector3d force = frame.force_to_cartesian(y);
     std::cout << "ellipse: orthonormal " << is_orthonormal(frame)
               << ", t1 in the plane of direction and normal "
-              << yes(std::abs(cross_product_3d(Tensor<1, 3>({1., 2., 3.}),
-                                               frame.normal) *
+              << yes(std::abs(cross_product_3d(Tensor<1, 3>({1., 2., 3.}), frame.normal) *
                               frame.tangent1) < 1e-14)
               << ", displacement there and back "
               << yes(frame.displacement_to_cartesian(w).isApprox(u, 1e-14))
               << ", force there and back "
-              << yes(frame.force_to_local(force).isApprox(y, 1e-14))
-              << ", the same work "
+              << yes(frame.force_to_local(force).isApprox(y, 1e-14)) << ", the same work "
               << yes(std::abs(y.dot(w) - force.dot(u)) < 1e-14) << std::endl;
 
     // a force on the ellipse, with λ_ν = 1, and a slip along its normal
@@ -76,8 +66,7 @@ main(int argc, char *argv[])
       eigen(frame.normal + 0.5 * std::cos(phi) * frame.tangent1 +
             0.2 * std::sin(phi) * frame.tangent2);
     const Eigen::Vector3d along_normal =
-      eigen(std::cos(phi) / 0.5 * frame.tangent1 +
-            std::sin(phi) / 0.2 * frame.tangent2);
+      eigen(std::cos(phi) / 0.5 * frame.tangent1 + std::sin(phi) / 0.2 * frame.tangent2);
     const Eigen::Vector3d disc = frame.force_to_local(on_ellipse);
     const Eigen::Vector3d slip = frame.displacement_to_local(along_normal);
     std::cout << "radius " << *radius << ", forces on the ellipse are on the "
@@ -92,8 +81,7 @@ main(int argc, char *argv[])
     const Tensor<1, 3> t1 = disc.tangent1;
     std::cout << "equal axes: no scales "
               << yes(*set_friction_ellipse(disc, 0.3, 0.3) == 0.3 &&
-                     disc.scales() == Eigen::Vector3d(1., 1., 1.) &&
-                     disc.tangent1 == t1)
+                     disc.scales() == Eigen::Vector3d(1., 1., 1.) && disc.tangent1 == t1)
               << ", without friction neither "
               << yes(*set_friction_ellipse(zero, 0., 0.) == 0. &&
                      zero.scales() == Eigen::Vector3d(1., 1., 1.))
@@ -101,11 +89,10 @@ main(int argc, char *argv[])
               << yes(!set_friction_ellipse(none, 0.3, 0.1, -2. * none.normal))
               << std::endl;
   }
-  for (const std::array<bool, 3> &prescribed :
-       {std::array<bool, 3>{{true, false, false}},
-        std::array<bool, 3>{{false, true, false}},
-        std::array<bool, 3>{{true, true, false}},
-        std::array<bool, 3>{{false, true, true}}})
+  for (const std::array<bool, 3> &prescribed : {std::array<bool, 3>{{true, false, false}},
+                                                std::array<bool, 3>{{false, true, false}},
+                                                std::array<bool, 3>{{true, true, false}},
+                                                std::array<bool, 3>{{false, true, true}}})
     {
       ContactFrame frame = frame_of(slanted, prescribed);
       const auto again   = frame;
@@ -117,8 +104,8 @@ main(int argc, char *argv[])
       const auto first =
         set_friction_ellipse(whole, 0.5, 0.2, Tensor<1, 3>({1., 2., 3.}));
       const Eigen::Vector3d t = eigen(frame.tangent2);
-      const double cut = *first / whole.force_to_local(t).tail<2>().norm();
-      const bool one   = frame.scale[1] > 0.;
+      const double cut        = *first / whole.force_to_local(t).tail<2>().norm();
+      const bool one          = frame.scale[1] > 0.;
 
       const Eigen::Vector3d force = frame.force_to_cartesian(y);
       const Eigen::Vector3d w     = frame.displacement_to_local(u);
@@ -127,11 +114,10 @@ main(int argc, char *argv[])
       for (unsigned int c = 0; c < 3; ++c)
         if (prescribed[c])
           in_held += std::abs(force(c)) + std::abs(back(c));
-      std::cout << "prescribed " << prescribed[0] << prescribed[1]
-                << prescribed[2] << ": orthonormal " << is_orthonormal(frame)
-                << ", made twice the same "
-                << yes((again.axes() - frame.axes()).norm() < 1e-15)
-                << ", held " << (frame.scale[0] == 0.) << (frame.scale[1] == 0.)
+      std::cout << "prescribed " << prescribed[0] << prescribed[1] << prescribed[2]
+                << ": orthonormal " << is_orthonormal(frame) << ", made twice the same "
+                << yes((again.axes() - frame.axes()).norm() < 1e-15) << ", held "
+                << (frame.scale[0] == 0.) << (frame.scale[1] == 0.)
                 << ", nothing in held directions " << yes(in_held == 0.)
                 << ", no force without work "
                 << yes(frame.force_to_local(force).isApprox(
@@ -145,6 +131,6 @@ main(int argc, char *argv[])
   all.prescribed    = {{true, true, true}};
   normal.prescribed = {{false, false, true}};
   std::cout << "held altogether: no contact " << yes(!set_tangents(all))
-            << ", held along the normal: no contact "
-            << yes(!set_tangents(normal)) << std::endl;
+            << ", held along the normal: no contact " << yes(!set_tangents(normal))
+            << std::endl;
 }

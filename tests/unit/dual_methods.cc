@@ -27,8 +27,7 @@
 
 using namespace stiction;
 
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -38,8 +37,7 @@ main(int argc, char *argv[])
   const LinearElasticity elasticity(body, parameters);
   const ContactSurface surface(elasticity, parameters);
   const auto solver = StiffnessSolver::create("mumps", elasticity, 1e-13);
-  const auto Q =
-    SchurComplement::create("assembled", elasticity, surface, *solver);
+  const auto Q      = SchurComplement::create("assembled", elasticity, surface, *solver);
   const auto by_solves =
     SchurComplement::create("by solves", elasticity, surface, *solver);
   const auto given   = qp::SlipBound::given(1.5e7 * surface.areas());
@@ -47,8 +45,8 @@ main(int argc, char *argv[])
 
   const auto solve = [&](DualMethod &method, const qp::SlipBound &bound) {
     DualProblemVerifier verifier(*Q, bound, surface.areas());
-    return certified_solve(
-      method, *Q, bound, verifier, 1e-9, 1000, "", [](const ContactStep &) {});
+    return certified_solve(method, *Q, bound, verifier, 1e-9, 1000, "",
+                           [](const ContactStep &) {});
   };
 
   for (const auto &bound : {given, coulomb})
@@ -57,16 +55,15 @@ main(int argc, char *argv[])
       Newton plain(*Q), forced(*by_solves, 1), inside(*Q, 1);
       const auto best = solve(plain, bound), same = solve(forced, bound),
                  also = solve(inside, bound);
-      out()
-        << law << ": newton " << yes(best.converged) << " without fallbacks "
-        << yes(plain.statistics().fallbacks == 0) << "; forced to fall back "
-        << yes(same.converged) << ", more than twice "
-        << yes(forced.statistics().fallbacks > 2) << ", same forces "
-        << yes((same.lambda - best.lambda).norm() < 1e-7 * best.lambda.norm())
-        << "; forced inside " << yes(also.converged) << ", steps there "
-        << yes(inside.statistics().interior_point_steps > 5) << ", same forces "
-        << yes((also.lambda - best.lambda).norm() < 1e-7 * best.lambda.norm())
-        << std::endl;
+      out() << law << ": newton " << yes(best.converged) << " without fallbacks "
+            << yes(plain.statistics().fallbacks == 0) << "; forced to fall back "
+            << yes(same.converged) << ", more than twice "
+            << yes(forced.statistics().fallbacks > 2) << ", same forces "
+            << yes((same.lambda - best.lambda).norm() < 1e-7 * best.lambda.norm())
+            << "; forced inside " << yes(also.converged) << ", steps there "
+            << yes(inside.statistics().interior_point_steps > 5) << ", same forces "
+            << yes((also.lambda - best.lambda).norm() < 1e-7 * best.lambda.norm())
+            << std::endl;
     }
 
   {
@@ -83,11 +80,9 @@ main(int argc, char *argv[])
       {
         StoppingRule rule;
         rule.max_iterations = 1;
-        method.solve(
-          iterate, given, scaling, rule, [](const DualMethod::Step &) {});
-        const double energy =
-          0.5 * iterate.lambda.dot(*Q->matrix() * iterate.lambda) -
-          iterate.lambda.dot(Q->right_hand_side());
+        method.solve(iterate, given, scaling, rule, [](const DualMethod::Step &) {});
+        const double energy = 0.5 * iterate.lambda.dot(*Q->matrix() * iterate.lambda) -
+                              iterate.lambda.dot(Q->right_hand_side());
         falls = falls && energy <= last + 1e-12 * std::abs(last);
         last  = energy;
       }
@@ -115,8 +110,7 @@ main(int argc, char *argv[])
                         guess = by_solves->nodal_compliance();
   const Eigen::ArrayXd ratio  = guess.cwiseQuotient(exact).array();
   out() << "compliance by one product within a factor of three: "
-        << yes(ratio.minCoeff() > 1. / 3. && ratio.maxCoeff() < 3.)
-        << std::endl;
+        << yes(ratio.minCoeff() > 1. / 3. && ratio.maxCoeff() < 3.) << std::endl;
 
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     {
@@ -134,14 +128,8 @@ main(int argc, char *argv[])
           const DenseDualOperator R(read.Q, read.h);
           DualProblemVerifier verifier(R, read.slip_bound, read.areas);
           Newton there(R);
-          const auto found = certified_solve(there,
-                                             R,
-                                             read.slip_bound,
-                                             verifier,
-                                             1e-9,
-                                             1000,
-                                             "",
-                                             [](const ContactStep &) {});
+          const auto found = certified_solve(there, R, read.slip_bound, verifier, 1e-9,
+                                             1000, "", [](const ContactStep &) {});
           out() << path << ": " << yes(found.converged) << ", same forces "
                 << yes((found.lambda - expected.lambda).norm() <
                        1e-9 * expected.lambda.norm())

@@ -30,76 +30,50 @@ namespace
     {
     }
 
-    ~Editor()
-    {
-      H5Fclose(file_);
-    }
+    ~Editor() { H5Fclose(file_); }
 
-    Editor(const Editor &) = delete;
-    Editor &
-    operator=(const Editor &) = delete;
+    Editor(const Editor &)            = delete;
+    Editor &operator=(const Editor &) = delete;
 
-    void
-    remove(const std::string &name)
+    void remove(const std::string &name)
     {
       if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0)
         H5Ldelete(file_, name.c_str(), H5P_DEFAULT);
     }
 
-    void
-    add_group(const std::string &name)
+    void add_group(const std::string &name)
     {
-      H5Gclose(
-        H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+      H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
     }
 
-    void
-    set(const std::string &name,
-        const std::vector<double> &values,
-        const hid_t type           = H5T_IEEE_F64LE,
-        std::vector<hsize_t> sizes = {})
+    void set(const std::string &name, const std::vector<double> &values,
+             const hid_t type = H5T_IEEE_F64LE, std::vector<hsize_t> sizes = {})
     {
       remove(name);
       if (sizes.empty())
         sizes = {values.size()};
       const hid_t space =
         H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr);
-      const hid_t dataset = H5Dcreate2(file_,
-                                       name.c_str(),
-                                       type,
-                                       space,
-                                       H5P_DEFAULT,
-                                       H5P_DEFAULT,
-                                       H5P_DEFAULT);
+      const hid_t dataset = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
+                                       H5P_DEFAULT, H5P_DEFAULT);
       if (H5Tget_class(type) != H5T_STRING)
-        H5Dwrite(dataset,
-                 H5T_NATIVE_DOUBLE,
-                 H5S_ALL,
-                 H5S_ALL,
-                 H5P_DEFAULT,
+        H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                  values.data());
       H5Dclose(dataset);
       H5Sclose(space);
     }
 
-    void
-    set_integers(const std::string &name, const std::vector<double> &values)
+    void set_integers(const std::string &name, const std::vector<double> &values)
     {
       set(name, values, H5T_STD_I32LE);
     }
 
-    std::vector<double>
-    get(const std::string &name)
+    std::vector<double> get(const std::string &name)
     {
       const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
       const hid_t space   = H5Dget_space(dataset);
       std::vector<double> values(H5Sget_simple_extent_npoints(space));
-      H5Dread(dataset,
-              H5T_NATIVE_DOUBLE,
-              H5S_ALL,
-              H5S_ALL,
-              H5P_DEFAULT,
-              values.data());
+      H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
       H5Sclose(space);
       H5Dclose(dataset);
       return values;
@@ -110,10 +84,8 @@ namespace
   };
 
   // An edited copy of the file of a problem with 2 nodes.
-  void
-  refused_edit(const std::string &what,
-               const bool coulomb,
-               const std::function<void(Editor &)> &edit)
+  void refused_edit(const std::string &what, const bool coulomb,
+                    const std::function<void(Editor &)> &edit)
   {
     const std::string file = "results/edited.hdf5";
     write_fclib(file, some_problem(2, coulomb, true));
@@ -124,12 +96,9 @@ namespace
     refused(what, [&]() { read_fclib(file); });
   }
 
-  void
-  refused_entry(const std::string &what,
-                const std::string &name,
-                const unsigned int entry,
-                const double value,
-                const bool coulomb = true)
+  void refused_entry(const std::string &what, const std::string &name,
+                     const unsigned int entry, const double value,
+                     const bool coulomb = true)
   {
     refused_edit(what, coulomb, [&](Editor &editor) {
       std::vector<double> values = editor.get(local + name);
@@ -141,8 +110,7 @@ namespace
     });
   }
 
-  void
-  round_trips()
+  void round_trips()
   {
     for (const bool coulomb : {true, false})
       for (const bool with_mesh : {true, false})
@@ -151,21 +119,17 @@ namespace
           {
             const DualProblem problem    = some_problem(m, coulomb, with_mesh);
             const Eigen::VectorXd lambda = random(3 * m, 1, -1.);
-            write_fclib("results/problem.hdf5",
-                        problem,
-                        lambda,
+            write_fclib("results/problem.hdf5", problem, lambda,
                         problem.Q * lambda - problem.h);
             const DualProblem back = read_fclib("results/problem.hdf5");
             std::cout << (coulomb ? "Coulomb" : "given") << ", " << m
                       << (m == 1 ? " node" : " nodes")
-                      << (with_mesh ? ", areas and positions" : "")
-                      << ": same bits " << yes(same_bits(problem, back))
-                      << std::endl;
+                      << (with_mesh ? ", areas and positions" : "") << ": same bits "
+                      << yes(same_bits(problem, back)) << std::endl;
           }
   }
 
-  void
-  interleaving()
+  void interleaving()
   {
     const DualProblem problem = some_problem(2, true, false);
     Eigen::VectorXd lambda(6);
@@ -183,14 +147,13 @@ namespace
     const auto q = editor.get(local + "vectors/q");
     std::cout << "\nW(1, 2) is Q of t1 and t2 of the first node "
               << yes(x[2 * 6 + 1] == problem.Q(2, 4))
-              << ", q(3) is -h of nu of the second "
-              << yes(q[3] == -problem.h(1)) << std::endl;
+              << ", q(3) is -h of nu of the second " << yes(q[3] == -problem.h(1))
+              << std::endl;
   }
 
   // By rows, as triplets in any order with one there twice, and not quite
   // symmetric.
-  void
-  kinds()
+  void kinds()
   {
     const DualProblem problem = some_problem(2, true, false);
     const std::string file    = "results/kinds.hdf5";
@@ -199,8 +162,7 @@ namespace
       Editor editor(file);
       editor.set_integers(local + "W/nz", {-2});
     }
-    std::cout << "by rows: same bits "
-              << yes(same_bits(problem, read_fclib(file)));
+    std::cout << "by rows: same bits " << yes(same_bits(problem, read_fclib(file)));
 
     {
       Editor editor(file);
@@ -224,8 +186,7 @@ namespace
     }
     const DualProblem triplets = read_fclib(file);
     std::cout << "\ntriplets: same to rounding "
-              << yes((triplets.Q - problem.Q).norm() <
-                     1e-15 * problem.Q.norm());
+              << yes((triplets.Q - problem.Q).norm() < 1e-15 * problem.Q.norm());
 
     write_fclib(file, problem);
     {
@@ -240,47 +201,39 @@ namespace
               << std::endl;
   }
 
-  void
-  refusals()
+  void refusals()
   {
     refused("no such file", []() { read_fclib("results/none.hdf5"); });
     refused("a directory", []() { read_fclib("results"); });
     write_text("results/text.hdf5", "# no HDF5\n");
     refused("a text", []() { read_fclib("results/text.hdf5"); });
     write_fclib("results/half.hdf5", some_problem(2, true, true));
-    std::filesystem::resize_file(
-      "results/half.hdf5", std::filesystem::file_size("results/half.hdf5") / 2);
+    std::filesystem::resize_file("results/half.hdf5",
+                                 std::filesystem::file_size("results/half.hdf5") / 2);
     refused("half a file", []() { read_fclib("results/half.hdf5"); });
 
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
 
-    refused_edit("no problem", true, [](Editor &editor) {
-      editor.remove("/fclib_local");
-    });
+    refused_edit("no problem", true,
+                 [](Editor &editor) { editor.remove("/fclib_local"); });
     refused_edit("a global problem", true, [](Editor &editor) {
       editor.remove("/fclib_local");
       editor.add_group("/fclib_global");
     });
-    refused_edit("no group", true, [](Editor &editor) {
-      editor.set("/fclib_local", {1.});
-    });
-    refused_edit("two dimensions", true, [](Editor &editor) {
-      editor.set_integers(local + "spacedim", {2});
-    });
-    refused_edit("no dimension", true, [](Editor &editor) {
-      editor.remove(local + "spacedim");
-    });
+    refused_edit("no group", true,
+                 [](Editor &editor) { editor.set("/fclib_local", {1.}); });
+    refused_edit("two dimensions", true,
+                 [](Editor &editor) { editor.set_integers(local + "spacedim", {2}); });
+    refused_edit("no dimension", true,
+                 [](Editor &editor) { editor.remove(local + "spacedim"); });
     for (const std::string name : {"V", "R", "vectors/s"})
-      refused_edit("mixed, " + name, true, [&](Editor &editor) {
-        editor.add_group(local + name);
-      });
+      refused_edit("mixed, " + name, true,
+                   [&](Editor &editor) { editor.add_group(local + name); });
 
-    refused_edit(
-      "no W", true, [](Editor &editor) { editor.remove(local + "W"); });
-    refused_edit("W not square", true, [](Editor &editor) {
-      editor.set_integers(local + "W/n", {3});
-    });
+    refused_edit("no W", true, [](Editor &editor) { editor.remove(local + "W"); });
+    refused_edit("W not square", true,
+                 [](Editor &editor) { editor.set_integers(local + "W/n", {3}); });
     refused_edit("W of order 4", true, [](Editor &editor) {
       editor.set_integers(local + "W/m", {4});
       editor.set_integers(local + "W/n", {4});
@@ -289,23 +242,19 @@ namespace
       editor.set_integers(local + "W/m", {0});
       editor.set_integers(local + "W/n", {0});
     });
-    refused_edit("unknown kind", true, [](Editor &editor) {
-      editor.set_integers(local + "W/nz", {-3});
-    });
-    refused_edit("more triplets than room", true, [](Editor &editor) {
-      editor.set_integers(local + "W/nz", {37});
-    });
+    refused_edit("unknown kind", true,
+                 [](Editor &editor) { editor.set_integers(local + "W/nz", {-3}); });
+    refused_edit("more triplets than room", true,
+                 [](Editor &editor) { editor.set_integers(local + "W/nz", {37}); });
     refused_edit("x too short", true, [](Editor &editor) {
       editor.set(local + "W/x", std::vector<double>(35, 1.));
     });
-    refused_edit(
-      "no i", true, [](Editor &editor) { editor.remove(local + "W/i"); });
+    refused_edit("no i", true, [](Editor &editor) { editor.remove(local + "W/i"); });
     refused_edit("i not integer", true, [](Editor &editor) {
       editor.set(local + "W/i", std::vector<double>(36, 1.));
     });
     refused_edit("x a table", true, [](Editor &editor) {
-      editor.set(
-        local + "W/x", std::vector<double>(36, 1.), H5T_IEEE_F64LE, {6, 6});
+      editor.set(local + "W/x", std::vector<double>(36, 1.), H5T_IEEE_F64LE, {6, 6});
     });
     refused_entry("index too large", "W/i", 7, 6);
     refused_entry("index negative", "W/i", 7, -1);
@@ -326,11 +275,10 @@ namespace
     refused_edit("q too short", true, [](Editor &editor) {
       editor.set(local + "vectors/q", {1., 2., 3.});
     });
-    refused_edit(
-      "no q", true, [](Editor &editor) { editor.remove(local + "vectors/q"); });
-    refused_edit("no vectors", true, [](Editor &editor) {
-      editor.remove(local + "vectors");
-    });
+    refused_edit("no q", true,
+                 [](Editor &editor) { editor.remove(local + "vectors/q"); });
+    refused_edit("no vectors", true,
+                 [](Editor &editor) { editor.remove(local + "vectors"); });
     refused_edit("q of strings", true, [](Editor &editor) {
       editor.set(local + "vectors/q", std::vector<double>(6), H5T_C_S1);
     });
@@ -344,14 +292,10 @@ namespace
     refused_entry("slip bound negative", "given_slip_bound", 0, -1., false);
     refused_entry("area 0", "areas", 1, 0.);
     refused_edit("positions 3 x m", true, [](Editor &editor) {
-      editor.set(local + "positions",
-                 std::vector<double>(6, 1.),
-                 H5T_IEEE_F64LE,
-                 {3, 2});
+      editor.set(local + "positions", std::vector<double>(6, 1.), H5T_IEEE_F64LE, {3, 2});
     });
 
-    refused("no contact node",
-            []() { write_fclib("results/none.hdf5", DualProblem()); });
+    refused("no contact node", []() { write_fclib("results/none.hdf5", DualProblem()); });
     refused("not to be written", []() {
       write_fclib("results/nowhere/a.hdf5", some_problem(1, true, false));
     });
@@ -382,15 +326,11 @@ namespace
         message = error.what();
       }
     std::cout << "72 TB are more than the memory: "
-              << yes(message.find("72000 GB") != std::string::npos)
-              << std::endl;
+              << yes(message.find("72000 GB") != std::string::npos) << std::endl;
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::filesystem::create_directories("results");

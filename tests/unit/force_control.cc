@@ -23,20 +23,14 @@ namespace
   // Trials until every force is the prescribed one, 2, -1 if the search gave
   // up. Without forces
   // there is contact where the distance is touch + contact.
-  int
-  trials(const Forces &forces,
-         const VectorXd &touch,
-         const double reach,
-         const double tolerance,
-         const double contact = 0.,
-         const double scale   = 2.,
-         VectorXd prescribed  = VectorXd())
+  int trials(const Forces &forces, const VectorXd &touch, const double reach,
+             const double tolerance, const double contact = 0., const double scale = 2.,
+             VectorXd prescribed = VectorXd())
   {
     const Eigen::Index n = touch.size();
     if (prescribed.size() == 0)
       prescribed = VectorXd::Constant(n, 2.);
-    ForceControl control(prescribed,
-                         {touch, VectorXd::Constant(n, reach), 1e3});
+    ForceControl control(prescribed, {touch, VectorXd::Constant(n, reach), 1e3});
     ForceControl::Outcome outcome;
     // a solve that is as wrong as it may be
     int sign                 = 1;
@@ -44,15 +38,13 @@ namespace
       [&](const double accuracy) {
         sign = -sign;
         outcome.forces =
-          (forces(control.distances()).array() + 0.3 * sign * accuracy * scale)
-            .max(0.);
+          (forces(control.distances()).array() + 0.3 * sign * accuracy * scale).max(0.);
         outcome.force_scale = scale;
         outcome.clearance =
           (touch.array() + contact - control.distances().array()).max(0.);
         return outcome;
       },
-      tolerance,
-      0.1 * tolerance);
+      tolerance, 0.1 * tolerance);
     const bool is_met =
       ((forces(control.distances()).array() / prescribed.array() - 1.).abs() <=
        1.1 * tolerance)
@@ -62,17 +54,13 @@ namespace
     return is_met ? static_cast<int>(control.n_trials()) : -1;
   }
 
-  VectorXd
-  one(const double value)
+  VectorXd one(const double value)
   {
     return VectorXd::Constant(1, value);
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // a power of the distance beyond 0.3: springs, flat punch, sphere, cone
@@ -83,9 +71,7 @@ main(int argc, char *argv[])
           [&](const VectorXd &d) {
             return one(3e3 * std::pow(std::max(d(0) - 0.3, 0.), power));
           },
-          one(0.3),
-          reach,
-          2e-9);
+          one(0.3), reach, 2e-9);
         out() << "power " << power << ", first reach " << reach
               << ": met within 20 trials " << yes(n > 0 && n <= 20);
         if (reach == 1e-3)
@@ -94,41 +80,27 @@ main(int argc, char *argv[])
       }
 
   out() << "begins away from a body that has given way: "
-        << yes(trials(
-                 [](const VectorXd &d) {
-                   return one(50. * std::max(d(0) - 4., 0.));
-                 },
-                 one(0.3),
-                 0.01,
-                 1e-9,
-                 3.7) > 0)
+        << yes(
+             trials([](const VectorXd &d) { return one(50. * std::max(d(0) - 4., 0.)); },
+                    one(0.3), 0.01, 1e-9, 3.7) > 0)
         << '\n';
   out() << "small beside other forces: "
         << yes(trials(
                  [](const VectorXd &d) {
                    return one(50. * std::pow(std::max(d(0), 0.), 1.5));
                  },
-                 one(0.),
-                 0.01,
-                 1e-9,
-                 0.,
-                 1e5) > 0)
+                 one(0.), 0.01, 1e-9, 0., 1e5) > 0)
         << '\n';
   out() << "begins in a body that presses by itself: "
-        << yes(trials([](const VectorXd &d) { return one(50. + 3. * d(0)); },
-                      one(0.),
-                      0.1,
-                      1e-9) > 0)
+        << yes(trials([](const VectorXd &d) { return one(50. + 3. * d(0)); }, one(0.),
+                      0.1, 1e-9) > 0)
         << '\n';
   out() << "a kink: "
         << yes(trials(
                  [](const VectorXd &d) {
-                   return one(d(0) < 1. ? 1e-2 * d(0)
-                                        : 1e-2 + 1e3 * (d(0) - 1.));
+                   return one(d(0) < 1. ? 1e-2 * d(0) : 1e-2 + 1e3 * (d(0) - 1.));
                  },
-                 one(0.),
-                 1e-3,
-                 1e-8) > 0)
+                 one(0.), 1e-3, 1e-8) > 0)
         << '\n';
 
   Eigen::MatrixXd K(3, 3);
@@ -139,16 +111,11 @@ main(int argc, char *argv[])
         .cwiseMax(0.));
   };
   const int n = trials(coupled, VectorXd::Zero(3), 0.1, 1e-9);
-  out() << "three that act on each other: within 40 trials "
-        << yes(n > 0 && n <= 40) << '\n';
+  out() << "three that act on each other: within 40 trials " << yes(n > 0 && n <= 40)
+        << '\n';
 
-  const int m = trials(coupled,
-                       VectorXd::Zero(3),
-                       0.1,
-                       1e-9,
-                       0.,
-                       2.,
-                       Eigen::Vector3d(200., 0.5, 2.));
+  const int m =
+    trials(coupled, VectorXd::Zero(3), 0.1, 1e-9, 0., 2., Eigen::Vector3d(200., 0.5, 2.));
   out() << "unlike forces: within 60 trials " << yes(m > 0 && m <= 60) << '\n';
 
   out() << "a force that stays below: given up "
@@ -156,14 +123,10 @@ main(int argc, char *argv[])
                  [](const VectorXd &d) {
                    return one(1.9 * (1. - std::exp(-std::max(d(0), 0.))));
                  },
-                 one(0.),
-                 0.1,
-                 1e-9) == -1)
+                 one(0.), 0.1, 1e-9) == -1)
         << '\n';
   out() << "no number: given up "
-        << yes(trials([](const VectorXd &) { return one(std::nan("")); },
-                      one(0.),
-                      0.1,
+        << yes(trials([](const VectorXd &) { return one(std::nan("")); }, one(0.), 0.1,
                       1e-9) == -1)
         << '\n';
 }

@@ -31,13 +31,11 @@ namespace
   {
     Brick(const unsigned int refinement, const std::string &solver)
     {
-      parameters.read(
-        shipped("brick.prm"),
-        {"Geometry/Table 1 level=0",
-         "Geometry/Lengths=4,3,1",
-         "Geometry/Subdivisions=3,2,1",
-         "Geometry/Global refinement=" + std::to_string(refinement),
-         "Stiffness solver/Type=" + solver});
+      parameters.read(shipped("brick.prm"),
+                      {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+                       "Geometry/Subdivisions=3,2,1",
+                       "Geometry/Global refinement=" + std::to_string(refinement),
+                       "Stiffness solver/Type=" + solver});
       body       = std::make_unique<Body>(parameters.geometry, MPI_COMM_WORLD);
       elasticity = std::make_unique<LinearElasticity>(*body, parameters);
     }
@@ -48,8 +46,7 @@ namespace
   };
 
   // The same numbers on any number of ranks: functions of the places.
-  void
-  fill(const MeshLevel &level, LA::Vector &v, const double frequency)
+  void fill(const MeshLevel &level, LA::Vector &v, const double frequency)
   {
     level.for_each_cell([&](const HexahedralCell &cell) {
       for (unsigned int k = 0; k < 8; ++k)
@@ -64,8 +61,7 @@ namespace
     });
   }
 
-  double
-  distance(const LA::Vector &a, const LA::Vector &b)
+  double distance(const LA::Vector &a, const LA::Vector &b)
   {
     LA::Vector difference = a;
     difference -= b;
@@ -73,10 +69,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -105,8 +98,7 @@ main(int argc, char *argv[])
 
   for (unsigned int l = 1; l < hierarchy.n_levels(); ++l)
     {
-      const MeshLevel &fine         = hierarchy.level(l),
-                      &coarse       = hierarchy.level(l - 1);
+      const MeshLevel &fine = hierarchy.level(l), &coarse = hierarchy.level(l - 1);
       const LevelTransfer &transfer = hierarchy.transfer(l);
       LA::Vector u = coarse.zero_vector<double>(), back = u, Ku = u;
       LA::Vector v = fine.zero_vector<double>(), Pu = v, KPu = v;
@@ -139,11 +131,10 @@ main(int argc, char *argv[])
       K_fine.vmult(KPu, Pu);
       transfer.restrict_to(back, KPu);
       K_coarse.vmult(Ku, u);
-      out() << "level " << l << ": interpolates linear functions "
-            << yes(is_exact) << ", injects them " << yes(injects)
-            << ", restriction is the transpose " << yes(is_transpose)
-            << ", Galerkin product " << yes(distance(back, Ku) < 1e-12)
-            << std::endl;
+      out() << "level " << l << ": interpolates linear functions " << yes(is_exact)
+            << ", injects them " << yes(injects) << ", restriction is the transpose "
+            << yes(is_transpose) << ", Galerkin product "
+            << yes(distance(back, Ku) < 1e-12) << std::endl;
     }
 
   // supports of all kinds at the nodes of the face z = 0, normals oblique
@@ -153,8 +144,7 @@ main(int argc, char *argv[])
     for (const Body::Node &node : body.locally_owned_nodes())
       if (node.position[2] == 0. && node.position[1] > 0.)
         mine.push_back(node.dofs[0]);
-    for (const auto &theirs :
-         dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
+    for (const auto &theirs : dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
       nodes.insert(nodes.end(), theirs.begin(), theirs.end());
   }
   const DofSubsetHierarchy trace(hierarchy, nodes);
@@ -190,18 +180,15 @@ main(int argc, char *argv[])
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (Ma.in_local_range(nodes[i]))
       {
-        const Eigen::Vector3d at_node(
-          Ma(nodes[i]), Ma(nodes[i] + 1), Ma(nodes[i] + 2));
-        held =
-          std::max(held, (at_node - supports[i].projection * at_node).norm());
+        const Eigen::Vector3d at_node(Ma(nodes[i]), Ma(nodes[i] + 1), Ma(nodes[i] + 2));
+        held = std::max(held, (at_node - supports[i].projection * at_node).norm());
       }
   aMb  = dealii::Utilities::MPI::sum(aMb, MPI_COMM_WORLD);
   bMa  = dealii::Utilities::MPI::sum(bMa, MPI_COMM_WORLD);
   aMa  = dealii::Utilities::MPI::sum(aMa, MPI_COMM_WORLD);
   held = dealii::Utilities::MPI::max(held, MPI_COMM_WORLD);
-  out() << "V-cycle with supports: symmetric "
-        << yes(std::abs(aMb / bMa - 1.) < 1e-4) << ", positive "
-        << yes(aMa > 0.) << ", zero where it is held "
+  out() << "V-cycle with supports: symmetric " << yes(std::abs(aMb / bMa - 1.) < 1e-4)
+        << ", positive " << yes(aMa > 0.) << ", zero where it is held "
         << yes(held < 1e-6 * Ma.linfty_norm()) << std::endl;
 
   {
@@ -212,9 +199,8 @@ main(int argc, char *argv[])
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (v.in_local_range(nodes[i]))
           {
-            const Eigen::Vector3d at_node = change(
-              i,
-              Eigen::Vector3d(v(nodes[i]), v(nodes[i] + 1), v(nodes[i] + 2)));
+            const Eigen::Vector3d at_node =
+              change(i, Eigen::Vector3d(v(nodes[i]), v(nodes[i] + 1), v(nodes[i] + 2)));
             for (unsigned int c = 0; c < 3; ++c)
               v(nodes[i] + c) = at_node(c);
           }
@@ -260,8 +246,7 @@ main(int argc, char *argv[])
       for (const auto dof : refined.body->locally_owned_dofs())
         if (elastic.constraints().is_constrained(dof))
           residual(dof) = 0.;
-      out() << "elastic solve, refined " << refinement
-            << " times: residual below 1e-8 "
+      out() << "elastic solve, refined " << refinement << " times: residual below 1e-8 "
             << yes(residual.l2_norm() <= 1.01e-8 * elastic.load().l2_norm())
             << ", at most 20 iterations " << yes(solver.n_iterations() <= 20)
             << std::endl;

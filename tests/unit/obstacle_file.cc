@@ -13,8 +13,7 @@ using dealii::Point;
 namespace
 {
   // The numbers of the first array after a mark, as many as there are.
-  std::vector<double>
-  numbers_after(const std::string &text, const std::string &mark)
+  std::vector<double> numbers_after(const std::string &text, const std::string &mark)
   {
     const std::size_t at = text.find(mark);
     std::istringstream in(text.substr(text.find('>', at) + 1));
@@ -31,10 +30,7 @@ namespace
   };
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const auto axis_distance = [](const Point<3> &p, const double height) {
@@ -60,82 +56,56 @@ main(int argc, char *argv[])
   MPI_Barrier(MPI_COMM_WORLD);
 
   const std::vector<Kind> kinds = {
-    {"foundation",
-     "foundation",
-     "0.01*x",
+    {"foundation", "foundation", "0.01*x",
      [](const auto &p) { return p[2] + 0.01 * p[0]; }},
-    {"plane",
-     "plane : 0;0;-0.01;0.01;0;1",
-     "0",
-     [](const auto &p) {
-       return (0.01 * p[0] + p[2] + 0.01) / std::hypot(0.01, 1.);
-     }},
-    {"sphere",
-     "sphere : 2;1.5;-10;10",
-     "0.01",
+    {"plane", "plane : 0;0;-0.01;0.01;0;1", "0",
+     [](const auto &p) { return (0.01 * p[0] + p[2] + 0.01) / std::hypot(0.01, 1.); }},
+    {"sphere", "sphere : 2;1.5;-10;10", "0.01",
      [&](const auto &p) { return p.distance(low) - 10. + 0.01; }},
-    {"cavity",
-     "sphere : 2;1.5;12;-12.5",
-     "0",
+    {"cavity", "sphere : 2;1.5;12;-12.5", "0",
      [&](const auto &p) { return 12.5 - p.distance(high); }},
-    {"cylinder",
-     "cylinder : 0;1.5;-5;1;0;0;5",
-     "0",
+    {"cylinder", "cylinder : 0;1.5;-5;1;0;0;5", "0",
      [&](const auto &p) { return axis_distance(p, -5.) - 5.; }},
-    {"paraboloid",
-     "paraboloid : 2;1.5;0;0;0;1;5",
-     "0",
+    {"paraboloid", "paraboloid : 2;1.5;0;0;0;1;5", "0",
      [](const auto &p) {
        return p[2] + (std::pow(p[0] - 2., 2) + std::pow(p[1] - 1.5, 2)) / 10.;
      }},
-    {"formula",
-     "formula : z + 0.01*sin(x)",
-     "0",
+    {"formula", "formula : z + 0.01*sin(x)", "0",
      [](const auto &p) { return p[2] + 0.01 * std::sin(p[0]); }},
     // no value far from the body, which is left out
-    {"formula with an end",
-     "formula : z + 0.001*sqrt(x+0.5)",
-     "0",
+    {"formula with an end", "formula : z + 0.001*sqrt(x+0.5)", "0",
      [](const auto &p) { return p[2] + 0.001 * std::sqrt(p[0] + 0.5); }},
-    {"triangles", "file : stamp.stl", "0.02", [&](const auto &p) {
-       return p[2] - stamp + 0.02;
-     }}};
+    {"triangles", "file : stamp.stl", "0.02",
+     [&](const auto &p) { return p[2] - stamp + 0.02; }}};
   for (const Kind &kind : kinds)
     {
       const double moved[] = {1e-3, 2e-3, 3e-3};
       const Run run(
         shipped("brick.prm"),
-        {"Geometry/Table 1 level=0",
-         "Geometry/Lengths=4,3,1",
-         "Geometry/Subdivisions=8,6,2",
-         "Geometry/Global refinement=0",
+        {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+         "Geometry/Subdivisions=8,6,2", "Geometry/Global refinement=0",
          "Boundary conditions/Prescribed displacement=top : 0; 0; 0",
-         "Boundary conditions/Traction=",
-         "Boundary conditions/Pressure=right : 1e6",
+         "Boundary conditions/Traction=", "Boundary conditions/Pressure=right : 1e6",
          "Boundary conditions/Contact boundary=bottom",
          "Boundary conditions/Obstacle=" + kind.obstacle,
          "Boundary conditions/Initial gap=" + kind.gap,
          "Boundary conditions/Obstacle displacement=1e-3; 2e-3; 3e-3",
-         "Friction/Law=coulomb",
-         "Friction/Coefficient=0.3",
-         "Contact solver/Method=newton",
-         "Output/Write solution=false"});
+         "Friction/Law=coulomb", "Friction/Coefficient=0.3",
+         "Contact solver/Method=newton", "Output/Write solution=false"});
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
       std::ifstream file("results/obstacle.vtu");
       std::stringstream content;
       content << file.rdbuf();
       const std::string text = content.str();
-      const auto points = numbers_after(text, "<DataArray type=\"Float64\"");
-      const auto boundaries = numbers_after(text, "Name=\"boundary\"");
-      const auto types      = numbers_after(text, "Name=\"types\"");
-      double error          = 0.;
+      const auto points      = numbers_after(text, "<DataArray type=\"Float64\"");
+      const auto boundaries  = numbers_after(text, "Name=\"boundary\"");
+      const auto types       = numbers_after(text, "Name=\"types\"");
+      double error           = 0.;
       for (std::size_t i = 0; i < points.size(); i += 3)
-        error =
-          std::max(error,
-                   std::abs(kind.distance(Point<3>(points[i] - moved[0],
-                                                   points[i + 1] - moved[1],
-                                                   points[i + 2] - moved[2]))));
+        error = std::max(error, std::abs(kind.distance(
+                                  Point<3>(points[i] - moved[0], points[i + 1] - moved[1],
+                                           points[i + 2] - moved[2]))));
       bool is_bottom = true;
       for (const double boundary : boundaries)
         is_bottom = is_bottom && boundary == 4.;

@@ -23,33 +23,29 @@ namespace
                                         {-2., 0.5, 0.3},
                                         {0.1, 0.2, -3.}};
 
-  std::unique_ptr<Obstacle>
-  read(const std::string &text)
+  std::unique_ptr<Obstacle> read(const std::string &text)
   {
     return Obstacle::read(text, "the test", 1., 1., MPI_COMM_WORLD);
   }
 
   // The largest error against a closed form.
-  void
-  compare(const std::string &text,
-          const std::function<Obstacle::Value(const Point<3> &)> &exact,
-          const double tolerance = 1e-13)
+  void compare(const std::string &text,
+               const std::function<Obstacle::Value(const Point<3> &)> &exact,
+               const double tolerance = 1e-13)
   {
     const auto obstacle = read(text);
     double error        = 0.;
     for (const Point<3> &p : places)
       {
         const auto value = obstacle->at(p), right = exact(p);
-        error = std::max({error,
-                          std::abs(value.psi - right.psi),
+        error = std::max({error, std::abs(value.psi - right.psi),
                           (value.gradient - right.gradient).norm()});
       }
     out() << text << ": " << yes(error < tolerance) << std::endl;
   }
 
   // A sphere of triangles: an icosahedron's or, simpler, a grid's of angles.
-  void
-  write_sphere(const std::string &file, const double R, const unsigned int n)
+  void write_sphere(const std::string &file, const double R, const unsigned int n)
   {
     std::ofstream stl(file);
     stl.precision(17);
@@ -57,16 +53,14 @@ namespace
       const double theta = dealii::numbers::PI * i / n;
       const double phi   = dealii::numbers::PI * (j % (2 * n)) / n;
       const double s     = i == 0 || i == n ? 0. : std::sin(theta);
-      return Point<3>(
-        R * s * std::cos(phi), R * s * std::sin(phi), R * std::cos(theta));
+      return Point<3>(R * s * std::cos(phi), R * s * std::sin(phi), R * std::cos(theta));
     };
     stl << "solid sphere\n";
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < 2 * n; ++j)
-        for (const auto &t : {std::array<Point<3>, 3>{
-                                {at(i, j), at(i + 1, j), at(i + 1, j + 1)}},
-                              std::array<Point<3>, 3>{
-                                {at(i, j), at(i + 1, j + 1), at(i, j + 1)}}})
+        for (const auto &t :
+             {std::array<Point<3>, 3>{{at(i, j), at(i + 1, j), at(i + 1, j + 1)}},
+              std::array<Point<3>, 3>{{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}})
           {
             stl << "facet normal 0 0 0\nouter loop\n";
             for (const Point<3> &p : t)
@@ -81,10 +75,8 @@ namespace
     explicit Problem(std::vector<std::string> settings)
     {
       settings.insert(settings.begin(),
-                      {"Geometry/Table 1 level=0",
-                       "Geometry/Lengths=1,1,1",
-                       "Geometry/Subdivisions=4,4,4",
-                       "Geometry/Global refinement=1",
+                      {"Geometry/Table 1 level=0", "Geometry/Lengths=1,1,1",
+                       "Geometry/Subdivisions=4,4,4", "Geometry/Global refinement=1",
                        "Boundary conditions/Traction="});
       parameters.read(shipped("brick.prm"), settings);
       body       = std::make_unique<Body>(parameters.geometry, MPI_COMM_WORLD);
@@ -99,10 +91,7 @@ namespace
   };
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
@@ -118,12 +107,11 @@ main(int argc, char *argv[])
           [&](const Point<3> &p) { return sphere(p, 0.7, 1.); });
   compare("sphere : 0.1; 0.2; 0.3; -2*1.5",
           [&](const Point<3> &p) { return sphere(p, 3., -1.); });
-  const auto cylinder =
-    [](const Point<3> &p, const double R, const double sign) {
-      Tensor<1, 3> v = p - Point<3>(0.1, 0.2, 0.3);
-      v[1]           = 0.;
-      return Obstacle::Value{sign * (v.norm() - R), sign * v / v.norm()};
-    };
+  const auto cylinder = [](const Point<3> &p, const double R, const double sign) {
+    Tensor<1, 3> v = p - Point<3>(0.1, 0.2, 0.3);
+    v[1]           = 0.;
+    return Obstacle::Value{sign * (v.norm() - R), sign * v / v.norm()};
+  };
   compare("cylinder : 0.1; 0.2; 0.3; 0; -2; 0; 0.7",
           [&](const Point<3> &p) { return cylinder(p, 0.7, 1.); });
   compare("cylinder : 0.1; 0.2; 0.3; 0; 2; 0; -3",
@@ -139,8 +127,7 @@ main(int argc, char *argv[])
       const double e = std::exp(p[0]);
       return Obstacle::Value{
         e * std::sin(p[1]) + std::pow(p[2], 3),
-        Tensor<1, 3>(
-          {e * std::sin(p[1]), e * std::cos(p[1]), 3. * p[2] * p[2]})};
+        Tensor<1, 3>({e * std::sin(p[1]), e * std::cos(p[1]), 3. * p[2] * p[2]})};
     },
     1e-9);
 
@@ -158,13 +145,10 @@ main(int argc, char *argv[])
        {Known{{0.5, 0.5, 0.8}, 0.2, Tensor<1, 3>({0., 0., -1.})},     // facet
         Known{{0.45, 0.5, 1.01}, -0.01, Tensor<1, 3>({0., 0., -1.})}, // inside
         Known{{0.7, 0.7, 1.}, 0., Tensor<1, 3>()},                    // vertex
-        Known{{1.2, 1.2, 1.2},
-              0.1 / r3,
-              Tensor<1, 3>({r3, r3, r3})}, // beyond a vertex
+        Known{{1.2, 1.2, 1.2}, 0.1 / r3, Tensor<1, 3>({r3, r3, r3})}, // beyond a vertex
         Known{{0.5, 1.2, 1.2},
               0.1 * std::sqrt(2.),
-              Tensor<1, 3>(
-                {0., std::sqrt(0.5), std::sqrt(0.5)})}}) // beyond an edge
+              Tensor<1, 3>({0., std::sqrt(0.5), std::sqrt(0.5)})}}) // beyond an edge
     {
       const auto value = stamp->at(known.p);
       out() << "stamp at " << known.p << ": "
@@ -177,8 +161,7 @@ main(int argc, char *argv[])
 
   const unsigned int n = 60;
   const std::string file =
-    "sphere." +
-    std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
+    "sphere." + std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
     ".stl";
   write_sphere(file, 1., n);
   const auto sphere_surface = read("file : " + file);
@@ -191,9 +174,9 @@ main(int argc, char *argv[])
       {
         const Point<3> q = scale * p;
         const auto value = sphere_surface->at(q);
-        error     = std::max(error, std::abs(value.psi - (q.norm() - 1.)));
-        direction = std::max(direction, (value.gradient - q / q.norm()).norm());
-        inside    = inside && (value.psi < 0.) == (q.norm() < 1.);
+        error            = std::max(error, std::abs(value.psi - (q.norm() - 1.)));
+        direction        = std::max(direction, (value.gradient - q / q.norm()).norm());
+        inside           = inside && (value.psi < 0.) == (q.norm() < 1.);
       }
   out() << "sphere of triangles: distance within its facets "
         << yes(error < faceting && error > 1e-8) << ", normals too "
@@ -222,13 +205,11 @@ main(int argc, char *argv[])
     unsigned int in_reach = 0;
     for (unsigned int i = 0; i < 9; ++i)
       for (unsigned int j = 0; j < 9; ++j)
-        in_reach +=
-          std::hypot(i / 8. - 0.5, j / 8. - 0.5) < height * std::sqrt(99.);
+        in_reach += std::hypot(i / 8. - 0.5, j / 8. - 0.5) < height * std::sqrt(99.);
     out() << "small sphere: " << surface.n_nodes() << " nodes in reach "
           << yes(surface.n_nodes() == in_reach) << ", of "
-          << surface.n_nodes() + surface.n_facing_away()
-          << ", gaps and frames exact " << yes(wrong < 1e-12)
-          << ", found again by their unknowns " << yes([&]() {
+          << surface.n_nodes() + surface.n_facing_away() << ", gaps and frames exact "
+          << yes(wrong < 1e-12) << ", found again by their unknowns " << yes([&]() {
                for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
                  if (surface.node_of(surface.B().dofs().dofs()[i]) != i)
                    return false;
@@ -240,12 +221,11 @@ main(int argc, char *argv[])
   // Two contact boundaries share an edge: its nodes are of the first one.
   for (const std::string order : {"bottom | right", "right | bottom"})
     {
-      const Problem problem(
-        {"Boundary conditions/Prescribed displacement=top : 0; 0; 0",
-         "Boundary conditions/Contact boundary=" + order,
-         "Boundary conditions/Initial gap=0.1 | 0.2 + x",
-         "Friction/Law=coulomb | given",
-         "Friction/Slip stress=7 | 8"});
+      const Problem problem({"Boundary conditions/Prescribed displacement=top : 0; 0; 0",
+                             "Boundary conditions/Contact boundary=" + order,
+                             "Boundary conditions/Initial gap=0.1 | 0.2 + x",
+                             "Friction/Law=coulomb | given",
+                             "Friction/Slip stress=7 | 8"});
       std::array<unsigned int, 2> nodes{};
       std::array<double, 2> area{};
       double wrong = 0.;
@@ -257,17 +237,16 @@ main(int argc, char *argv[])
           const qp::SlipBound &all = problem.surface->slip_bound();
           ++nodes[b];
           area[b] += node.area;
-          wrong +=
-            (node.normal - (is_bottom ? Tensor<1, 3>({0., 0., -1.})
-                                      : Tensor<1, 3>({1., 0., 0.})))
-              .norm() +
-            std::abs(node.gap - (b == 0 ? 0.1 : 0.2 + node.position[0])) +
-            std::abs(all.coefficient()(i) - (b == 0 ? 0.3 : 0.)) +
-            std::abs(all.constant()(i) - (b == 0 ? 0. : 8. * node.area));
+          wrong += (node.normal - (is_bottom ? Tensor<1, 3>({0., 0., -1.})
+                                             : Tensor<1, 3>({1., 0., 0.})))
+                     .norm() +
+                   std::abs(node.gap - (b == 0 ? 0.1 : 0.2 + node.position[0])) +
+                   std::abs(all.coefficient()(i) - (b == 0 ? 0.3 : 0.)) +
+                   std::abs(all.constant()(i) - (b == 0 ? 0. : 8. * node.area));
         }
-      out() << order << ": nodes " << nodes[0] << " and " << nodes[1]
-            << ", areas " << area[0] << " and " << area[1]
-            << ", data of their boundary " << yes(wrong < 1e-12) << ", mixed "
+      out() << order << ": nodes " << nodes[0] << " and " << nodes[1] << ", areas "
+            << area[0] << " and " << area[1] << ", data of their boundary "
+            << yes(wrong < 1e-12) << ", mixed "
             << yes(problem.surface->slip_bound().is_mixed()) << std::endl;
     }
 }

@@ -17,8 +17,7 @@ namespace
 {
   const std::string directory = "results/new/export";
 
-  void
-  list_files()
+  void list_files()
   {
     std::set<std::string> names;
     for (const auto &entry : std::filesystem::directory_iterator(directory))
@@ -29,8 +28,7 @@ namespace
     std::cout << std::endl;
   }
 
-  void
-  show(const std::string &file)
+  void show(const std::string &file)
   {
     std::cout << "---- " << file << '\n';
     std::ifstream in(directory + "/" + file);
@@ -41,10 +39,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::filesystem::remove_all("results");
@@ -54,8 +49,7 @@ main(int argc, char *argv[])
       const DualProblem problem    = some_problem(4, coulomb, coulomb);
       const Eigen::VectorXd lambda = random(12, 1, -1.);
       if (coulomb)
-        export_problem(
-          directory, problem, lambda, problem.Q * lambda - problem.h);
+        export_problem(directory, problem, lambda, problem.Q * lambda - problem.h);
       else
         export_problem(directory, problem);
       list_files();
@@ -65,27 +59,19 @@ main(int argc, char *argv[])
         std::cout << "import of DIRECTORY" << way << ": same bits "
                   << yes(same_bits(problem, import_problem(directory + way)))
                   << std::endl;
-      std::filesystem::copy_file(
-        directory + "/problem.hdf5",
-        "results/other.h5",
-        std::filesystem::copy_options::overwrite_existing);
-      std::filesystem::copy_file(
-        directory + "/Q.mtx",
-        directory + "/other.mtx",
-        std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::copy_file(directory + "/problem.hdf5", "results/other.h5",
+                                 std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::copy_file(directory + "/Q.mtx", directory + "/other.mtx",
+                                 std::filesystem::copy_options::overwrite_existing);
       std::cout << "of other names: same bits "
                 << yes(same_bits(problem, import_problem("results/other.h5")) &&
-                       same_bits(problem,
-                                 import_problem(directory + "/other.mtx")))
+                       same_bits(problem, import_problem(directory + "/other.mtx")))
                 << std::endl;
       std::filesystem::remove(directory + "/other.mtx");
-      std::filesystem::copy_file(
-        directory + "/problem.hdf5",
-        "results/problem.hdf5",
-        std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::copy_file(directory + "/problem.hdf5", "results/problem.hdf5",
+                                 std::filesystem::copy_options::overwrite_existing);
       std::cout << "directory with problem.hdf5 only: same bits "
-                << yes(same_bits(problem, import_problem("results")))
-                << std::endl;
+                << yes(same_bits(problem, import_problem("results"))) << std::endl;
     }
   show("slip_bound.mtx");
 
@@ -96,11 +82,10 @@ main(int argc, char *argv[])
   refused("no such mtx", []() { import_problem("results/nothing/Q.mtx"); });
   refused("another file", []() { import_problem("results/problem.txt"); });
   refused("an empty directory", []() { import_problem("results/empty"); });
-  refused("no contact node",
-          []() { export_problem("results/none", DualProblem()); });
+  refused("no contact node", []() { export_problem("results/none", DualProblem()); });
   refused("below a file", []() {
     export_problem("results/problem.txt/x", some_problem(1, true, false));
   });
-  std::cout << "nothing made then: "
-            << yes(!std::filesystem::exists("results/none")) << std::endl;
+  std::cout << "nothing made then: " << yes(!std::filesystem::exists("results/none"))
+            << std::endl;
 }

@@ -17,28 +17,26 @@ namespace problem_tests
 {
   using Eigen::Index;
 
-  inline const char *
-  yes(const bool condition)
+  inline const char *yes(const bool condition)
   {
     return condition ? "yes" : "NO";
   }
 
   // Numbers with all their bits in use.
-  inline Eigen::MatrixXd
-  random(const Index rows, const Index columns, const double from)
+  inline Eigen::MatrixXd random(const Index rows, const Index columns, const double from)
   {
     static std::mt19937 generator(1);
     std::uniform_real_distribution<double> uniform(from, 1.);
-    return Eigen::MatrixXd::NullaryExpr(
-      rows, columns, [&]() { return uniform(generator); });
+    return Eigen::MatrixXd::NullaryExpr(rows, columns,
+                                        [&]() { return uniform(generator); });
   }
 
   // A problem of m nodes, Q positive definite and exactly symmetric.
-  inline stiction::DualProblem
-  some_problem(const Index m, const bool coulomb, const bool with_mesh)
+  inline stiction::DualProblem some_problem(const Index m, const bool coulomb,
+                                            const bool with_mesh)
   {
     stiction::DualProblem problem;
-    problem.Q = random(3 * m, 3 * m, -1.);
+    problem.Q                                        = random(3 * m, 3 * m, -1.);
     problem.Q.triangularView<Eigen::StrictlyUpper>() = problem.Q.transpose();
     problem.Q.diagonal().array() += 3. * m;
     problem.Q /= 1e9;
@@ -48,8 +46,8 @@ namespace problem_tests
 
     Eigen::VectorXd friction = random(m, 1, 0.);
     friction(m - 1)          = 0.;
-    problem.slip_bound = coulomb ? stiction::qp::SlipBound::coulomb(friction)
-                                 : stiction::qp::SlipBound::given(friction);
+    problem.slip_bound       = coulomb ? stiction::qp::SlipBound::coulomb(friction)
+                                       : stiction::qp::SlipBound::given(friction);
     if (with_mesh)
       {
         problem.areas     = random(m, 1, 0.1);
@@ -58,16 +56,14 @@ namespace problem_tests
     return problem;
   }
 
-  inline bool
-  same_bits(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
+  inline bool same_bits(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
   {
     return a.rows() == b.rows() && a.cols() == b.cols() &&
            (a.size() == 0 ||
             std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0);
   }
 
-  inline bool
-  same_bits(const stiction::DualProblem &a, const stiction::DualProblem &b)
+  inline bool same_bits(const stiction::DualProblem &a, const stiction::DualProblem &b)
   {
     return same_bits(a.Q, b.Q) && same_bits(a.h, b.h) &&
            a.slip_bound.is_coulomb() == b.slip_bound.is_coulomb() &&
@@ -75,15 +71,13 @@ namespace problem_tests
            same_bits(a.areas, b.areas) && same_bits(a.positions, b.positions);
   }
 
-  inline void
-  write_text(const std::string &file, const std::string &text)
+  inline void write_text(const std::string &file, const std::string &text)
   {
     std::ofstream(file, std::ios::binary) << text;
   }
 
   // Prints what the reader says.
-  inline void
-  refused(const std::string &what, const std::function<void()> &read)
+  inline void refused(const std::string &what, const std::function<void()> &read)
   {
     std::cout << what << "\n  ";
     try

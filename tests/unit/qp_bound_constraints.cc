@@ -25,11 +25,8 @@ namespace
     double norm; // an upper bound of the largest eigenvalue
   };
 
-
-
   // The least energy of all feasible points that are stationary in a face.
-  VectorXd
-  best_of_all_faces(const Problem &problem)
+  VectorXd best_of_all_faces(const Problem &problem)
   {
     const int n   = static_cast<int>(problem.b.size());
     VectorXd best = VectorXd::Zero(n);
@@ -65,38 +62,29 @@ namespace
     return best;
   }
 
-
-
   // A string over an obstacle: second differences, pulled up and down.
-  Problem
-  string_problem(Random &random, const Index n)
+  Problem string_problem(Random &random, const Index n)
   {
     Problem problem;
     problem.A = MatrixXd::Zero(n, n);
     problem.A.diagonal().setConstant(2.);
     problem.A.diagonal(1).setConstant(-1.);
     problem.A.diagonal(-1).setConstant(-1.);
-    problem.b = VectorXd::Constant(n, random.uniform(-0.5, 0.)) +
-                random.vector(n, -0.5, 0.5);
+    problem.b =
+      VectorXd::Constant(n, random.uniform(-0.5, 0.)) + random.vector(n, -0.5, 0.5);
     problem.b(random.integer(static_cast<int>(n))) += 1.;
     problem.norm = 4.;
     return problem;
   }
 
-
-
-  Problem
-  random_problem(Random &random, const Index n)
+  Problem random_problem(Random &random, const Index n)
   {
     return {random.spd(n, 1e3), random.vector(n), 1.};
   }
 
-
-
   // Built from its solution: about a third of the nodes carry, a third have a
   // gap, and at a third both are zero.
-  Problem
-  degenerate_problem(Random &random, const Index n)
+  Problem degenerate_problem(Random &random, const Index n)
   {
     Problem problem = random_problem(random, n);
     VectorXd x = VectorXd::Zero(n), r = VectorXd::Zero(n);
@@ -116,12 +104,8 @@ namespace
     return problem;
   }
 
-
-
-  void
-  check(const std::string &name,
-        Problem (*make)(Random &, Index),
-        const unsigned int n_problems)
+  void check(const std::string &name, Problem (*make)(Random &, Index),
+             const unsigned int n_problems)
   {
     Random random(6);
     unsigned int carrying = 0, open = 0, not_converged = 0;
@@ -159,8 +143,7 @@ namespace
       }
 
     std::cout << name << std::endl;
-    print("  nodes that carry and nodes that do not",
-          carrying >= 20 && open >= 20);
+    print("  nodes that carry and nodes that do not", carrying >= 20 && open >= 20);
     print_count("  runs that did not converge", not_converged);
     print_below("  largest infeasibility", negative, 1e-15);
     print_below("  distance from brute force", distance, 1e-9);
@@ -169,10 +152,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   check("Random matrices of condition 1000", random_problem, 50);
   check("A string over an obstacle", string_problem, 50);

@@ -15,8 +15,7 @@ using namespace qp_tests;
 
 namespace
 {
-  bool
-  throws(const double half_width)
+  bool throws(const double half_width)
   {
     try
       {
@@ -30,10 +29,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(55);
   const double inf              = std::numeric_limits<double>::infinity();
@@ -120,8 +116,7 @@ main()
   print_count("Free entries that are not the gradient inside", wrong_free);
   print_below("Error of the chopped part", chopped_error, 1e-14);
   print_count("Steps without an end where there is one", endless);
-  print_below(
-    "Farthest outside before the end of the step", before_bound, 1e-14);
+  print_below("Farthest outside before the end of the step", before_bound, 1e-14);
   print_below("Inside behind the end of the step", behind_bound, 1e-14);
   print_count("Solutions that are not seen", not_optimal);
   print_count("Gradients that move one entry and are not seen", spoilt_unseen);

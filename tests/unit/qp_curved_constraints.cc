@@ -13,8 +13,7 @@ using namespace qp_tests;
 
 namespace
 {
-  void
-  check(const std::string &name, const bool with_half_lines)
+  void check(const std::string &name, const bool with_half_lines)
   {
     Random random(7);
     unsigned int inside = 0, on_circle = 0, open = 0, carrying = 0;
@@ -54,12 +53,10 @@ namespace
               VectorXd gradient = matrix * x - b;
               const ActiveSetStatistics statistics =
                 Proportioning(A, set, 1.)
-                  .solve(
-                    x, gradient, {VectorXd::Ones(m), 1.}, tolerances[t], 5000);
+                  .solve(x, gradient, {VectorXd::Ones(m), 1.}, tolerances[t], 5000);
               not_solved[t] += !statistics.converged;
               distance[t].add((x - reference).norm());
-              energy_above[t].add(energy(matrix, b, x) -
-                                  energy(matrix, b, reference));
+              energy_above[t].add(energy(matrix, b, x) - energy(matrix, b, reference));
               VectorXd projected = x;
               project(projected, normal, radii);
               infeasible += !((x - projected).norm() <= 1e-15 * radii.sum());
@@ -70,8 +67,7 @@ namespace
     print("  nodes inside their disc and nodes on their circle",
           inside >= 10 && on_circle >= 10);
     if (with_half_lines)
-      print("  nodes that carry and nodes that do not",
-            carrying >= 10 && open >= 10);
+      print("  nodes that carry and nodes that do not", carrying >= 10 && open >= 10);
     print_count("  infeasible solutions", infeasible);
     print_count("  runs not converged to 1e-4", not_solved[0]);
     print_below("    distance from the reference", distance[0], 1e-3);
@@ -81,13 +77,10 @@ namespace
     print_below("    energy above the reference", energy_above[1], 1e-10);
   }
 
-
-
   // Two nodes that do not know of each other, A = I: the first balanced on
   // its circle (up to rounding), the second on its circle with its load
   // turned by a right angle.
-  void
-  check_balanced_node()
+  void check_balanced_node()
   {
     Random random(8);
     unsigned int held_up = 0;
@@ -112,10 +105,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   check("Discs", false);
   check("Half-lines times discs", true);

@@ -18,24 +18,15 @@ namespace
   const double pi           = 3.141592653589793;
   using Wide                = long double;
 
-
-
   // ‖x + α d‖/g − 1 at the only node, in long double.
-  Wide
-  outside(const VectorXd &x,
-          const VectorXd &d,
-          const Wide alpha,
-          const double g)
+  Wide outside(const VectorXd &x, const VectorXd &d, const Wide alpha, const double g)
   {
     const Wide y1 = x(0) + alpha * d(0), y2 = x(1) + alpha * d(1);
     return std::sqrt(y1 * y1 + y2 * y2) / g - 1.L;
   }
 
-
-
   // The step in long double, from the same rounded x and d.
-  Wide
-  step_in_long_double(const VectorXd &x, const VectorXd &d, const Wide g)
+  Wide step_in_long_double(const VectorXd &x, const VectorXd &d, const Wide g)
   {
     const Wide x1 = x(0), x2 = x(1), d1 = d(0), d2 = d(1);
     const Wide a    = d1 * d1 + d2 * d2;
@@ -45,18 +36,11 @@ namespace
     return b > 0.L ? c / (b + root) : (root - b) / a;
   }
 
-
-
   // A node at the distance (1 − depth) g from the centre; d makes the angle
   // `turn` with the tangent, outwards if positive.
-  void
-  check_disc(const std::string &name,
-             const bool well_conditioned,
-             const double least_depth,
-             const double largest_depth,
-             const double least_turn,
-             const double largest_turn,
-             const double sign)
+  void check_disc(const std::string &name, const bool well_conditioned,
+                  const double least_depth, const double largest_depth,
+                  const double least_turn, const double largest_turn, const double sign)
   {
     Random random(3);
     Largest before, at_the_end, error;
@@ -65,13 +49,10 @@ namespace
       {
         const double g     = random.log_uniform(1e-6, 1e6);
         const double angle = random.uniform(0., 2. * pi);
-        const double depth = largest_depth > 0.
-                               ? random.log_uniform(least_depth, largest_depth)
-                               : 0.;
+        const double depth =
+          largest_depth > 0. ? random.log_uniform(least_depth, largest_depth) : 0.;
         const double turn =
-          largest_turn > 0.
-            ? sign * random.log_uniform(least_turn, largest_turn)
-            : 0.;
+          largest_turn > 0. ? sign * random.log_uniform(least_turn, largest_turn) : 0.;
         const double direction =
           angle + (random.integer(2) == 0 ? pi / 2. - turn : turn - pi / 2.);
         const double length = random.log_uniform(1e-9, 1e9);
@@ -82,8 +63,7 @@ namespace
         x *= (1. - depth) * g;
         d *= length;
 
-        const double alpha =
-          Discs(VectorXd::Constant(1, g)).largest_feasible_step(x, d);
+        const double alpha = Discs(VectorXd::Constant(1, g)).largest_feasible_step(x, d);
         negative += !(alpha >= 0.);
         for (const Wide part : {0.L, 0.25L, 0.5L, 0.75L, 0.999999L, 1.L})
           before.add(static_cast<double>(outside(x, d, part * alpha, g)));
@@ -93,8 +73,8 @@ namespace
         not_outside_after += !(outside(x, d, more, g) > 1e-14L);
         at_the_end.add(static_cast<double>(std::abs(outside(x, d, alpha, g))));
         if (well_conditioned)
-          error.add(static_cast<double>(
-            std::abs(alpha / step_in_long_double(x, d, g) - 1.L)));
+          error.add(
+            static_cast<double>(std::abs(alpha / step_in_long_double(x, d, g) - 1.L)));
       }
 
     std::cout << name << std::endl;
@@ -107,33 +87,19 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   check_disc("Inside, outwards", true, 0.1, 1., 0.1, 1.5, 1.);
   check_disc("Inside, inwards", true, 0.1, 1., 0.1, 1.5, -1.);
   check_disc("On the circle, inwards", true, 0., 0., 0.1, 1.5, -1.);
   check_disc("On the circle, outwards", false, 0., 0., 1e-3, 1.5, 1.);
   check_disc("Near the circle, outwards", false, 1e-16, 1e-3, 1e-3, 1.5, 1.);
-  check_disc("On the circle, nearly tangential, outwards",
-             false,
-             0.,
-             0.,
-             1e-16,
-             1e-3,
+  check_disc("On the circle, nearly tangential, outwards", false, 0., 0., 1e-16, 1e-3,
              1.);
-  check_disc("On the circle, nearly tangential, inwards",
-             false,
-             0.,
-             0.,
-             1e-16,
-             1e-3,
+  check_disc("On the circle, nearly tangential, inwards", false, 0., 0., 1e-16, 1e-3,
              -1.);
   check_disc("On the circle, tangential", false, 0., 0., 0., 0., 1.);
-  check_disc(
-    "Near the circle, nearly tangential", false, 1e-16, 1e-3, 1e-16, 1e-3, -1.);
+  check_disc("Near the circle, nearly tangential", false, 1e-16, 1e-3, 1e-16, 1e-3, -1.);
 
   // ------------------------------------------------------------ half-lines
   const HalfLines half_lines(3);
@@ -147,11 +113,9 @@ main()
   print("  a node that does not move does not decide",
         half_lines.largest_feasible_step(x, d) == 0.75);
   d << -0.5, -1e-300, 1.;
-  print("  a node at zero cannot go down",
-        half_lines.largest_feasible_step(x, d) == 0.);
+  print("  a node at zero cannot go down", half_lines.largest_feasible_step(x, d) == 0.);
   d << 1., 0., 2.;
-  print("  upwards there is no end",
-        half_lines.largest_feasible_step(x, d) == infinity);
+  print("  upwards there is no end", half_lines.largest_feasible_step(x, d) == infinity);
 
   // -------------------------------------------------------------- products
   // Nodes: on its circle, a disc that is a point, inside.

@@ -29,13 +29,9 @@ namespace
                                "Proportioning on discs",
                                "Proportioning on half-lines times discs"};
 
-
-
   struct Run
   {
-    Run(const int method,
-        const MatrixXd &matrix,
-        const VectorXd &radii,
+    Run(const int method, const MatrixXd &matrix, const VectorXd &radii,
         const double norm)
       : A(matrix)
       , discs(radii)
@@ -60,29 +56,23 @@ namespace
     std::unique_ptr<ActiveSetMethod> solver;
   };
 
-
-
-  void
-  check(const int method)
+  void check(const int method)
   {
     Random random(21);
     unsigned int not_converged = 0, not_stopped = 0;
     Largest distance, rise;
     for (unsigned int sample = 0; sample < 30; ++sample)
       {
-        const Index m         = 1 + sample % 5;
-        const Index n         = method < 6 || method == 7 ? 2 * m
-                                : method == 6             ? m
-                                                          : 3 * m;
-        const Index normal    = n == 2 * m ? 0 : m;
+        const Index m      = 1 + sample % 5;
+        const Index n      = method < 6 || method == 7 ? 2 * m : method == 6 ? m : 3 * m;
+        const Index normal = n == 2 * m ? 0 : m;
         const MatrixXd matrix = random.spd(n, 10.);
         const VectorXd b      = random.vector(n, -2., 3.);
         const VectorXd radii  = random.vector(m, 0.2, 2.);
         const VectorXd discs  = n == m ? VectorXd(0) : radii;
         const Scaling scaling{VectorXd::Ones(m), 1.};
-        const double norm = Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix)
-                              .eigenvalues()
-                              .maxCoeff();
+        const double norm =
+          Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix).eigenvalues().maxCoeff();
         const VectorXd reference = reference_solution(matrix, b, normal, discs);
 
         VectorXd start = random.vector(n, -2., 2.);
@@ -91,8 +81,7 @@ namespace
         for (unsigned int max = 1; max <= 40; ++max)
           {
             VectorXd x = start, r = matrix * x - b;
-            Run(method, matrix, radii, norm / 3.)
-              .solver->solve(x, r, scaling, 1e-6, max);
+            Run(method, matrix, radii, norm / 3.).solver->solve(x, r, scaling, 1e-6, max);
             const double now = energy(matrix, b, x);
             rise.add(now - before);
             before = now;
@@ -117,12 +106,9 @@ namespace
     print_below("  distance from the reference", distance, 1e-8);
   }
 
-
-
   // One node and A = diag(1, 1): a release is one fixed step along r, so the
   // products tell how often it was done again.
-  unsigned int
-  products_of_one_release(const double norm)
+  unsigned int products_of_one_release(const double norm)
   {
     const MatrixXd matrix = MatrixXd::Identity(2, 2);
     const DenseOperator A(matrix);
@@ -130,17 +116,13 @@ namespace
     VectorXd x(2), r(2);
     x << 1., 0.;
     r << 0.02, 0.05; // on the circle and out of balance
-    return DiscActiveSet(
-             A, disc, norm, DiscActiveSet::Variant::with_projected_release)
+    return DiscActiveSet(A, disc, norm, DiscActiveSet::Variant::with_projected_release)
       .solve(x, r, {VectorXd::Ones(1), 1.}, 1e-14, 1)
       .multiplications;
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   for (int method = 0; method < 9; ++method)
     check(method);

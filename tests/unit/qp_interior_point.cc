@@ -19,10 +19,7 @@ namespace
   const auto silent = [](unsigned int, double) {};
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(1);
   const Index m = 24;
@@ -50,11 +47,11 @@ main()
             choose_solution(random, bound, solution, r);
             const VectorXd h = Q * solution - r;
 
-            VectorXd x = problem % 2 == 0 ? VectorXd(VectorXd::Zero(3 * m))
-                                          : random.vector(3 * m, -3., 3.);
+            VectorXd x        = problem % 2 == 0 ? VectorXd(VectorXd::Zero(3 * m))
+                                                 : random.vector(3 * m, -3., 3.);
             VectorXd gradient = Q * x - h;
-            const auto run    = InteriorPoint(Q).solve(
-              x, gradient, bound, scaling, 1e-7, 100, silent);
+            const auto run =
+              InteriorPoint(Q).solve(x, gradient, bound, scaling, 1e-7, 100, silent);
             not_converged += run.converged ? 0 : 1;
             most_steps = std::max(most_steps, run.steps);
             error.add((x - solution).norm() / solution.norm());
@@ -75,17 +72,13 @@ main()
   const MatrixXd Q = weakly_held(random, 3 * m, 1e4);
   VectorXd x = VectorXd::Zero(3 * m), r = random.vector(3 * m);
   const auto bound = SlipBound::given(0.1 * all);
-  const auto one =
-    InteriorPoint(Q).solve(x, r, bound, scaling, 1e-12, 1, silent);
+  const auto one   = InteriorPoint(Q).solve(x, r, bound, scaling, 1e-12, 1, silent);
   print("After one step it does not claim success",
         !one.converged && one.steps == 1 && one.residual > 1e-12);
-  const auto exact =
-    InteriorPoint(Q).solve(x, r, bound, scaling, 0., 1000, silent);
+  const auto exact = InteriorPoint(Q).solve(x, r, bound, scaling, 0., 1000, silent);
   print("It ends at rounding",
         !exact.converged && exact.steps < 100 && exact.residual < 1e-9);
   VectorXd nan = VectorXd::Constant(3 * m, NAN), rn = nan;
   print("A NaN ends it",
-        !InteriorPoint(Q)
-           .solve(nan, rn, bound, scaling, 1e-12, 100, silent)
-           .converged);
+        !InteriorPoint(Q).solve(nan, rn, bound, scaling, 1e-12, 100, silent).converged);
 }

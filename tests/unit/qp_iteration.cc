@@ -51,8 +51,6 @@ namespace
                                "DiscActiveSet robust",
                                "DiscActiveSet spectral"};
 
-
-
   // A problem on m nodes for one method, and a run of that method on it.
   struct Problem
   {
@@ -70,8 +68,7 @@ namespace
       set()->project(start);
     }
 
-    std::unique_ptr<FeasibleSet>
-    set() const
+    std::unique_ptr<FeasibleSet> set() const
     {
       if (method == Method::half_lines)
         return std::make_unique<HalfLines>(radii.size());
@@ -80,27 +77,21 @@ namespace
       return std::make_unique<Discs>(radii);
     }
 
-    std::unique_ptr<ActiveSetMethod>
-    solver(const SymmetricOperator &op, const FeasibleSet &feasible) const
+    std::unique_ptr<ActiveSetMethod> solver(const SymmetricOperator &op,
+                                            const FeasibleSet &feasible) const
     {
       if (method == Method::half_lines || method == Method::discs ||
           method == Method::product)
         return std::make_unique<Proportioning>(op, feasible, norm);
-      const int variant =
-        static_cast<int>(method) - static_cast<int>(Method::as_printed);
+      const int variant = static_cast<int>(method) - static_cast<int>(Method::as_printed);
       return std::make_unique<DiscActiveSet>(
-        op,
-        static_cast<const Discs &>(feasible),
-        norm,
+        op, static_cast<const Discs &>(feasible), norm,
         static_cast<DiscActiveSet::Variant>(variant));
     }
 
-    ActiveSetStatistics
-    solve(const SymmetricOperator &op,
-          VectorXd &x,
-          VectorXd &gradient,
-          const double tolerance,
-          const unsigned int max_multiplications) const
+    ActiveSetStatistics solve(const SymmetricOperator &op, VectorXd &x,
+                              VectorXd &gradient, const double tolerance,
+                              const unsigned int max_multiplications) const
     {
       const auto feasible = set();
       return solver(op, *feasible)
@@ -115,10 +106,7 @@ namespace
     Scaling scaling;
   };
 
-
-
-  void
-  check(const Method method)
+  void check(const Method method)
   {
     Random random(11);
     Largest rise, gradient_error, infeasible;
@@ -138,28 +126,24 @@ namespace
         for (unsigned int max = 0; max <= 60; ++max)
           {
             VectorXd x = problem.start, r = problem.A * x - problem.b;
-            const unsigned long counter = A.n_multiplications();
-            const ActiveSetStatistics statistics =
-              problem.solve(A, x, r, 1e-6, max);
-            const double now = energy(problem.A, problem.b, x);
+            const unsigned long counter          = A.n_multiplications();
+            const ActiveSetStatistics statistics = problem.solve(A, x, r, 1e-6, max);
+            const double now                     = energy(problem.A, problem.b, x);
             rise.add((now - before) / (1. + std::abs(first)));
             before = now;
 
-            miscounted +=
-              (statistics.multiplications != A.n_multiplications() - counter);
+            miscounted += (statistics.multiplications != A.n_multiplications() - counter);
             // A step that was begun is finished: up to two products more.
             too_many += (statistics.multiplications > (max > 0 ? max + 2 : 0));
             gradient_error.add((r - (problem.A * x - problem.b)).norm() /
                                (1. + x.norm()));
             VectorXd projected = x;
-            project(projected,
-                    problem.n_components != 2 ? problem.radii.size() : 0,
+            project(projected, problem.n_components != 2 ? problem.radii.size() : 0,
                     problem.n_components != 1 ? problem.radii : VectorXd(0));
             infeasible.add((x - projected).norm() / (1. + x.norm()));
-            miscounted += (statistics.residual !=
-                           set->natural_residual(x, r, problem.scaling));
             miscounted +=
-              (statistics.converged != (statistics.residual <= 1e-6));
+              (statistics.residual != set->natural_residual(x, r, problem.scaling));
+            miscounted += (statistics.converged != (statistics.residual <= 1e-6));
           }
         did_not_fall += !(before < first - 1e-2);
 
@@ -169,8 +153,7 @@ namespace
           VectorXd r      = VectorXd::Zero(optimal.b.size());
           for (Index i = 0; i < optimal.radii.size(); ++i)
             {
-              const Index t =
-                i + (optimal.n_components - 2) * optimal.radii.size();
+              const Index t = i + (optimal.n_components - 2) * optimal.radii.size();
               const Index s = t + optimal.radii.size();
               if (optimal.n_components != 2 && optimal.start(i) == 0.)
                 r(i) = 0.7;
@@ -184,8 +167,7 @@ namespace
             }
           optimal.b  = optimal.A * optimal.start - r;
           VectorXd x = optimal.start;
-          products_at_optimum +=
-            optimal.solve(A, x, r, 1e-12, 1000).multiplications;
+          products_at_optimum += optimal.solve(A, x, r, 1e-12, 1000).multiplications;
           moved_at_optimum += (x != optimal.start);
         }
 
@@ -204,10 +186,9 @@ namespace
         // ------------------------------------------------------ other units
         for (const unsigned int max : {1u, 3u, 10u, 40u})
           {
-            VectorXd x0 = problem.start;
-            VectorXd r0 = problem.A * x0 - problem.b;
-            const ActiveSetStatistics reference =
-              problem.solve(A, x0, r0, 1e-6, max);
+            VectorXd x0                         = problem.start;
+            VectorXd r0                         = problem.A * x0 - problem.b;
+            const ActiveSetStatistics reference = problem.solve(A, x0, r0, 1e-6, max);
 
             // lengths by `length`, forces by `force`
             for (const double length : {1., std::ldexp(1., 20)})
@@ -223,13 +204,11 @@ namespace
                   other.scaling.displacement *= length;
                   VectorXd x = other.start, r = other.A * x - other.b;
                   const DenseOperator B(other.A);
-                  const ActiveSetStatistics statistics =
-                    other.solve(B, x, r, 1e-6, max);
+                  const ActiveSetStatistics statistics = other.solve(B, x, r, 1e-6, max);
                   ++compared;
-                  other_bits +=
-                    (x != force * x0 || r != length * r0 ||
-                     statistics.residual != reference.residual ||
-                     statistics.multiplications != reference.multiplications);
+                  other_bits += (x != force * x0 || r != length * r0 ||
+                                 statistics.residual != reference.residual ||
+                                 statistics.multiplications != reference.multiplications);
                 }
           }
       }
@@ -237,8 +216,7 @@ namespace
     std::cout << names[static_cast<int>(method)] << std::endl;
     print_below("  largest relative rise of the energy", rise, 1e-13);
     print_count("  problems whose energy did not fall", did_not_fall);
-    print_below(
-      "  largest relative error of the gradient", gradient_error, 1e-13);
+    print_below("  largest relative error of the gradient", gradient_error, 1e-13);
     print_below("  largest relative distance from the set", infeasible, 1e-14);
     print_count("  wrong statistics", miscounted);
     print_count("  runs with too many products", too_many);
@@ -259,10 +237,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   for (const Method method : all_methods)
     check(method);

@@ -24,14 +24,9 @@ namespace
     DiscActiveSet::Variant::with_projected_release,
     DiscActiveSet::Variant::robust,
     DiscActiveSet::Variant::spectral};
-  const char *const names[] = {"as_printed",
-                               "with_expansion",
-                               "with_proportioning",
-                               "with_projected_release",
-                               "robust",
-                               "spectral"};
-
-
+  const char *const names[] = {
+    "as_printed", "with_expansion", "with_proportioning", "with_projected_release",
+    "robust",     "spectral"};
 
   struct Problem
   {
@@ -48,11 +43,8 @@ namespace
     VectorXd b, radii;
   };
 
-
-
   // How far x is from the conditions of the lemma: 0 if it meets them.
-  double
-  lemma_violation(const Problem &problem, const VectorXd &x)
+  double lemma_violation(const Problem &problem, const VectorXd &x)
   {
     const Index m    = problem.radii.size();
     const VectorXd r = problem.A * x - problem.b;
@@ -62,21 +54,17 @@ namespace
         const double g      = problem.radii(i);
         const double norm_x = std::hypot(x(i), x(i + m));
         const double norm_r = std::hypot(r(i), r(i + m));
-        largest             = std::max(largest,
-                           norm_x < g * (1. - 1e-9)
-                                         ? norm_r
-                                         : std::hypot(r(i) + norm_r / g * x(i),
-                                          r(i + m) + norm_r / g * x(i + m)));
+        largest             = std::max(largest, norm_x < g * (1. - 1e-9)
+                                                  ? norm_r
+                                                  : std::hypot(r(i) + norm_r / g * x(i),
+                                                               r(i + m) + norm_r / g * x(i + m)));
       }
     return largest;
   }
 
-
-
   // One node: the best of a grid over the disc, then of finer and finer grids
   // around the best, to a cell of 1e-9.
-  VectorXd
-  best_of_grid(const Problem &problem)
+  VectorXd best_of_grid(const Problem &problem)
   {
     const double pi = 3.141592653589793, g = problem.radii(0);
     double radius = g / 2., angle = 0.; // centre of the grid
@@ -110,18 +98,13 @@ namespace
     return best;
   }
 
-
-
   struct Figures
   {
     unsigned int not_converged = 0, infeasible = 0;
     Largest energy_above, violation, distance;
   };
 
-
-
-  Figures
-  compare(const Problem &problem, const VectorXd &reference, const int variant)
+  Figures compare(const Problem &problem, const VectorXd &reference, const int variant)
   {
     Figures figures;
     const DenseOperator A(problem.A);
@@ -150,10 +133,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(5);
 
@@ -171,9 +151,9 @@ main()
           const Index m = kind == 1 ? 1 : 2 + k % 2;
           problems.emplace_back(random, m);
           references.push_back(
-            kind == 1 ? best_of_grid(problems[k])
-                      : reference_solution(
-                          problems[k].A, problems[k].b, 0, problems[k].radii));
+            kind == 1
+              ? best_of_grid(problems[k])
+              : reference_solution(problems[k].A, problems[k].b, 0, problems[k].radii));
           const VectorXd &x = references.back();
           for (Index i = 0; i < m; ++i)
             if (std::hypot(x(i), x(i + m)) < 0.999 * problems[k].radii(i))
@@ -197,11 +177,9 @@ main()
                 << std::endl;
       print("  nodes inside their disc and nodes on their circle",
             inside >= 10 && on_circle >= 10);
-      print_below("  violation of the lemma by the reference",
-                  reference_violation,
+      print_below("  violation of the lemma by the reference", reference_violation,
                   kind == 1 ? 1e-6 : 1e-12);
-      print_count("  other points that meet the conditions of the lemma",
-                  still_optimal);
+      print_count("  other points that meet the conditions of the lemma", still_optimal);
       for (int variant = 0; variant < 6; ++variant)
         {
           Figures all;
@@ -219,8 +197,7 @@ main()
           print_count("    nodes outside their disc", all.infeasible);
           print_below("    violation of the lemma", all.violation, 1e-8);
           print_below("    energy above brute force", all.energy_above, 1e-10);
-          print_below("    distance from brute force",
-                      all.distance,
+          print_below("    distance from brute force", all.distance,
                       kind == 1 ? 1e-6 : 1e-8);
         }
     }

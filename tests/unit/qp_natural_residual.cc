@@ -15,8 +15,6 @@ namespace
 {
   const double pi = 3.141592653589793;
 
-
-
   // An optimal pair of half-lines times discs, all kinds of nodes.
   struct Pair
   {
@@ -41,10 +39,9 @@ namespace
           const double angle = random.uniform(0., 2. * pi);
           const double pull  = random.uniform(0., 1.);
           const int kind     = random.integer(3);
-          const double r =
-            kind == 0 ? random.uniform(0., 0.9) * radii(i) : radii(i);
-          x(i + m)     = r * std::cos(angle);
-          x(i + 2 * m) = r * std::sin(angle);
+          const double r     = kind == 0 ? random.uniform(0., 0.9) * radii(i) : radii(i);
+          x(i + m)           = r * std::cos(angle);
+          x(i + 2 * m)       = r * std::sin(angle);
           if (kind == 1 || radii(i) == 0.)
             {
               gradient(i + m)     = -pull * std::cos(angle);
@@ -57,10 +54,7 @@ namespace
   };
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(9);
 
@@ -72,34 +66,33 @@ main()
   x << 1., 0.6, 0.;
   gradient << 0.15, -0.6, -1.;
   Scaling scaling{VectorXd::Constant(1, 2.), 0.5};
-  std::cout << "  a sliding node: "
-            << HalfLinesTimesDiscs(VectorXd::Ones(1))
-                 .natural_residual(x, gradient, scaling)
-            << " (0.5)" << std::endl;
+  std::cout
+    << "  a sliding node: "
+    << HalfLinesTimesDiscs(VectorXd::Ones(1)).natural_residual(x, gradient, scaling)
+    << " (0.5)" << std::endl;
   gradient << 0.5, 0., 0.;
-  std::cout << "  a node that has to open: "
-            << HalfLinesTimesDiscs(VectorXd::Ones(1))
-                 .natural_residual(x, gradient, scaling)
-            << " (0.5)" << std::endl;
+  std::cout
+    << "  a node that has to open: "
+    << HalfLinesTimesDiscs(VectorXd::Ones(1)).natural_residual(x, gradient, scaling)
+    << " (0.5)" << std::endl;
   x << 0.7, 0., 0.;
   gradient << 0., 0., 0.1;
-  std::cout << "  a sticking node that slips: "
-            << HalfLinesTimesDiscs(VectorXd::Ones(1))
-                 .natural_residual(x, gradient, scaling)
-            << " (0.2)" << std::endl;
+  std::cout
+    << "  a sticking node that slips: "
+    << HalfLinesTimesDiscs(VectorXd::Ones(1)).natural_residual(x, gradient, scaling)
+    << " (0.2)" << std::endl;
   // the largest of several nodes counts, wherever it is
   for (const Index k : {0, 1, 2})
     {
       VectorXd gaps = VectorXd::Constant(3, -0.1);
       gaps(k)       = -0.3;
       std::cout << "  a node that penetrates most: "
-                << HalfLines(3).natural_residual(
-                     VectorXd::Zero(3), gaps, {VectorXd::Ones(3), 0.5})
+                << HalfLines(3).natural_residual(VectorXd::Zero(3), gaps,
+                                                 {VectorXd::Ones(3), 0.5})
                 << " (0.6)" << std::endl;
     }
   std::cout << "  no nodes: "
-            << HalfLines(0).natural_residual(
-                 VectorXd(0), VectorXd(0), {VectorXd(0), 1.})
+            << HalfLines(0).natural_residual(VectorXd(0), VectorXd(0), {VectorXd(0), 1.})
             << " (0)" << std::endl;
 
   // ------------------------------------------------- zero iff x is optimal
@@ -130,16 +123,13 @@ main()
         }
       const double residual = set.natural_residual(pair.x, spoilt, scaling);
       residual_per_spoil.add(residual * 1e3 * scaling.displacement);
-      least_per_spoil =
-        std::min(least_per_spoil, residual * 1e3 * scaling.displacement);
+      least_per_spoil = std::min(least_per_spoil, residual * 1e3 * scaling.displacement);
     }
   std::cout << "Zero iff optimal" << std::endl;
   print_below("  largest residual of an optimal pair", optimal, 1e-14);
   // a gradient spoilt by 1e-3 shows as 1e-3/displacement, less on a circle
-  print("  a spoilt pair shows at least 2 % of the damage",
-        least_per_spoil > 0.02);
-  print("  and never more than all of it",
-        residual_per_spoil.value() < 1. + 1e-10);
+  print("  a spoilt pair shows at least 2 % of the damage", least_per_spoil > 0.02);
+  print("  and never more than all of it", residual_per_spoil.value() < 1. + 1e-10);
 
   // ----------------------------------------------------------------- units
   Largest change;

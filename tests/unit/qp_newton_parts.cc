@@ -20,8 +20,7 @@
 using namespace stiction::qp;
 using namespace qp_tests;
 
-int
-main()
+int main()
 {
   Random random(2);
   const Index n = 20;
@@ -41,10 +40,8 @@ main()
       };
     };
     const auto none  = [](const VectorXd &v) { return v; };
-    const auto exact = [&](const VectorXd &v) -> VectorXd {
-      return A.llt().solve(v);
-    };
-    const auto cg = conjugate_gradients(with(A), b, none, 1e-10, 500);
+    const auto exact = [&](const VectorXd &v) -> VectorXd { return A.llt().solve(v); };
+    const auto cg    = conjugate_gradients(with(A), b, none, 1e-10, 500);
     print_below("CG: residual", (A * cg.y - b).norm() / b.norm(), 1e-7);
     print_below("CG: image", (B * cg.y - cg.image).norm() / b.norm(), 1e-9);
     print("CG: a product an iteration", used == cg.iterations);
@@ -71,9 +68,8 @@ main()
     r.head(m) << 0., 0.1, -0.1, 0., 1., 0.;
     const auto bound = SlipBound::coulomb(VectorXd::Constant(m, 0.3));
     const ContactLinearization step(x, r, rho, bound);
-    print("Some slip, some stick",
-          step.curvature().maxCoeff() > 0. && step.n_free() > 2 * m &&
-            step.n_free() < 3 * m);
+    print("Some slip, some stick", step.curvature().maxCoeff() > 0. &&
+                                     step.n_free() > 2 * m && step.n_free() < 3 * m);
 
     // The conditions C(x) = x − P(x − ρr; bound of x − ρr) have the derivative
     // that the step d = d0 + Zy makes zero: C + C'd = 0 with r' = A d, for the
@@ -89,8 +85,7 @@ main()
     for (Index k = 0; k < 3 * m; ++k)
       W.row(k) = step.test(VectorXd::Unit(3 * m, k)).transpose();
     print_below("Z and its transpose",
-                (step.transpose_embed(x) - Z.transpose() * x).norm(),
-                1e-13);
+                (step.transpose_embed(x) - Z.transpose() * x).norm(), 1e-13);
     // near a solution: x* of the conditions with this A and b = A x − r
     VectorXd xs = x, rs = r;
     double residual = 1.;
@@ -105,8 +100,7 @@ main()
         MatrixXd M = Ws.transpose() * A * Zs;
         M.diagonal() += s.curvature();
         const VectorXd d =
-          s.prescribed() -
-          Zs * M.lu().solve(Ws.transpose() * (rs + A * s.prescribed()));
+          s.prescribed() - Zs * M.lu().solve(Ws.transpose() * (rs + A * s.prescribed()));
         xs += d;
         rs += A * d;
         const double before = residual;
@@ -125,8 +119,7 @@ main()
     M.diagonal() += step.curvature();
     const VectorXd v = random.vector(step.n_free());
     print_below("Nystrom's preconditioner from all directions is the inverse",
-                (M * preconditioner.apply(v) - v).norm(),
-                1e-5);
+                (M * preconditioner.apply(v) - v).norm(), 1e-5);
   }
 
   // ADMM against the reference solution
@@ -144,8 +137,8 @@ main()
         const DenseOperator op(A);
         Admm admm(A, op);
         VectorXd x = VectorXd::Zero(3 * m), r = -b;
-        const auto stat = admm.solve(
-          x, r, SlipBound::given(g), scaling, 1e-11, 3000, [](double) {});
+        const auto stat =
+          admm.solve(x, r, SlipBound::given(g), scaling, 1e-11, 3000, [](double) {});
         not_converged += stat.converged ? 0 : 1;
         many_factors += stat.factorizations > 4 ? 1 : 0;
         error.add((x - best).norm() / best.norm());

@@ -15,8 +15,7 @@ using namespace stiction::qp;
 using namespace qp_tests;
 
 // A random point of one node's set, often on its boundary or at the origin.
-VectorXd
-feasible_node(Random &random, const bool half_line, const bool disc, double g)
+VectorXd feasible_node(Random &random, const bool half_line, const bool disc, double g)
 {
   const auto pick = [&random](const double outer) {
     const int kind = random.integer(4);
@@ -35,14 +34,8 @@ feasible_node(Random &random, const bool half_line, const bool disc, double g)
   return node;
 }
 
-
-
-void
-check(const std::string &name,
-      const FeasibleSet &set,
-      const bool half_line,
-      const bool disc,
-      const VectorXd &radii)
+void check(const std::string &name, const FeasibleSet &set, const bool half_line,
+           const bool disc, const VectorXd &radii)
 {
   Random random(1);
   const Index m = set.n_nodes();
@@ -51,9 +44,8 @@ check(const std::string &name,
   unsigned int moved_though_feasible = 0, moved_to_the_boundary = 0;
   for (unsigned int sample = 0; sample < 3000; ++sample)
     {
-      const VectorXd x =
-        random.log_uniform(1e-3, 1e3) * random.vector(set.size());
-      VectorXd Px = x;
+      const VectorXd x = random.log_uniform(1e-3, 1e3) * random.vector(set.size());
+      VectorXd Px      = x;
       set.project(Px);
 
       VectorXd PPx = Px;
@@ -75,7 +67,7 @@ check(const std::string &name,
             outside.add(node(Px).tail(2).norm() - radii(i));
 
           // a feasible y that differs from Px at this node only
-          const VectorXd y = feasible_node(random, half_line, disc, radii(i));
+          const VectorXd y    = feasible_node(random, half_line, disc, radii(i));
           const VectorXd to_x = node(x) - node(Px), to_y = y - node(Px);
           if (to_x.norm() > 0.)
             {
@@ -114,10 +106,7 @@ check(const std::string &name,
   print_count("  other nodes that a NaN changed", nan_spread);
 }
 
-
-
-bool
-is_refused(const double radius)
+bool is_refused(const double radius)
 {
   VectorXd radii(2);
   radii << 1., radius;
@@ -141,10 +130,7 @@ is_refused(const double radius)
   return refusals == 2;
 }
 
-
-
-int
-main()
+int main()
 {
   VectorXd radii(5);
   radii << 1., 0., 0.25, 1e-3, 2.;
@@ -156,6 +142,5 @@ main()
   std::cout << "Radii" << std::endl;
   print("  0 is a radius", !is_refused(0.));
   print("  a negative radius is refused", is_refused(-1e-300));
-  print("  NaN is refused",
-        is_refused(std::numeric_limits<double>::quiet_NaN()));
+  print("  NaN is refused", is_refused(std::numeric_limits<double>::quiet_NaN()));
 }

@@ -33,8 +33,7 @@ namespace
     }
 
     // The same problem in the variables D⁻¹x: node i is d_i² times as stiff.
-    Problem
-    stretched(const VectorXd &d) const
+    Problem stretched(const VectorXd &d) const
     {
       Problem other = *this;
       VectorXd all(3 * d.size());
@@ -51,15 +50,9 @@ namespace
     Scaling scaling;
   };
 
-
-
-  ActiveSetStatistics
-  solve(const Problem &problem,
-        const ProportioningOptions &options,
-        const NodalScaling *const nodal,
-        const double tolerance,
-        VectorXd &x,
-        VectorXd &gradient)
+  ActiveSetStatistics solve(const Problem &problem, const ProportioningOptions &options,
+                            const NodalScaling *const nodal, const double tolerance,
+                            VectorXd &x, VectorXd &gradient)
   {
     const DenseOperator A(problem.A);
     if (nodal == nullptr)
@@ -79,10 +72,7 @@ namespace
     return statistics;
   }
 
-
-
-  bool
-  throws(const VectorXd &scales)
+  bool throws(const VectorXd &scales)
   {
     try
       {
@@ -95,11 +85,8 @@ namespace
     return false;
   }
 
-
-
   // ---------------------------------------------- every option, every scale
-  void
-  check_solutions()
+  void check_solutions()
   {
     for (const double gamma : {1., 3.})
       for (const bool spectral : {false, true})
@@ -119,18 +106,13 @@ namespace
                   VectorXd x = random.vector(3 * m);
                   project(x, m, problem.radii);
                   VectorXd r = problem.A * x - problem.b;
-                  not_converged += !solve(problem,
-                                          {gamma, spectral, projected},
-                                          scaled ? &nodal : nullptr,
-                                          1e-10,
-                                          x,
-                                          r)
+                  not_converged += !solve(problem, {gamma, spectral, projected},
+                                          scaled ? &nodal : nullptr, 1e-10, x, r)
                                       .converged;
                   distance.add((x - reference).norm());
                   gradient_error.add((r - (problem.A * x - problem.b)).norm());
                 }
-              std::cout << "Gamma " << gamma
-                        << (spectral ? ", spectral releases" : "")
+              std::cout << "Gamma " << gamma << (spectral ? ", spectral releases" : "")
                         << (projected ? ", projected expansions" : "")
                         << (scaled ? ", scaled" : "") << std::endl;
               print_count("  runs that did not converge", not_converged);
@@ -139,11 +121,8 @@ namespace
             }
   }
 
-
-
   // ------------------------------------------------- a change of variables
-  void
-  check_change_of_variables()
+  void check_change_of_variables()
   {
     Random random(42);
     Largest residual, forth_and_back, product;
@@ -158,19 +137,17 @@ namespace
 
         const HalfLinesTimesDiscs set(problem.radii);
         const HalfLinesTimesDiscs scaled_set(nodal.divide(problem.radii));
-        const HalfLinesTimesDiscs twice_set(
-          other.divide(nodal.divide(problem.radii)));
+        const HalfLinesTimesDiscs twice_set(other.divide(nodal.divide(problem.radii)));
         VectorXd x = random.vector(3 * m, -2., 4.);
         set.project(x);
         const VectorXd r = problem.A * x - problem.b;
         const Scaling units{random.vector(m, 0.1, 3.), 0.7};
         const double before = set.natural_residual(x, r, units);
-        const double once   = scaled_set.natural_residual(
-          nodal.divide(x), nodal.times(r), nodal.scaled(units));
-        const double twice =
-          twice_set.natural_residual(other.divide(nodal.divide(x)),
-                                     other.times(nodal.times(r)),
-                                     other.scaled(nodal.scaled(units)));
+        const double once   = scaled_set.natural_residual(nodal.divide(x), nodal.times(r),
+                                                          nodal.scaled(units));
+        const double twice  = twice_set.natural_residual(
+           other.divide(nodal.divide(x)), other.times(nodal.times(r)),
+           other.scaled(nodal.scaled(units)));
         residual.add(std::abs(once - before) / before);
         residual.add(std::abs(twice - before) / before);
         forth_and_back.add((nodal.times(nodal.divide(x)) - x).norm());
@@ -182,8 +159,7 @@ namespace
         DAD.vmult(result, r);
         VectorXd all(3 * m);
         all << d, d, d;
-        const VectorXd expected =
-          all.asDiagonal() * (problem.A * (all.asDiagonal() * r));
+        const VectorXd expected = all.asDiagonal() * (problem.A * (all.asDiagonal() * r));
         product.add((result - expected).norm() / expected.norm());
       }
     std::cout << "A change of variables" << std::endl;
@@ -199,22 +175,15 @@ namespace
     print("  a scale of one does not", !throws(VectorXd::Ones(3)));
   }
 
-
-
-  unsigned int
-  products(const Problem &problem,
-           const ProportioningOptions &options,
-           const NodalScaling *const nodal)
+  unsigned int products(const Problem &problem, const ProportioningOptions &options,
+                        const NodalScaling *const nodal)
   {
     VectorXd x = VectorXd::Zero(problem.b.size()), r = -problem.b;
     return solve(problem, options, nodal, 1e-8, x, r).multiplications;
   }
 
-
-
   // --------------------------------------------------------------- its use
-  void
-  check_products()
+  void check_products()
   {
     Random random(43);
     unsigned int other_bits = 0;
@@ -227,16 +196,14 @@ namespace
         VectorXd d(m);
         for (double &stretch : d)
           stretch = random.log_uniform(0.1, 10.);
-        const Problem uneven = problem.stretched(d);
-        const NodalScaling nodal =
-          NodalScaling::from_diagonal(uneven.A.diagonal(), m);
+        const Problem uneven     = problem.stretched(d);
+        const NodalScaling nodal = NodalScaling::from_diagonal(uneven.A.diagonal(), m);
         for (Index i = 0; i < m; ++i)
-          mean_diagonal.add(
-            std::abs(nodal.scales()(i) * nodal.scales()(i) *
-                       (uneven.A(i, i) + uneven.A(i + m, i + m) +
-                        uneven.A(i + 2 * m, i + 2 * m)) /
-                       3. -
-                     1.));
+          mean_diagonal.add(std::abs(
+            nodal.scales()(i) * nodal.scales()(i) *
+              (uneven.A(i, i) + uneven.A(i + m, i + m) + uneven.A(i + 2 * m, i + 2 * m)) /
+              3. -
+            1.));
 
         const ProportioningOptions literature{1., false, false};
         plain += products(uneven, literature, nullptr);
@@ -245,11 +212,9 @@ namespace
 
         // powers of two do not round
         const NodalScaling fourfold(VectorXd::Constant(m, 4.));
-        other_bits +=
-          products(problem, {}, nullptr) != products(problem, {}, &fourfold);
+        other_bits += products(problem, {}, nullptr) != products(problem, {}, &fourfold);
       }
-    std::cout << "Ten nodes, their stiffness spread over four decades"
-              << std::endl;
+    std::cout << "Ten nodes, their stiffness spread over four decades" << std::endl;
     print_below("  mean diagonal entry minus one", mean_diagonal, 1e-14);
     print("  scaling saves over 90 % of the products", scaled < 0.1 * plain);
     print("  and they are about those of nodes of like stiffness",
@@ -276,10 +241,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   check_solutions();
   check_change_of_variables();

@@ -18,8 +18,6 @@ namespace
   const double pi = 3.141592653589793;
   using Wide      = long double;
 
-
-
   // One node on its circle whose residual makes the angle `turn` with the
   // direction −x that would balance it.
   struct Node
@@ -37,39 +35,26 @@ namespace
       r *= random.log_uniform(1e-6, 1e6);
     }
 
-    Discs
-    disc() const
-    {
-      return Discs(VectorXd::Constant(1, g));
-    }
+    Discs disc() const { return Discs(VectorXd::Constant(1, g)); }
 
     double g, turn;
     VectorXd x, r;
   };
 
-
-
-  Wide
-  dot(const VectorXd &a, const VectorXd &b)
+  Wide dot(const VectorXd &a, const VectorXd &b)
   {
     return static_cast<Wide>(a(0)) * b(0) + static_cast<Wide>(a(1)) * b(1);
   }
 
-
-
   // ‖x + t v‖/g − 1 in long double.
-  Wide
-  outside(const Node &node, const VectorXd &v, const Wide t)
+  Wide outside(const Node &node, const VectorXd &v, const Wide t)
   {
     const Wide y1 = node.x(0) + t * v(0), y2 = node.x(1) + t * v(1);
     return std::sqrt(y1 * y1 + y2 * y2) / node.g - 1.L;
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(4);
 
@@ -85,8 +70,7 @@ main()
       not_descent += !(dot(v, node.r) < 0.L);
       not_inwards += !(dot(v, node.x) < 0.L);
       // on the circle v·r = −½‖v‖² exactly
-      descent.add(
-        static_cast<double>(std::abs(2.L * dot(v, node.r) / vv + 1.L)));
+      descent.add(static_cast<double>(std::abs(2.L * dot(v, node.r) / vv + 1.L)));
 
       const Wide closed_form = node.g / std::sqrt(dot(node.r, node.r));
       const double alpha     = largest_release_step(disc, node.x, node.r);
@@ -112,22 +96,20 @@ main()
   for (unsigned int sample = 0; sample < 1000; ++sample)
     {
       const Node node(random, 3e-10, 3e-9);
-      const Discs disc = node.disc();
-      const VectorXd v = unbalanced_boundary_residual(disc, node.x, node.r);
-      const Wide r     = std::sqrt(dot(node.r, node.r));
+      const Discs disc       = node.disc();
+      const VectorXd v       = unbalanced_boundary_residual(disc, node.x, node.r);
+      const Wide r           = std::sqrt(dot(node.r, node.r));
       const Wide closed_form = node.g / r;
       small.add(static_cast<double>(std::sqrt(dot(v, v)) / r));
-      exact.add(static_cast<double>(std::abs(
-        largest_release_step(disc, node.x, node.r) / closed_form - 1.L)));
+      exact.add(static_cast<double>(
+        std::abs(largest_release_step(disc, node.x, node.r) / closed_form - 1.L)));
       formula_fails +=
-        !(std::abs(disc.largest_feasible_step(node.x, v) / closed_form - 1.L) <
-          0.1L);
+        !(std::abs(disc.largest_feasible_step(node.x, v) / closed_form - 1.L) < 0.1L);
     }
   std::cout << "Unbalanced by 1e-9" << std::endl;
   print_below("  largest |v|/|r|", small, 1e-8);
   print_below("  largest relative error of the step", exact, 1e-15);
-  print("  the quadratic formula is wrong by over 10 % for most",
-        formula_fails > 500);
+  print("  the quadratic formula is wrong by over 10 % for most", formula_fails > 500);
 
   // ------------------------------------------------------- balanced nodes
   // ... and those that have no balance to keep: inside, and radius zero.
@@ -138,8 +120,7 @@ main()
       Node node(random, 1e-2, pi);
       const Discs disc        = node.disc();
       const double multiplier = random.log_uniform(1e-6, 1e6);
-      VectorXd v =
-        unbalanced_boundary_residual(disc, node.x, -multiplier * node.x);
+      VectorXd v = unbalanced_boundary_residual(disc, node.x, -multiplier * node.x);
       balanced.add(v.norm() / (multiplier * node.g));
 
       // inside, without a residual, and in a disc that is a point
@@ -150,8 +131,8 @@ main()
       const Discs discs(radii);
       v = unbalanced_boundary_residual(discs, x, r);
       not_zero += (v != VectorXd::Zero(6));
-      finite += !(largest_release_step(discs, x, r) ==
-                  std::numeric_limits<double>::infinity());
+      finite +=
+        !(largest_release_step(discs, x, r) == std::numeric_limits<double>::infinity());
     }
   std::cout << "Balanced" << std::endl;
   print_below("  largest |v|/|r|", balanced, 1e-15);
@@ -162,8 +143,8 @@ main()
   unsigned int wrong_minimum = 0, wrong_node = 0;
   for (unsigned int sample = 0; sample < 1000; ++sample)
     {
-      const Node nodes[3] = {
-        Node(random, 1e-2, pi), Node(random, 1e-2, pi), Node(random, 1e-2, pi)};
+      const Node nodes[3] = {Node(random, 1e-2, pi), Node(random, 1e-2, pi),
+                             Node(random, 1e-2, pi)};
       VectorXd radii(3), x(6), r(6);
       double minimum = std::numeric_limits<double>::infinity();
       for (Index i = 0; i < 3; ++i)
@@ -175,16 +156,15 @@ main()
               r(i + 3 * c) = nodes[i].r(c);
             }
           minimum = std::min(
-            minimum,
-            largest_release_step(nodes[i].disc(), nodes[i].x, nodes[i].r));
+            minimum, largest_release_step(nodes[i].disc(), nodes[i].x, nodes[i].r));
         }
       const Discs discs(radii);
       const VectorXd v = unbalanced_boundary_residual(discs, x, r);
       wrong_minimum += (largest_release_step(discs, x, r) != minimum);
       for (Index i = 0; i < 3; ++i)
         {
-          const VectorXd alone = unbalanced_boundary_residual(
-            nodes[i].disc(), nodes[i].x, nodes[i].r);
+          const VectorXd alone =
+            unbalanced_boundary_residual(nodes[i].disc(), nodes[i].x, nodes[i].r);
           wrong_node += (v(i) != alone(0) || v(i + 3) != alone(1));
         }
     }

@@ -24,11 +24,8 @@ namespace
 {
   const double pi = 3.141592653589793;
 
-
-
   // The corners of the polygon, one a column, as geometry says.
-  MatrixXd
-  corners(const unsigned int r, const double g)
+  MatrixXd corners(const unsigned int r, const double g)
   {
     MatrixXd result(2, 4 * r);
     for (unsigned int k = 0; k < 4 * r; ++k)
@@ -39,12 +36,9 @@ namespace
     return g / std::cos(pi / (4. * r)) * result;
   }
 
-
-
   // Replaces (x1, x2) by the nearest point of the polygon: itself if it is to
   // the left of all edges, otherwise the best of the nearest points of each.
-  void
-  project_onto_polygon(double &x1, double &x2, const MatrixXd &corner)
+  void project_onto_polygon(double &x1, double &x2, const MatrixXd &corner)
   {
     const Eigen::Vector2d x(x1, x2);
     Eigen::Vector2d best = x;
@@ -54,8 +48,7 @@ namespace
       {
         const Eigen::Vector2d a    = corner.col(k);
         const Eigen::Vector2d edge = corner.col((k + 1) % corner.cols()) - a;
-        inside =
-          inside && edge(0) * (x(1) - a(1)) - edge(1) * (x(0) - a(0)) >= 0.;
+        inside = inside && edge(0) * (x(1) - a(1)) - edge(1) * (x(0) - a(0)) >= 0.;
         const double part       = edge.dot(x - a) / edge.squaredNorm();
         const Eigen::Vector2d y = a + std::min(std::max(part, 0.), 1.) * edge;
         if ((y - x).norm() < least)
@@ -70,8 +63,7 @@ namespace
     x2 = best(1);
   }
 
-  void
-  project_onto_polygons(VectorXd &x, const unsigned int r, const VectorXd &g)
+  void project_onto_polygons(VectorXd &x, const unsigned int r, const VectorXd &g)
   {
     const Index m = g.size();
     for (Index i = 0; i < m; ++i)
@@ -84,14 +76,9 @@ namespace
       }
   }
 
-
-
   // As qp_tests::reference_solution(), on the polygons.
-  VectorXd
-  reference_on_polygons(const MatrixXd &A,
-                        const VectorXd &b,
-                        const unsigned int r,
-                        const VectorXd &g)
+  VectorXd reference_on_polygons(const MatrixXd &A, const VectorXd &b,
+                                 const unsigned int r, const VectorXd &g)
   {
     const double step = 1.9 / A.cwiseAbs().rowwise().sum().maxCoeff();
     VectorXd x        = VectorXd::Zero(b.size()), next;
@@ -106,16 +93,10 @@ namespace
     return x;
   }
 
-
-
   // Forces by the layer under test, from a given start.
-  ActiveSetStatistics
-  solve(const MatrixXd &matrix,
-        const VectorXd &b,
-        const unsigned int r,
-        const VectorXd &g,
-        VectorXd &forces,
-        const ProportioningOptions &options = {})
+  ActiveSetStatistics solve(const MatrixXd &matrix, const VectorXd &b,
+                            const unsigned int r, const VectorXd &g, VectorXd &forces,
+                            const ProportioningOptions &options = {})
   {
     const DenseOperator Q(matrix);
     const RotatedSquares squares(r, g);
@@ -130,10 +111,7 @@ namespace
     return statistics;
   }
 
-
-
-  void
-  check_set(const unsigned int r)
+  void check_set(const unsigned int r)
   {
     Random random(51);
     Largest support, transpose, lifted, infeasible, outside;
@@ -157,8 +135,7 @@ namespace
             for (Index k = i + m; k < pulled.size(); k += m)
               reached += b(i) * std::abs(pulled(k));
             const Eigen::Vector2d direction(u(i + m), u(i + 2 * m));
-            const double expected =
-              (corners(r, g(i)).transpose() * direction).maxCoeff();
+            const double expected = (corners(r, g(i)).transpose() * direction).maxCoeff();
             support.add(std::abs(reached - expected));
           }
 
@@ -183,16 +160,12 @@ namespace
     print_below("  support function, boxes less polygon", support, 1e-14);
     print_below("  transpose", transpose, 1e-12);
     print_below("  distance of images from the polygon", outside, 1e-14);
-    print("  forces to lift inside and outside",
-          inside >= 100 && beyond >= 100);
+    print("  forces to lift inside and outside", inside >= 100 && beyond >= 100);
     print_below("  lifted forces less projected ones", lifted, 1e-14);
     print_below("  lifted forces outside of the boxes", infeasible, 1e-15);
   }
 
-
-
-  void
-  check_solutions(const unsigned int r)
+  void check_solutions(const unsigned int r)
   {
     Random random(52);
     unsigned int not_converged = 0, inside = 0, on_edge = 0, open = 0;
@@ -219,12 +192,10 @@ namespace
           for (const bool warm : {false, true})
             {
               VectorXd x = warm ? reference : random.vector(3 * m, -3., 3.);
-              const ActiveSetStatistics statistics =
-                solve(matrix, b, r, g, x, options);
+              const ActiveSetStatistics statistics = solve(matrix, b, r, g, x, options);
               not_converged += !statistics.converged;
               distance.add((x - reference).norm());
-              energy_above.add(energy(matrix, b, x) -
-                               energy(matrix, b, reference));
+              energy_above.add(energy(matrix, b, x) - energy(matrix, b, reference));
               if (warm)
                 warm_products += statistics.multiplications;
             }
@@ -238,12 +209,9 @@ namespace
     print_count("  products from the solution, lifted", warm_products);
   }
 
-
-
   // One node with Q = I that is pulled far beyond its bound in all directions:
   // on the disc it carries g along the load.
-  void
-  check_error(const unsigned int r)
+  void check_error(const unsigned int r)
   {
     const VectorXd g      = VectorXd::Constant(1, 2.);
     const MatrixXd matrix = MatrixXd::Identity(3, 3);
@@ -258,23 +226,18 @@ namespace
         const double carried = std::hypot(x(1), x(2)) / 2.;
         ratio.add(carried);
         least = std::min(least, carried);
-        aside.add(
-          std::abs(std::remainder(std::atan2(x(2), x(1)) - angle, 2. * pi)) *
-          180. / pi);
+        aside.add(std::abs(std::remainder(std::atan2(x(2), x(1)) - angle, 2. * pi)) *
+                  180. / pi);
       }
     std::cout << "Squares: " << r << std::endl;
-    std::cout << "  largest friction over slip bound: " << ratio.value()
-              << std::endl;
+    std::cout << "  largest friction over slip bound: " << ratio.value() << std::endl;
     print("  never below the bound", least >= 1. - 1e-12);
     const double bound = 180. / (4. * r);
     print("  largest angle within half a degree of " + std::to_string(bound),
           aside.value() > bound - 0.5 && aside.value() <= bound + 1e-9);
   }
 
-
-
-  void
-  check_limit()
+  void check_limit()
   {
     Random random(53);
     const MatrixXd matrix    = random.spd(12, 5.);
@@ -286,16 +249,12 @@ namespace
       {
         VectorXd x = VectorXd::Zero(12);
         solve(matrix, b, r, g, x);
-        print_below("  squares: " + std::to_string(r) + ", error",
-                    (x - reference).norm(),
+        print_below("  squares: " + std::to_string(r) + ", error", (x - reference).norm(),
                     1. / r);
       }
   }
 
-
-
-  bool
-  throws(const unsigned int r, const double g)
+  bool throws(const unsigned int r, const double g)
   {
     try
       {
@@ -309,10 +268,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   std::cout << "The set" << std::endl;
   for (const unsigned int r : {1, 2, 3, 4, 8})

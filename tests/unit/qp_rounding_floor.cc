@@ -26,38 +26,27 @@ namespace
                                "Proportioning on discs",
                                "Proportioning on half-lines times discs"};
 
-
-
-  ActiveSetStatistics
-  solve(const int method,
-        const MatrixXd &matrix,
-        const VectorXd &radii,
-        const double tolerance,
-        VectorXd &x,
-        VectorXd &gradient)
+  ActiveSetStatistics solve(const int method, const MatrixXd &matrix,
+                            const VectorXd &radii, const double tolerance, VectorXd &x,
+                            VectorXd &gradient)
   {
     const DenseOperator A(matrix);
     const Scaling scaling{VectorXd::Ones(radii.size()), 1.};
     const Discs discs(radii);
     if (method < 6)
-      return DiscActiveSet(
-               A, discs, 1., static_cast<DiscActiveSet::Variant>(method))
+      return DiscActiveSet(A, discs, 1., static_cast<DiscActiveSet::Variant>(method))
         .solve(x, gradient, scaling, tolerance, 3000);
     if (method == 6)
       return Proportioning(A, HalfLines(radii.size()), 1.)
         .solve(x, gradient, scaling, tolerance, 3000);
     if (method == 7)
-      return Proportioning(A, discs, 1.)
-        .solve(x, gradient, scaling, tolerance, 3000);
+      return Proportioning(A, discs, 1.).solve(x, gradient, scaling, tolerance, 3000);
     return Proportioning(A, HalfLinesTimesDiscs(radii), 1.)
       .solve(x, gradient, scaling, tolerance, 3000);
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   for (int method = 0; method < 9; ++method)
     {
@@ -66,10 +55,8 @@ main()
       Largest floor, outside;
       for (unsigned int sample = 0; sample < 40; ++sample)
         {
-          const Index m         = 1 + sample % 6;
-          const Index n         = method < 6 || method == 7 ? 2 * m
-                                  : method == 6             ? m
-                                                            : 3 * m;
+          const Index m = 1 + sample % 6;
+          const Index n = method < 6 || method == 7 ? 2 * m : method == 6 ? m : 3 * m;
           const MatrixXd matrix = random.spd(n, 10.);
           const VectorXd b      = random.vector(n, -2., 3.);
           const VectorXd radii  = random.vector(m, 0.2, 2.);
@@ -86,8 +73,7 @@ main()
               not_finite += !(x.allFinite() && gradient.allFinite());
               floor.add(statistics.residual);
               VectorXd projected = x;
-              project(
-                projected, n == 2 * m ? 0 : m, n == m ? VectorXd(0) : radii);
+              project(projected, n == 2 * m ? 0 : m, n == m ? VectorXd(0) : radii);
               outside.add((x - projected).norm());
             }
         }
@@ -106,10 +92,9 @@ main()
     unsigned int negative = 0;
     for (unsigned int sample = 0; sample < 2000; ++sample)
       {
-        const MatrixXd matrix =
-          MatrixXd::Constant(1, 1, random.uniform(0.5, 1.));
-        VectorXd x        = random.vector(1, 0., 1.);
-        VectorXd gradient = matrix * x; // the solution is x = 0
+        const MatrixXd matrix = MatrixXd::Constant(1, 1, random.uniform(0.5, 1.));
+        VectorXd x            = random.vector(1, 0., 1.);
+        VectorXd gradient     = matrix * x; // the solution is x = 0
         solve(6, matrix, VectorXd::Ones(1), 1e-12, x, gradient);
         negative += !(x(0) >= 0.);
       }

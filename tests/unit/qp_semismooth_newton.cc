@@ -18,23 +18,18 @@ using namespace qp_tests;
 
 namespace
 {
-  VectorXd
-  nodal_compliance(const MatrixXd &A, const Index m)
+  VectorXd nodal_compliance(const MatrixXd &A, const Index m)
   {
     VectorXd c = VectorXd::Zero(m);
     for (Index k = 0; k < A.rows(); ++k)
-      c(k % m) +=
-        A(k, k) * static_cast<double>(m) / static_cast<double>(A.rows());
+      c(k % m) += A(k, k) * static_cast<double>(m) / static_cast<double>(A.rows());
     return c;
   }
 
   const auto silent = [](unsigned int, double) {};
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(1);
   const Index m = 8;
@@ -58,9 +53,9 @@ main()
           VectorXd x = VectorXd::Zero(n);
           if (problem % 2 == 1)
             x = random.vector(n, -3., 3.);
-          VectorXd r      = A * x - b;
-          const auto stat = newton.solve(
-            x, r, SlipBound::given(g), scaling, 1e-12, 200, silent);
+          VectorXd r = A * x - b;
+          const auto stat =
+            newton.solve(x, r, SlipBound::given(g), scaling, 1e-12, 200, silent);
           not_converged += stat.converged ? 0 : 1;
           error.add((x - best).norm() / best.norm());
           wrong_gradient.add((r - (A * x - b)).norm());
@@ -71,8 +66,7 @@ main()
             if (std::hypot(x(i), x(i + m)) > 0.99999 * g(i - n_half_lines))
               ++at_bound;
         }
-      std::cout << (n_half_lines > 0 ? "Half-lines times discs" : "Discs")
-                << std::endl;
+      std::cout << (n_half_lines > 0 ? "Half-lines times discs" : "Discs") << std::endl;
       print_count("Problems not solved", not_converged);
       print_below("Distance from the reference solution", error, 1e-8);
       print_below("Gradient handed back is wrong by", wrong_gradient, 1e-11);
@@ -104,8 +98,7 @@ main()
           friction += x.tail(2 * m).norm();
         }
       std::cout << "F = " << F << ": not solved " << not_converged
-                << ", friction acts: " << (friction > 1. ? "yes" : "no")
-                << ", ";
+                << ", friction acts: " << (friction > 1. ? "yes" : "no") << ", ";
       print_below("residual", residual, 1e-10);
     }
 
@@ -115,8 +108,8 @@ main()
     {
       Largest error;
       unsigned int most_steps = 0;
-      const auto bound = F > 0. ? SlipBound::coulomb(VectorXd::Constant(m, F))
-                                : SlipBound::given(VectorXd::Constant(m, 0.3));
+      const auto bound        = F > 0. ? SlipBound::coulomb(VectorXd::Constant(m, F))
+                                       : SlipBound::given(VectorXd::Constant(m, 0.3));
       for (unsigned int problem = 0; problem < 10; ++problem)
         {
           const MatrixXd A = weakly_held(random, 3 * m, 1e8);
@@ -129,8 +122,7 @@ main()
           VectorXd x = best + random.vector(3 * m, -1e-10, 1e-10);
           r          = A * x - b;
           most_steps = std::max(
-            most_steps,
-            newton.solve(x, r, bound, scaling, 1e-6, 100, silent).steps);
+            most_steps, newton.solve(x, r, bound, scaling, 1e-6, 100, silent).steps);
           error.add((x - best).norm() / best.norm());
         }
       std::cout << (F > 0. ? "Coulomb" : "Given") << " friction, held weakly"

@@ -15,29 +15,21 @@ using namespace qp_tests;
 
 namespace
 {
-  ActiveSetStatistics
-  solve(const int method,
-        const MatrixXd &matrix,
-        const VectorXd &radii,
-        VectorXd &x,
-        VectorXd &r,
-        const unsigned int max = 5000)
+  ActiveSetStatistics solve(const int method, const MatrixXd &matrix,
+                            const VectorXd &radii, VectorXd &x, VectorXd &r,
+                            const unsigned int max = 5000)
   {
     const DenseOperator A(matrix);
     const Discs discs(radii);
     const Scaling scaling{VectorXd::Ones(radii.size()), 1.};
     if (method < 6)
-      return DiscActiveSet(
-               A, discs, 1., static_cast<DiscActiveSet::Variant>(method))
+      return DiscActiveSet(A, discs, 1., static_cast<DiscActiveSet::Variant>(method))
         .solve(x, r, scaling, 1e-9, max);
     return Proportioning(A, discs, 1.).solve(x, r, scaling, 1e-9, max);
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   // ------------------------------- no curvature at all: −b·x on one disc
   unsigned int not_exact = 0;
@@ -72,8 +64,7 @@ main()
       const VectorXd radii = random.vector(m, 0.2, 2.);
       const VectorXd best  = reference_solution(matrix, b, 0, radii);
       for (Index i = 0; i < m; ++i)
-        ++(std::hypot(best(i), best(i + m)) < 0.999 * radii(i) ? inside
-                                                               : on_circle);
+        ++(std::hypot(best(i), best(i + m)) < 0.999 * radii(i) ? inside : on_circle);
       for (int method = 3; method < 7; ++method)
         {
           VectorXd x = VectorXd::Zero(2 * m), r = -b;

@@ -16,8 +16,7 @@ namespace
   // Estimates over true values, and what they cost.
   struct Ratios
   {
-    void
-    add(const MatrixXd &matrix, const double largest_eigenvalue)
+    void add(const MatrixXd &matrix, const double largest_eigenvalue)
     {
       const DenseOperator A(matrix);
       const double norm  = spectral_norm(A);
@@ -35,8 +34,7 @@ namespace
       ++n;
     }
 
-    void
-    print_all(const std::string &name) const
+    void print_all(const std::string &name) const
     {
       std::cout << name << ", " << n << " matrices" << std::endl;
       print_below("  largest part that is missing", below, 0.01);
@@ -51,10 +49,7 @@ namespace
   };
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   const double pi = 3.141592653589793;
   Random random(10);
@@ -77,8 +72,7 @@ main()
         laplacian.diagonal().setConstant(2.);
         laplacian.diagonal(1).setConstant(-1.);
         laplacian.diagonal(-1).setConstant(-1.);
-        ratios.add(laplacian,
-                   2. + 2. * std::cos(pi / static_cast<double>(n + 1)));
+        ratios.add(laplacian, 2. + 2. * std::cos(pi / static_cast<double>(n + 1)));
       }
     ratios.print_all("Laplacian in one dimension");
   }
@@ -125,8 +119,7 @@ main()
   }
 
   std::cout << "Nothing to do" << std::endl;
-  print("  order zero gives zero",
-        spectral_norm(DenseOperator(MatrixXd(0, 0))) == 0.);
+  print("  order zero gives zero", spectral_norm(DenseOperator(MatrixXd(0, 0))) == 0.);
   print("  the zero matrix gives zero",
         spectral_norm(DenseOperator(MatrixXd::Zero(4, 4))) == 0.);
 }

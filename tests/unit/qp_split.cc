@@ -22,8 +22,7 @@ namespace
     bool normal_active[m], tangential_active[m];
   };
 
-  Point
-  random_point(Random &random, const VectorXd &radii)
+  Point random_point(Random &random, const VectorXd &radii)
   {
     Point point;
     for (Index i = 0; i < m; ++i)
@@ -35,7 +34,7 @@ namespace
         // inside by a part in 1e9 is inside
         const double inside =
           random.integer(2) == 0 ? 1. - 1e-9 : random.uniform(0., 0.99);
-        const double r = radii(i) * (point.tangential_active[i] ? 1. : inside);
+        const double r     = radii(i) * (point.tangential_active[i] ? 1. : inside);
         const double angle = random.uniform(0., 2. * pi);
         point.x(i + m)     = r * std::cos(angle);
         point.x(i + 2 * m) = r * std::sin(angle);
@@ -44,10 +43,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main()
+int main()
 {
   Random random(2);
   VectorXd radii(m);
@@ -62,10 +58,9 @@ main()
   Largest wrong_chopped;
   for (unsigned int sample = 0; sample < 3000; ++sample)
     {
-      const Point point = random_point(random, radii);
-      const VectorXd gradient =
-        random.log_uniform(1e-3, 1e3) * random.vector(3 * m);
-      const double step = random.log_uniform(1e-2, 1e2);
+      const Point point       = random_point(random, radii);
+      const VectorXd gradient = random.log_uniform(1e-3, 1e3) * random.vector(3 * m);
+      const double step       = random.log_uniform(1e-2, 1e2);
       VectorXd free, chopped;
       product.split(point.x, gradient, step, free, chopped);
 
@@ -96,13 +91,9 @@ main()
               // an error of s·chopped of one unit in the last place of x − s r
               const double unit = static_cast<double>(radii(i) + norm) / step;
               wrong_chopped.add(
-                std::abs(double((point.x(a) - factor * y1) / step) -
-                         chopped(a)) /
-                unit);
+                std::abs(double((point.x(a) - factor * y1) / step) - chopped(a)) / unit);
               wrong_chopped.add(
-                std::abs(double((point.x(b) - factor * y2) / step) -
-                         chopped(b)) /
-                unit);
+                std::abs(double((point.x(b) - factor * y2) / step) - chopped(b)) / unit);
             }
           else
             {
@@ -113,13 +104,10 @@ main()
 
       // the product's parts are those of its factors
       VectorXd free_n, chopped_n, free_t, chopped_t;
-      half_lines.split(
-        point.x.head(m), gradient.head(m), step, free_n, chopped_n);
-      discs.split(
-        point.x.tail(2 * m), gradient.tail(2 * m), step, free_t, chopped_t);
-      parts_differ +=
-        (free.head(m) != free_n || free.tail(2 * m) != free_t ||
-         chopped.head(m) != chopped_n || chopped.tail(2 * m) != chopped_t);
+      half_lines.split(point.x.head(m), gradient.head(m), step, free_n, chopped_n);
+      discs.split(point.x.tail(2 * m), gradient.tail(2 * m), step, free_t, chopped_t);
+      parts_differ += (free.head(m) != free_n || free.tail(2 * m) != free_t ||
+                       chopped.head(m) != chopped_n || chopped.tail(2 * m) != chopped_t);
     }
   print_count("Interior nodes whose free part is not the gradient", wrong_free);
   print_count("Parts that should be zero and are not", wrong_zero);
@@ -216,6 +204,5 @@ main()
     }
   print_below("Largest part at an optimal x", optimal, 1e-14);
   print("Thousands of pairs were spoilt", spoilt_pairs > 2000);
-  print("The parts show at least half of every spoilt 1e-3",
-        least_spoilt > 0.5);
+  print("The parts show at least half of every spoilt 1e-3", least_spoilt > 0.5);
 }

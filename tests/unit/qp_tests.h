@@ -19,8 +19,6 @@ namespace qp_tests
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
 
-
-
   /// Random numbers that are the same everywhere; the distributions of the
   /// standard library are not.
   class Random
@@ -31,27 +29,23 @@ namespace qp_tests
     {
     }
 
-    double
-    uniform(const double a, const double b)
+    double uniform(const double a, const double b)
     {
       return a + (b - a) * (static_cast<double>(engine_()) + 0.5) / 4294967296.;
     }
 
     /// Every order of magnitude between a and b > 0 is equally likely.
-    double
-    log_uniform(const double a, const double b)
+    double log_uniform(const double a, const double b)
     {
       return std::exp(uniform(std::log(a), std::log(b)));
     }
 
-    int
-    integer(const int n)
+    int integer(const int n)
     {
       return static_cast<int>(engine_() % static_cast<unsigned int>(n));
     }
 
-    VectorXd
-    vector(const Index n, const double a = -1., const double b = 1.)
+    VectorXd vector(const Index n, const double a = -1., const double b = 1.)
     {
       VectorXd v(n);
       for (double &entry : v)
@@ -60,8 +54,7 @@ namespace qp_tests
     }
 
     /// A symmetric matrix with the given eigenvalues and random eigenvectors.
-    MatrixXd
-    symmetric(const VectorXd &eigenvalues)
+    MatrixXd symmetric(const VectorXd &eigenvalues)
     {
       MatrixXd A = eigenvalues.asDiagonal();
       for (Index i = 0; i < A.rows(); ++i)
@@ -75,8 +68,7 @@ namespace qp_tests
     }
 
     /// Symmetric positive definite, spectrum within [1/condition, 1].
-    MatrixXd
-    spd(const Index n, const double condition)
+    MatrixXd spd(const Index n, const double condition)
     {
       VectorXd eigenvalues(n);
       for (double &eigenvalue : eigenvalues)
@@ -88,42 +80,30 @@ namespace qp_tests
     std::mt19937 engine_;
   };
 
-
-
   /// The largest of many figures, and NaN for good once one of them was.
   class Largest
   {
   public:
-    void
-    add(const double figure)
+    void add(const double figure)
     {
       if (!std::isnan(value_) && !(figure <= value_))
         value_ = figure;
     }
 
-    double
-    value() const
-    {
-      return value_;
-    }
+    double value() const { return value_; }
 
   private:
     double value_ = 0.;
   };
 
-
-
-  inline void
-  print(const std::string &claim, const bool holds)
+  inline void print(const std::string &claim, const bool holds)
   {
     std::cout << claim << ": " << (holds ? "yes" : "no") << std::endl;
   }
 
-
-
   /// The figure itself is shown only when the claim is false.
-  inline void
-  print_below(const std::string &what, const double figure, const double bound)
+  inline void print_below(const std::string &what, const double figure,
+                          const double bound)
   {
     std::cout << what << " below " << bound << ": ";
     if (figure < bound)
@@ -132,36 +112,27 @@ namespace qp_tests
       std::cout << "no, " << figure << std::endl;
   }
 
-  inline void
-  print_below(const std::string &what,
-              const Largest &figure,
-              const double bound)
+  inline void print_below(const std::string &what, const Largest &figure,
+                          const double bound)
   {
     print_below(what, figure.value(), bound);
   }
 
-  inline void
-  print_count(const std::string &what, const unsigned int count)
+  inline void print_count(const std::string &what, const unsigned int count)
   {
     std::cout << what << ": " << count << std::endl;
   }
 
-
-
   /// ½ xᵀAx − xᵀb
-  inline double
-  energy(const MatrixXd &A, const VectorXd &b, const VectorXd &x)
+  inline double energy(const MatrixXd &A, const VectorXd &b, const VectorXd &x)
   {
     const VectorXd Ax = A * x;
     return x.dot(0.5 * Ax - b);
   }
 
-
-
   /// The nearest point of the half-lines (first n_half_lines entries) times
   /// the discs (two blocks of entries after them), as one would write it.
-  inline void
-  project(VectorXd &x, const Index n_half_lines, const VectorXd &radii)
+  inline void project(VectorXd &x, const Index n_half_lines, const VectorXd &radii)
   {
     for (Index i = 0; i < n_half_lines; ++i)
       x(i) = std::max(x(i), 0.);
@@ -177,15 +148,10 @@ namespace qp_tests
       }
   }
 
-
-
   /// min ½ xᵀAx − xᵀb over the set of project(), by projected gradient steps
   /// (1e5, or until they move nothing) that recompute everything.
-  inline VectorXd
-  reference_solution(const MatrixXd &A,
-                     const VectorXd &b,
-                     const Index n_half_lines,
-                     const VectorXd &radii)
+  inline VectorXd reference_solution(const MatrixXd &A, const VectorXd &b,
+                                     const Index n_half_lines, const VectorXd &radii)
   {
     // the largest row sum bounds the largest eigenvalue
     const double step = 1.9 / A.cwiseAbs().rowwise().sum().maxCoeff();
@@ -201,11 +167,8 @@ namespace qp_tests
     return x;
   }
 
-
-
   /// Q of a body on a soft layer: six soft modes.
-  inline MatrixXd
-  weakly_held(Random &random, const Index n, const double ratio)
+  inline MatrixXd weakly_held(Random &random, const Index n, const double ratio)
   {
     MatrixXd Q = random.spd(n, 30.);
     for (unsigned int k = 0; k < 6; ++k)
@@ -216,15 +179,10 @@ namespace qp_tests
     return Q;
   }
 
-
-
   /// Forces x, and r for them, that satisfy all conditions: a third of the
   /// nodes are open, the others stick or slip.
-  inline void
-  choose_solution(Random &random,
-                  const stiction::qp::SlipBound &bound,
-                  VectorXd &x,
-                  VectorXd &r)
+  inline void choose_solution(Random &random, const stiction::qp::SlipBound &bound,
+                              VectorXd &x, VectorXd &r)
   {
     const Index m         = bound.n_nodes();
     x                     = VectorXd::Zero(3 * m);

@@ -23,34 +23,28 @@ namespace
   // Everything in the file that is not as it should be, relative.
   struct Errors
   {
-    double law = 0., volume_strain = 0., von_mises = 0., principal = 0.,
-           averaged = 0., reaction = 0.;
+    double law = 0., volume_strain = 0., von_mises = 0., principal = 0., averaged = 0.,
+           reaction    = 0.;
     unsigned int nodes = 0;
   };
 
   // @param n_points of a cell.
-  Errors
-  check(const Run &run,
-        const std::size_t n_points,
-        const bool mean_dilatation,
-        const bool has_hanging_nodes)
+  Errors check(const Run &run, const std::size_t n_points, const bool mean_dilatation,
+               const bool has_hanging_nodes)
   {
     // the nodes of all pieces, the first cell's first
     std::map<std::string, std::vector<float>> a;
-    for (unsigned int r = 0;
-         r < dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    for (unsigned int r = 0; r < dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
          ++r)
-      for (auto &array :
-           read_vtu("results/solution." +
-                    dealii::Utilities::int_to_string(r, 4) + ".vtu"))
-        a[array.first].insert(
-          a[array.first].end(), array.second.begin(), array.second.end());
+      for (auto &array : read_vtu("results/solution." +
+                                  dealii::Utilities::int_to_string(r, 4) + ".vtu"))
+        a[array.first].insert(a[array.first].end(), array.second.begin(),
+                              array.second.end());
     const std::size_t n = a["material_id"].size();
     const auto &stress = a["stress"], &strain = a["strain"];
-    const auto &mean      = a["stress_averaged"],
-               &principal = a["principal_stresses"];
-    const double largest  = *std::max_element(a["von_Mises_stress"].begin(),
-                                             a["von_Mises_stress"].end());
+    const auto &mean = a["stress_averaged"], &principal = a["principal_stresses"];
+    const double largest =
+      *std::max_element(a["von_Mises_stress"].begin(), a["von_Mises_stress"].end());
     const double largest_strain =
       std::abs(*std::max_element(strain.begin(), strain.end()));
 
@@ -83,33 +77,29 @@ namespace
           }
         const auto sigma = material.stress(epsilon);
         for (unsigned int k = 0; k < 9; ++k)
-          e.law =
-            std::max(e.law,
-                     std::abs(sigma[k / 3][k % 3] - stress[9 * i + k]) /
-                       (material.lame_lambda + 2. * material.shear_modulus) /
-                       largest_strain);
+          e.law = std::max(e.law, std::abs(sigma[k / 3][k % 3] - stress[9 * i + k]) /
+                                    (material.lame_lambda + 2. * material.shear_modulus) /
+                                    largest_strain);
         if (mean_dilatation)
-          e.volume_strain = std::max(
-            e.volume_strain, std::abs(trace - first_trace) / largest_strain);
+          e.volume_strain =
+            std::max(e.volume_strain, std::abs(trace - first_trace) / largest_strain);
 
         const double s1 = principal[3 * i], s2 = principal[3 * i + 1],
                      s3 = principal[3 * i + 2];
         e.von_mises     = std::max(
-          e.von_mises,
-          std::abs(std::sqrt(((s1 - s2) * (s1 - s2) + (s2 - s3) * (s2 - s3) +
-                              (s3 - s1) * (s3 - s1)) /
-                             2.) -
-                   a["von_Mises_stress"][i]) /
-            largest);
+              e.von_mises, std::abs(std::sqrt(((s1 - s2) * (s1 - s2) + (s2 - s3) * (s2 - s3) +
+                                           (s3 - s1) * (s3 - s1)) /
+                                              2.) -
+                                    a["von_Mises_stress"][i]) /
+                             largest);
         e.principal = std::max(e.principal, std::abs(sum) / largest);
         if (s1 < s2 || s2 < s3)
           e.principal = 1.;
 
         const auto x = place(i);
         if (seen
-              .emplace(
-                std::make_tuple(std::get<0>(x), std::get<1>(x), std::get<2>(x)),
-                true)
+              .emplace(std::make_tuple(std::get<0>(x), std::get<1>(x), std::get<2>(x)),
+                       true)
               .second)
           for (unsigned int c = 0; c < 3; ++c)
             reaction[c] += a["reaction"][3 * i + c];
@@ -138,10 +128,9 @@ namespace
       for (unsigned int k = 0; k < 9; ++k)
         if (!has_hanging_nodes)
           e.averaged = std::max(
-            e.averaged,
-            std::abs(nodes.at(place(i)).sum[k] / nodes.at(place(i)).volume -
-                     mean[9 * i + k]) /
-              largest);
+            e.averaged, std::abs(nodes.at(place(i)).sum[k] / nodes.at(place(i)).volume -
+                                 mean[9 * i + k]) /
+                          largest);
 
     // one value a node and material: hanging nodes between their neighbours
     std::map<Place, std::size_t> first_of;
@@ -167,10 +156,7 @@ namespace
   }
 } // namespace
 
-
-
-int
-main(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   struct Case
@@ -181,32 +167,28 @@ main(int argc, char *argv[])
     bool mean_dilatation   = false;
     bool has_hanging_nodes = false;
   };
-  for (const Case &c :
-       std::vector<Case>{{"two materials",
-                          "two_materials.prm",
-                          {"Geometry/Global refinement=1"}},
-                         {"mean dilatation", "rubber.prm", {}, 8, true},
-                         {"hanging nodes",
-                          "contact_refinement.prm",
-                          {"Contact solver/Method=newton"},
-                          8,
-                          false,
-                          true},
-                         {"triquadratic", "quadratic.prm", {}, 27}})
+  for (const Case &c : std::vector<Case>{
+         {"two materials", "two_materials.prm", {"Geometry/Global refinement=1"}},
+         {"mean dilatation", "rubber.prm", {}, 8, true},
+         {"hanging nodes",
+          "contact_refinement.prm",
+          {"Contact solver/Method=newton"},
+          8,
+          false,
+          true},
+         {"triquadratic", "quadratic.prm", {}, 27}})
     {
       const Run run(shipped(c.file), c.settings);
       MPI_Barrier(MPI_COMM_WORLD); // the files of the others
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
         continue;
-      const Errors e =
-        check(run, c.n_points, c.mean_dilatation, c.has_hanging_nodes);
+      const Errors e = check(run, c.n_points, c.mean_dilatation, c.has_hanging_nodes);
       out() << c.name << ": all nodes "
             << yes(e.nodes == run.summary()["problem"]["nodes"])
-            << ", stress of the strain " << yes(e.law < 1e-5)
-            << ", volume strain " << yes(e.volume_strain < 1e-5)
-            << ", principal stresses " << yes(e.principal < 1e-4)
-            << ", von Mises stress " << yes(e.von_mises < 1e-4) << ", averaged "
-            << yes(e.averaged < 1e-5) << ", reactions "
+            << ", stress of the strain " << yes(e.law < 1e-5) << ", volume strain "
+            << yes(e.volume_strain < 1e-5) << ", principal stresses "
+            << yes(e.principal < 1e-4) << ", von Mises stress " << yes(e.von_mises < 1e-4)
+            << ", averaged " << yes(e.averaged < 1e-5) << ", reactions "
             << yes(e.reaction < 1e-5) << std::endl;
     }
 }

@@ -32,26 +32,18 @@ namespace stiction
     ///
     /// Throws InputError if the number of components is wrong or a component
     /// is not a formula muParser can read.
-    ParsedFunction(const std::string &expression,
-                   unsigned int n_components,
-                   std::string location,
-                   double time = 1.);
+    ParsedFunction(const std::string &expression, unsigned int n_components,
+                   std::string location, double time = 1.);
     ~ParsedFunction() override;
 
     /// Gives t another value.
-    void
-    set_time(double time) override;
+    void set_time(double time) override;
 
     /// Throws InputError if the value is not a finite number.
-    double
-    value(const dealii::Point<3> &p, unsigned int component = 0) const override;
+    double value(const dealii::Point<3> &p, unsigned int component = 0) const override;
 
     /// As the user wrote it.
-    const std::string &
-    expression() const
-    {
-      return expression_;
-    }
+    const std::string &expression() const { return expression_; }
 
   private:
     std::string expression_;
@@ -59,18 +51,11 @@ namespace stiction
     std::unique_ptr<dealii::FunctionParser<3>> parser_;
   };
 
-
-
   /// The values of formulas separated by ';' that depend on t alone.
   ///
   /// Throws InputError as ParsedFunction, and if they depend on x, y, z.
-  std::vector<double>
-  read_numbers(const std::string &text,
-               unsigned int n_components,
-               const std::string &location,
-               double time);
-
-
+  std::vector<double> read_numbers(const std::string &text, unsigned int n_components,
+                                   const std::string &location, double time);
 
   /// What a user says about a boundary: a vector of formulas.
   struct BoundaryFunction
@@ -81,17 +66,11 @@ namespace stiction
   };
 
   /// Vector-valued formulas by boundary id.
-  using BoundaryFunctions =
-    std::map<dealii::types::boundary_id, BoundaryFunction>;
-
-
+  using BoundaryFunctions = std::map<dealii::types::boundary_id, BoundaryFunction>;
 
   /// The parts of a text between single bars, without blanks around them:
   /// '||' is muParser's "or" and does not separate.
-  std::vector<std::string>
-  split_at_bars(const std::string &text);
-
-
+  std::vector<std::string> split_at_bars(const std::string &text);
 
   /// Reads 'fx; fy; fz', where 'free' may stand in place of a formula, but not
   /// of all.
@@ -99,13 +78,9 @@ namespace stiction
   /// @param part whose components these are, for messages: "boundary top".
   ///
   /// Throws InputError as ParsedFunction, and if all are free.
-  BoundaryFunction
-  parse_components(const std::string &formulas,
-                   const std::string &location,
-                   const std::string &part,
-                   double time);
-
-
+  BoundaryFunction parse_components(const std::string &formulas,
+                                    const std::string &location, const std::string &part,
+                                    double time);
 
   /// Reads 'boundary : fx; fy; fz | boundary : fx; fy; fz ...', a boundary
   /// being a name or a number; an empty text gives an empty map.
@@ -117,13 +92,11 @@ namespace stiction
   ///
   /// Throws InputError for a boundary that the mesh does not have or that
   /// stands twice, and as ParsedFunction.
-  BoundaryFunctions
-  parse_boundary_functions(const std::string &text,
-                           const std::string &location,
-                           const MeshNames &names,
-                           unsigned int n_components = 3,
-                           bool may_be_free          = false,
-                           double time               = 1.);
+  BoundaryFunctions parse_boundary_functions(const std::string &text,
+                                             const std::string &location,
+                                             const MeshNames &names,
+                                             unsigned int n_components = 3,
+                                             bool may_be_free = false, double time = 1.);
 } // namespace stiction
 
 #endif

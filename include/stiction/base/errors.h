@@ -20,15 +20,12 @@ namespace stiction
     using std::runtime_error::runtime_error;
   };
 
-
-
   /// Runs @p work, which must not communicate, on every rank; if it throws an
   /// InputError on some ranks, throws that of the lowest one on all of them.
   ///
   /// For checks that only the owner of a cell can make: an exception on one
   /// rank alone would leave the others waiting for ever.
-  void
-  throw_on_all_ranks(MPI_Comm communicator, const std::function<void()> &work);
+  void throw_on_all_ranks(MPI_Comm communicator, const std::function<void()> &work);
 } // namespace stiction
 
 #endif

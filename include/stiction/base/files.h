@@ -11,14 +11,12 @@ namespace stiction
   /// ever reads half of it. Not collective.
   ///
   /// Throws InputError if the file cannot be written in full.
-  void
-  write_file(const std::string &name,
-             const std::function<void(std::ostream &)> &write);
+  void write_file(const std::string &name,
+                  const std::function<void(std::ostream &)> &write);
 
   /// Throws InputError, beginning with @p location, unless the directory can
   /// be written to or be made. Makes nothing. Not collective.
-  void
-  require_writable(const std::string &directory, const std::string &location);
+  void require_writable(const std::string &directory, const std::string &location);
 } // namespace stiction
 
 #endif

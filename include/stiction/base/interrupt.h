@@ -12,21 +12,17 @@ namespace stiction
   /// that nothing was written, with this exit status.
   ///
   /// @param speaks whether this rank is the one that says so.
-  void
-  watch_for_interrupts(bool speaks, int exit_status);
+  void watch_for_interrupts(bool speaks, int exit_status);
 
   /// From now on there is an iterate worth keeping: the first signal is only
   /// noted, the second one ends the process.
-  void
-  keep_iterate_when_interrupted();
+  void keep_iterate_when_interrupted();
 
   /// Whether a signal came on any rank. Collective.
-  bool
-  is_interrupted(MPI_Comm communicator);
+  bool is_interrupted(MPI_Comm communicator);
 
   /// Throws Interrupted if is_interrupted(). Collective.
-  void
-  stop_if_interrupted(MPI_Comm communicator);
+  void stop_if_interrupted(MPI_Comm communicator);
 } // namespace stiction
 
 #endif

@@ -9,11 +9,7 @@ namespace stiction
   class Interrupted : public std::exception
   {
   public:
-    const char *
-    what() const noexcept override
-    {
-      return "interrupted";
-    }
+    const char *what() const noexcept override { return "interrupted"; }
   };
 } // namespace stiction
 

@@ -21,19 +21,16 @@ namespace stiction
     explicit Log(MPI_Comm communicator);
 
     /// Prints one line.
-    void
-    line(const std::string &text = "");
+    void line(const std::string &text = "");
 
     /// Starts the file. Nothing is said into it before, so that a run refused
     /// for its input leaves the log of an earlier one alone.
     ///
     /// Throws InputError on rank 0 if the file cannot be written.
-    void
-    open_file(const std::string &name);
+    void open_file(const std::string &name);
 
     /// How long nothing was said, in seconds.
-    double
-    seconds_of_silence() const;
+    double seconds_of_silence() const;
 
   private:
     const bool speaks_;
@@ -44,24 +41,18 @@ namespace stiction
     std::ofstream file_;
   };
 
-
-
   /// printf into a string.
-  std::string
-  format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
+  std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
 
   /// Numbers of one kind without those that are rounding: 0 for what is below
   /// 1e-12 of their Euclidean norm, or of the size of numbers from which they
   /// were computed.
-  std::array<double, 3>
-  without_rounding(std::array<double, 3> v, double size = 0.);
+  std::array<double, 3> without_rounding(std::array<double, 3> v, double size = 0.);
 
   /// The three components of a vector, each by this pattern,
   /// without_rounding().
-  std::string
-  format_vector(const char *pattern,
-                const std::array<double, 3> &v,
-                double size = 0.);
+  std::string format_vector(const char *pattern, const std::array<double, 3> &v,
+                            double size = 0.);
 } // namespace stiction
 
 #endif

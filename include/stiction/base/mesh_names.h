@@ -22,37 +22,27 @@ namespace stiction
     ///
     /// @param kind what they are, for messages: "boundary", "material".
     /// @param names those of parts that the mesh does not have are left out.
-    MeshNames(std::string kind,
-              std::set<Id> ids,
-              const std::map<std::string, Id> &names);
+    MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names);
 
     /// The boundaries of the brick: left (0), right (1), front (2), back (3),
     /// bottom (4), top (5), which are x = 0, x = Lx, y = 0, y = Ly, z = 0, z =
     /// Lz.
-    static MeshNames
-    brick_boundaries();
+    static MeshNames brick_boundaries();
 
     /// The id of a part given by its name or by its number.
     ///
     /// @param location the beginning of a sentence about the entry, see
     ///   ParameterFile::locate(). Throws InputError if the mesh has no such
     ///   part.
-    Id
-    id(const std::string &name, const std::string &location) const;
+    Id id(const std::string &name, const std::string &location) const;
 
     /// "4 (bottom)", or the number alone.
-    std::string
-    describe(Id id) const;
+    std::string describe(Id id) const;
 
     /// "bottom", or the number if it has no name: how an entry calls it.
-    std::string
-    name(Id id) const;
+    std::string name(Id id) const;
 
-    const std::set<Id> &
-    ids() const
-    {
-      return ids_;
-    }
+    const std::set<Id> &ids() const { return ids_; }
 
   private:
     std::string kind_ = "boundary";

@@ -28,9 +28,8 @@ namespace stiction
       /// ... which can be announced under this name.
       Scope(double &seconds, Phases &phases, const std::string &name);
       ~Scope();
-      Scope(const Scope &) = delete;
-      Scope &
-      operator=(const Scope &) = delete;
+      Scope(const Scope &)            = delete;
+      Scope &operator=(const Scope &) = delete;
 
     private:
       double &seconds_;
@@ -43,36 +42,22 @@ namespace stiction
 
     /// From now on, where nothing is said for long, a line tells which phase is
     /// at work. The log must outlive the object. To be called once.
-    void
-    announce(Log &log);
+    void announce(Log &log);
 
     /// To be kept as a local variable.
-    Scope
-    scope(const std::string &phase)
-    {
-      return Scope(seconds_[phase], *this, phase);
-    }
+    Scope scope(const std::string &phase) { return Scope(seconds_[phase], *this, phase); }
 
     /// Sets a phase that was measured otherwise.
-    void
-    set(const std::string &phase, double seconds)
-    {
-      seconds_[phase] = seconds;
-    }
+    void set(const std::string &phase, double seconds) { seconds_[phase] = seconds; }
 
     /// Throws std::out_of_range if there was no such phase.
-    double
-    seconds(const std::string &phase) const
-    {
-      return seconds_.at(phase);
-    }
+    double seconds(const std::string &phase) const { return seconds_.at(phase); }
 
     /// The section "seconds" of summary.json: null for what did not happen.
     /// "contact_solve" has within it stiffness_setup, dual_operator and the
     /// iterations, "yardsticks" the elastic solves and factorisations; "other"
     /// is what of "total" belongs to no phase.
-    nlohmann::json
-    to_json() const;
+    nlohmann::json to_json() const;
 
   private:
     struct Running

@@ -9,32 +9,24 @@ namespace stiction
 
   /// The memory that all ranks together may use, in bytes: that of the
   /// machines they run on, or less if the process is limited. Collective.
-  double
-  available_memory(MPI_Comm communicator);
+  double available_memory(MPI_Comm communicator);
 
   /// Estimates in bytes, all ranks together: of a mesh of so many cells with
   /// all that is made on it, and of the dual operator, 0 if it is not
   /// assembled.
-  double
-  memory_for_mesh(const Parameters &parameters, double n_cells);
-  double
-  memory_for_dual_operator(const Parameters &parameters,
-                           double n_dual_unknowns,
-                           MPI_Comm communicator);
+  double memory_for_mesh(const Parameters &parameters, double n_cells);
+  double memory_for_dual_operator(const Parameters &parameters, double n_dual_unknowns,
+                                  MPI_Comm communicator);
 
   /// Throws InputError if a mesh of so many cells has too many for the program
   /// or cannot fit into the memory, before it is made. Collective.
-  void
-  require_memory_for_mesh(const Parameters &parameters,
-                          double n_cells,
-                          MPI_Comm communicator);
+  void require_memory_for_mesh(const Parameters &parameters, double n_cells,
+                               MPI_Comm communicator);
 
   /// Throws InputError if the dual operator in the form of the parameter file
   /// cannot fit. Collective.
-  void
-  require_memory_for_dual_operator(const Parameters &parameters,
-                                   double n_dual_unknowns,
-                                   MPI_Comm communicator);
+  void require_memory_for_dual_operator(const Parameters &parameters,
+                                        double n_dual_unknowns, MPI_Comm communicator);
 } // namespace stiction
 
 #endif

@@ -19,8 +19,6 @@ namespace stiction
     coulomb       ///< g = F λ_ν
   };
 
-
-
   /// One struct a section of the parameter file; what an entry means stands in
   /// its documentation string, which --print-parameters shows.
   struct GeometryParameters : dealii::ParameterAcceptor
@@ -30,39 +28,30 @@ namespace stiction
     /// Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
     static constexpr double max_cells = 4e8;
 
-    bool
-    is_brick() const
-    {
-      return type == "brick";
-    }
+    bool is_brick() const { return type == "brick"; }
 
     /// Number of cells after refinement; a double, because it may be anything
     /// before it is checked. For bodies other than the brick the least
     /// possible: the cells that their coarse mesh has are known only when it
     /// is there.
     /// Of local refinement the most it can make.
-    double
-    n_cells() const;
+    double n_cells() const;
 
     /// Of them those of the mesh without local refinement.
-    double
-    n_uniform_cells() const;
+    double n_uniform_cells() const;
 
     /// Whether all cells are alike and trilinear, see Body::has_geometric_levels().
-    bool
-    has_geometric_levels() const
+    bool has_geometric_levels() const
     {
       return contact_refinement == 0 && element_degree == 1;
     }
 
     /// The entry ("Section/Entry") to blame if these are too many.
-    std::string
-    entry_of_size() const;
+    std::string entry_of_size() const;
 
     /// The entry that says what the body is: the type, the generator or the
     /// file.
-    std::string
-    entry_of_shape() const;
+    std::string entry_of_shape() const;
 
     std::string type                       = "";
     std::vector<double> lengths            = {};
@@ -88,13 +77,11 @@ namespace stiction
     MaterialParameters();
 
     /// Of all isotropic materials.
-    double
-    largest_poisson_ratio() const;
+    double largest_poisson_ratio() const;
 
     /// Whether volume strains are means over cells, by 'Volume strain' with
     /// automatic replaced by what it stands for.
-    bool
-    has_mean_dilatation(unsigned int element_degree) const;
+    bool has_mean_dilatation(unsigned int element_degree) const;
 
     /// Above it trilinear elements with pointwise volume strains are much too
     /// stiff.
@@ -125,8 +112,7 @@ namespace stiction
     /// it is written), a displacement that is not zero, an obstacle that is
     /// displaced or pressed on. Interference does so too, which only the gaps
     /// show.
-    bool
-    has_load() const;
+    bool has_load() const;
 
     std::string prescribed_displacement = "";
     std::string prescribed_points       = "";
@@ -147,16 +133,13 @@ namespace stiction
     FrictionParameters();
 
     /// The entry Law as values: one, or one a contact boundary.
-    std::vector<FrictionLaw>
-    laws() const;
+    std::vector<FrictionLaw> laws() const;
 
     /// Whether Coulomb's law holds on a contact boundary.
-    bool
-    has_coulomb() const;
+    bool has_coulomb() const;
 
     /// The one law of all contact boundaries as in the entry, or 'mixed'.
-    std::string
-    name() const;
+    std::string name() const;
 
     std::string law_name        = "";
     std::string coefficient     = "";
@@ -169,8 +152,7 @@ namespace stiction
     ContactSolverParameters();
 
     /// Whether the method solves for displacements, not for contact forces.
-    bool
-    is_primal() const;
+    bool is_primal() const;
 
     std::string method              = "newton";
     double tolerance                = 1e-6;
@@ -200,11 +182,7 @@ namespace stiction
     OutputParameters();
 
     /// Whether solution.pvtu gets the fields that can be left out.
-    bool
-    has_all_fields() const
-    {
-      return fields == "all";
-    }
+    bool has_all_fields() const { return fields == "all"; }
 
     std::string directory        = "output/stiction";
     std::string export_directory = "";
@@ -223,8 +201,6 @@ namespace stiction
     bool measure_factorizations    = false;
     bool print_timing              = true;
   };
-
-
 
   /// All that a user can set. Filled once by read(), constant afterwards. What
   /// decides the problem (body, material, supports, loads, contact, friction)
@@ -253,71 +229,52 @@ namespace stiction
     ///   checked.
     ///
     /// Throws InputError: see ParameterFile::read() and check_body().
-    void
-    read(const std::string &file,
-         const std::vector<std::string> &settings           = {},
-         const std::optional<std::string> &output           = std::nullopt,
-         const std::optional<std::string> &export_directory = std::nullopt,
-         bool has_body                                      = true);
+    void read(const std::string &file, const std::vector<std::string> &settings = {},
+              const std::optional<std::string> &output           = std::nullopt,
+              const std::optional<std::string> &export_directory = std::nullopt,
+              bool has_body                                      = true);
 
     /// Throws InputError if the method cannot solve a problem with this law.
-    void
-    check_method(bool is_coulomb) const;
+    void check_method(bool is_coulomb) const;
 
     /// Whether K can be known cell by cell, without a matrix, and there is
     /// geometric multigrid: a mesh of trilinear cells of isotropic materials
     /// that stays uniform.
-    bool
-    has_geometric_levels() const
-    {
-      return why_no_geometric_levels().empty();
-    }
+    bool has_geometric_levels() const { return why_no_geometric_levels().empty(); }
 
     /// The entries because of which it is not, with their values, separated by
     /// commas.
-    std::string
-    why_no_geometric_levels() const;
+    std::string why_no_geometric_levels() const;
 
     /// See MaterialParameters::has_mean_dilatation().
-    bool
-    has_mean_dilatation() const
+    bool has_mean_dilatation() const
     {
       return material.has_mean_dilatation(geometry.element_degree);
     }
 
     /// Whether the elements lock: trilinear ones, a Poisson ratio near 0.5 and
     /// 'Volume strain = pointwise'.
-    bool
-    has_locking() const
+    bool has_locking() const
     {
       return geometry.element_degree == 1 && !has_mean_dilatation() &&
-             material.largest_poisson_ratio() >
-               MaterialParameters::locking_poisson_ratio;
+             material.largest_poisson_ratio() > MaterialParameters::locking_poisson_ratio;
     }
 
     /// 'Stiffness solver/Type', with automatic replaced by what it stands for.
-    std::string
-    stiffness_solver_type() const;
+    std::string stiffness_solver_type() const;
 
     /// Whether the solver works without a stiffness matrix on the levels.
-    bool
-    is_matrix_free() const;
+    bool is_matrix_free() const;
 
     /// Whether a stiffness matrix of the whole mesh is wanted: the Newton
     /// method in displacements makes its own where it needs one.
-    bool
-    needs_stiffness_matrix() const;
+    bool needs_stiffness_matrix() const;
 
     /// The complete commented default file, in declaration order.
-    static std::string
-    default_file();
+    static std::string default_file();
 
     /// The values in use, as a parameter file.
-    const std::string &
-    used_file() const
-    {
-      return used_file_;
-    }
+    const std::string &used_file() const { return used_file_; }
 
     GeometryParameters geometry;
     RefinementParameters refinement;
@@ -336,35 +293,27 @@ namespace stiction
   private:
     /// What a pattern alone cannot see: open ranges, entries that need each
     /// other. Throws InputError.
-    void
-    check_body() const;
+    void check_body() const;
 
     /// The part of it about the shape and size of the body.
-    void
-    check_geometry() const;
+    void check_geometry() const;
 
     /// The part of it about the shape that was not said.
-    void
-    require_shape() const;
+    void require_shape() const;
 
     /// The part of it about a row of Table 1, which wants its own boundaries.
-    void
-    check_table_1() const;
+    void check_table_1() const;
 
     /// The part of it about solvers that need each other.
-    void
-    check_solvers() const;
+    void check_solvers() const;
 
     /// Throws InputError about the entry unless the condition holds.
-    void
-    require(bool condition,
-            const std::string &entry,
-            const std::string &allowed) const;
+    void require(bool condition, const std::string &entry,
+                 const std::string &allowed) const;
 
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table
     /// in place of the given ones when Table 1 level is not 0.
-    void
-    apply_table_1_level();
+    void apply_table_1_level();
 
     std::string used_file_;
   };

@@ -27,18 +27,14 @@ namespace stiction
     std::string remark;           ///< what else happened in it
   };
 
-
-
   /// How a contact solve ended.
   struct ContactSolution
   {
-    Eigen::VectorXd lambda; ///< contact forces, N, length 3m
-    bool converged = false; ///< as the verifier says
-    std::string reason; ///< if not: what stopped the iteration, what to change
+    Eigen::VectorXd lambda;   ///< contact forces, N, length 3m
+    bool converged = false;   ///< as the verifier says
+    std::string reason;       ///< if not: what stopped the iteration, what to change
     bool interrupted = false; ///< whether the user stopped it
   };
-
-
 
   /// Solves the contact problem, with the obstacles where they are: lets the
   /// method
@@ -53,16 +49,12 @@ namespace stiction
   /// @param observer called after every step. If it throws Interrupted, on all
   ///   ranks, the iterate of that step is judged and handed back.
   /// @param lambda where to start, 3m contact forces; empty: zero.
-  ContactSolution
-  certified_solve(DualMethod &method,
-                  const DualOperator &Q,
-                  const qp::SlipBound &slip_bound,
-                  Verifier &verifier,
-                  double tolerance,
-                  unsigned int max_iterations,
-                  const std::string &other_method,
-                  const std::function<void(const ContactStep &)> &observer,
-                  Eigen::VectorXd lambda = {});
+  ContactSolution certified_solve(
+    DualMethod &method, const DualOperator &Q, const qp::SlipBound &slip_bound,
+    Verifier &verifier, double tolerance, unsigned int max_iterations,
+    const std::string &other_method,
+    const std::function<void(const ContactStep &)> &observer,
+    Eigen::VectorXd lambda = {});
 } // namespace stiction
 
 #endif

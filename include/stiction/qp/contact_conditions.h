@@ -40,92 +40,52 @@ namespace stiction
     };
 
     /// Computes the figures.
-    ContactConditions(Eigen::VectorXd lambda,
-                      Eigen::VectorXd gradient,
-                      Eigen::VectorXd slip_bound,
-                      qp::Scaling scaling);
+    ContactConditions(Eigen::VectorXd lambda, Eigen::VectorXd gradient,
+                      Eigen::VectorXd slip_bound, qp::Scaling scaling);
     virtual ~ContactConditions() = default;
 
-    const ContactFigures &
-    contact_figures() const
-    {
-      return contact_figures_;
-    }
+    const ContactFigures &contact_figures() const { return contact_figures_; }
 
     /// The figures that decide, with their names.
-    virtual std::vector<std::pair<std::string, double>>
-    deciding_figures() const;
+    virtual std::vector<std::pair<std::string, double>> deciding_figures() const;
 
     /// Whether all of them are at most the tolerance (a NaN never is).
-    bool
-    converged(double tolerance) const;
+    bool converged(double tolerance) const;
 
     /// The same without figures that only other places of the obstacles can
     /// lower.
-    virtual bool
-    is_solved(const double tolerance) const
-    {
-      return converged(tolerance);
-    }
+    virtual bool is_solved(const double tolerance) const { return converged(tolerance); }
 
     /// What rounding alone makes of the figures, an estimate.
-    double
-    rounding() const
-    {
-      return rounding_;
-    }
-    void
-    set_rounding(const double rounding)
-    {
-      rounding_ = rounding;
-    }
+    double rounding() const { return rounding_; }
+    void set_rounding(const double rounding) { rounding_ = rounding; }
 
     /// If rounding is above the tolerance and explains every figure: that, and
     /// what to change; otherwise empty.
-    std::string
-    why_out_of_reach(double tolerance) const;
+    std::string why_out_of_reach(double tolerance) const;
 
     /// The largest of them; a NaN is larger than any number.
-    std::pair<std::string, double>
-    worst_figure() const;
+    std::pair<std::string, double> worst_figure() const;
 
     /// "kkt_residual is 3e-4": the same in words.
-    std::string
-    worst() const;
+    std::string worst() const;
 
     /// The scales in which the figures are measured.
-    const qp::Scaling &
-    scaling() const
-    {
-      return scaling_;
-    }
+    const qp::Scaling &scaling() const { return scaling_; }
 
     /// r = (remaining gap; −slip) at the contact nodes. Unit: m.
-    const Eigen::VectorXd &
-    gradient() const
-    {
-      return gradient_;
-    }
+    const Eigen::VectorXd &gradient() const { return gradient_; }
 
     /// The contact forces and slip bounds the figures belong to. Unit: N.
-    const Eigen::VectorXd &
-    lambda() const
-    {
-      return lambda_;
-    }
-    const Eigen::VectorXd &
-    slip_bound() const
-    {
-      return slip_bound_;
-    }
+    const Eigen::VectorXd &lambda() const { return lambda_; }
+    const Eigen::VectorXd &slip_bound() const { return slip_bound_; }
 
   protected:
     /// For a class that computes gradient and scales itself: sets λ and g, and
     /// leaves the rest to compute_contact_figures().
     ContactConditions(Eigen::VectorXd lambda, Eigen::VectorXd slip_bound);
 
-    void
-    compute_contact_figures();
+    void compute_contact_figures();
 
     Eigen::VectorXd lambda_, slip_bound_, gradient_;
     qp::Scaling scaling_;

@@ -19,16 +19,13 @@ namespace stiction
   /// method.
   ///
   /// @param rounding what rounding alone makes of it, an estimate.
-  inline bool
-  is_rounding(const double residual, const double rounding)
+  inline bool is_rounding(const double residual, const double rounding)
   {
     // It grows on its way to the residual by what linear systems are
     // conditioned: on bodies of one material by some thousands.
     constexpr double growth = 1e4;
     return residual <= growth * rounding;
   }
-
-
 
   /// What a scale of displacements has to know of the body behind the contact
   /// boundary: Young's moduli in Pa.
@@ -38,16 +35,11 @@ namespace stiction
     double softest = 0.;           ///< of the whole body
   };
 
-
-
   /// A scale to divide by: 1 where there is nothing to measure.
-  inline double
-  nonzero(const double scale)
+  inline double nonzero(const double scale)
   {
     return scale == 0. ? 1. : scale;
   }
-
-
 
   /// The scales in which the certificate measures contact forces and remaining
   /// gaps.
@@ -68,12 +60,8 @@ namespace stiction
   ///
   /// @param S force scale, N. @param energy uᵀKu in J.
   /// @param areas nodal areas in m². @param boundary_area |Γc| in m².
-  qp::Scaling
-  contact_scaling(double S,
-                  double energy,
-                  const Eigen::VectorXd &areas,
-                  double boundary_area,
-                  const ContactStiffness &stiffness);
+  qp::Scaling contact_scaling(double S, double energy, const Eigen::VectorXd &areas,
+                              double boundary_area, const ContactStiffness &stiffness);
 } // namespace stiction
 
 #endif

@@ -20,8 +20,6 @@ namespace stiction
     undecided = 3
   };
 
-
-
   /// What friction does at a contact node. The numbers are those of the output
   /// files.
   enum class TangentialStatus
@@ -32,8 +30,6 @@ namespace stiction
     undecided = 3
   };
 
-
-
   /// What a contact node does, along the normal and across it: with given
   /// friction a node slips or sticks whether it touches or not.
   struct NodeStatus
@@ -41,15 +37,12 @@ namespace stiction
     NormalStatus normal;
     TangentialStatus tangential;
 
-    bool
-    is_undecided() const
+    bool is_undecided() const
     {
       return normal == NormalStatus::undecided ||
              tangential == TangentialStatus::undecided;
     }
   };
-
-
 
   /// The status of all contact nodes. With π, w and γ of ContactConditions,
   /// a = π − w, and F the coefficient of friction (0 with given friction), a
@@ -80,11 +73,10 @@ namespace stiction
   /// @param stiffness k, the force that moves each node alone by a unit, N/m;
   /// its
   ///   size is enough.
-  std::vector<NodeStatus>
-  node_statuses(const ContactConditions &conditions,
-                const qp::SlipBound &slip_bound,
-                const Eigen::VectorXd &stiffness,
-                double tolerance);
+  std::vector<NodeStatus> node_statuses(const ContactConditions &conditions,
+                                        const qp::SlipBound &slip_bound,
+                                        const Eigen::VectorXd &stiffness,
+                                        double tolerance);
 } // namespace stiction
 
 #endif

@@ -20,11 +20,8 @@ namespace stiction
 
     /// The figures of these contact forces, computed afresh; valid until the
     /// next call. Collective.
-    virtual const ContactConditions &
-    verify(const Eigen::VectorXd &lambda) = 0;
+    virtual const ContactConditions &verify(const Eigen::VectorXd &lambda) = 0;
   };
-
-
 
   /// The verifier of a problem that is known by Q and h alone: r = Qλ − h by a
   /// fresh product. There is no body whose equilibrium could be checked.
@@ -32,13 +29,11 @@ namespace stiction
   {
   public:
     /// @param areas nodal areas, or empty: then all nodes count alike.
-    DualProblemVerifier(const DualOperator &Q,
-                     const qp::SlipBound &slip_bound,
-                     const Eigen::VectorXd &areas);
+    DualProblemVerifier(const DualOperator &Q, const qp::SlipBound &slip_bound,
+                        const Eigen::VectorXd &areas);
 
     /// Scales: S = Σ‖λ_i‖ shared out by areas, u0 = λᵀQλ/S.
-    const ContactConditions &
-    verify(const Eigen::VectorXd &lambda) override;
+    const ContactConditions &verify(const Eigen::VectorXd &lambda) override;
 
   private:
     const DualOperator &Q_;

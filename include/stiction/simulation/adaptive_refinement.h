@@ -34,49 +34,33 @@ namespace stiction
     ///   @p strain_energy uᵀKu/2 (J).
     ///
     /// Throws InputError as estimate_error() does.
-    void
-    add_mesh(const LinearElasticity &elasticity,
-             const ContactSurface &surface,
-             bool is_certified,
-             const LA::Vector &u,
-             const Eigen::VectorXd &lambda,
-             double strain_energy);
+    void add_mesh(const LinearElasticity &elasticity, const ContactSurface &surface,
+                  bool is_certified, const LA::Vector &u, const Eigen::VectorXd &lambda,
+                  double strain_energy);
 
     /// Which active cells of the last mesh are to be cut, unless is_finished().
     /// Collective.
     ///
     /// @param elasticity, surface those given to add_mesh().
-    std::vector<bool>
-    cells_to_cut(const LinearElasticity &elasticity,
-                 const ContactSurface &surface);
+    std::vector<bool> cells_to_cut(const LinearElasticity &elasticity,
+                                   const ContactSurface &surface);
 
     /// Whether cells_to_cut() left the last mesh as it is.
-    bool
-    is_finished() const
-    {
-      return is_finished_;
-    }
+    bool is_finished() const { return is_finished_; }
 
     /// A line about the last mesh and what comes next, after cells_to_cut().
-    const std::string &
-    remark() const
-    {
-      return remark_;
-    }
+    const std::string &remark() const { return remark_; }
 
     /// η² of the last mesh, of its answer; of no cells if that was not
     /// certified.
-    MeshError
-    mesh_error() const;
+    MeshError mesh_error() const;
 
     /// η_K of the last mesh by active cells, J^½: of its answer, if that was
     /// certified, otherwise empty.
-    dealii::Vector<double>
-    indicators() const;
+    dealii::Vector<double> indicators() const;
 
     /// The section "refinement" of summary.json: an entry for each mesh.
-    nlohmann::json
-    to_json() const;
+    nlohmann::json to_json() const;
 
   private:
     struct Mesh
@@ -88,10 +72,8 @@ namespace stiction
 
     /// Why cells must not be cut: the error is small enough, or the next mesh
     /// too large; empty if they may.
-    std::string
-    objection(double n_cells_to_cut,
-              double n_faces_to_cut,
-              MPI_Comm communicator) const;
+    std::string objection(double n_cells_to_cut, double n_faces_to_cut,
+                          MPI_Comm communicator) const;
 
     const Parameters &parameters_;
     std::vector<Mesh> meshes_;

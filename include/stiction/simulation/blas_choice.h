@@ -12,13 +12,11 @@ namespace stiction
   ///
   /// To be called before MPI is initialised. Does nothing where that variable
   /// is set already, where BLAS is another library, or if starting fails.
-  void
-  choose_blas_kernels();
+  void choose_blas_kernels();
 
   /// What choose_blas_kernels() did to this process, a sentence; empty if it
   /// did nothing.
-  std::string
-  blas_remark();
+  std::string blas_remark();
 } // namespace stiction
 
 #endif

@@ -44,61 +44,36 @@ namespace stiction
     ///
     /// @return whether the certificate reached the tolerance; if not,
     ///   solution() knows why.
-    bool
-    run();
+    bool run();
 
     /// Makes mesh and contact surface, prints what they are, and solves and
     /// writes nothing. Throws InputError as run() would.
-    void
-    validate();
+    void validate();
 
     /// The content of summary.json, after run().
-    const nlohmann::json &
-    summary() const
-    {
-      return *summary_;
-    }
+    const nlohmann::json &summary() const { return *summary_; }
 
-    const ContactSurface &
-    contact_surface() const
-    {
-      return *discretization_->surface;
-    }
+    const ContactSurface &contact_surface() const { return *discretization_->surface; }
 
-    const LinearElasticity &
-    elasticity() const
-    {
-      return *discretization_->elasticity;
-    }
+    const LinearElasticity &elasticity() const { return *discretization_->elasticity; }
 
-    const ContactSolution &
-    solution() const
-    {
-      return *solution_;
-    }
+    const ContactSolution &solution() const { return *solution_; }
 
     /// The displacement of the solution (m) and its certificate.
-    const LA::Vector &
-    displacement() const
+    const LA::Vector &displacement() const
     {
       return discretization_->solver->verifier().displacement();
     }
-    const Certificate &
-    certificate() const
+    const Certificate &certificate() const
     {
       return discretization_->solver->verifier().certificate();
     }
 
     /// What the contact nodes do.
-    std::vector<NodeStatus>
-    node_statuses() const;
+    std::vector<NodeStatus> node_statuses() const;
 
     /// The reactions of the supports.
-    const SupportReactions &
-    reactions() const
-    {
-      return *reactions_;
-    }
+    const SupportReactions &reactions() const { return *reactions_; }
 
   private:
     /// All that is rebuilt with the mesh, in the order of who knows whom.
@@ -109,50 +84,32 @@ namespace stiction
       std::unique_ptr<ContactSolver> solver;
     };
 
-    void
-    solve_and_certify();
+    void solve_and_certify();
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.
-    bool
-    refine_mesh();
+    bool refine_mesh();
 
-    void
-    make_grid();
+    void make_grid();
     /// Of what was left to the program.
-    void
-    describe_choices() const;
+    void describe_choices() const;
 
-    void
-    describe_machine();
-    void
-    describe_body();
-    void
-    assemble_system();
-    void
-    make_contact_surface();
+    void describe_machine();
+    void describe_body();
+    void assemble_system();
+    void make_contact_surface();
     /// Prepares the search for the places of pressed obstacles.
-    void
-    control_forces();
-    void
-    open_output();
+    void control_forces();
+    void open_output();
     /// Ends the iteration by an exception if the user wants it.
-    void
-    finish_step(const ContactStep &step);
-    void
-    estimate_mesh();
-    void
-    measure_reference_costs();
-    void
-    output_results();
-    void
-    export_problem();
-    void
-    summarize();
+    void finish_step(const ContactStep &step);
+    void estimate_mesh();
+    void measure_reference_costs();
+    void output_results();
+    void export_problem();
+    void summarize();
     /// What the certificate does not see, in sentences.
-    std::vector<std::string>
-    warnings() const;
-    void
-    report() const;
+    std::vector<std::string> warnings() const;
+    void report() const;
 
     const Parameters &parameters_;
     const MPI_Comm communicator_;

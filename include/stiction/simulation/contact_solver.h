@@ -40,8 +40,7 @@ namespace stiction
     };
 
     /// The solver that the parameters ask for, set up. Collective.
-    static std::unique_ptr<ContactSolver>
-    create(const Setting &setting);
+    static std::unique_ptr<ContactSolver> create(const Setting &setting);
 
     virtual ~ContactSolver();
 
@@ -50,56 +49,41 @@ namespace stiction
     ///
     /// @param observer called after every step; may throw Interrupted on all
     ///   ranks, which ends the iteration with what is reached.
-    virtual ContactSolution
-    solve(const Observer &observer) = 0;
+    virtual ContactSolution solve(const Observer &observer) = 0;
 
     /// Completes the certificate of the solution, which is at the latest made
     /// here. Collective.
-    void
-    certify(ContactSolution &solution);
+    void certify(ContactSolution &solution);
 
     /// The displacement of the last solution and its certificate.
-    BodyVerifier &
-    verifier() const;
+    BodyVerifier &verifier() const;
 
     /// Q and h, if the solver has them; otherwise null.
-    virtual const DualOperator *
-    dual_operator() const;
+    virtual const DualOperator *dual_operator() const;
 
     /// The section "solver" of summary.json, as far as it is the solver's.
-    virtual nlohmann::json
-    to_json() const = 0;
+    virtual nlohmann::json to_json() const = 0;
 
   protected:
     explicit ContactSolver(const Setting &setting);
 
     /// Has a solution judged that was not yet.
-    virtual void
-    verify(ContactSolution &)
-    {
-    }
+    virtual void verify(ContactSolution &) {}
 
     /// Whether the duality gap may be left out if its elastic solve fails.
-    virtual bool
-    may_lack_duality_gap() const
-    {
-      return false;
-    }
+    virtual bool may_lack_duality_gap() const { return false; }
 
     /// What to choose where the method comes no closer.
-    std::string
-    other_method() const;
+    std::string other_method() const;
 
-    void
-    print_progress(const std::string &line) const;
+    void print_progress(const std::string &line) const;
 
     const Setting setting_;
     std::unique_ptr<StiffnessSolver> stiffness_solver_;
     std::unique_ptr<BodyVerifier> verifier_;
 
   private:
-    void
-    compute_duality_gap(const ContactSolution &solution);
+    void compute_duality_gap(const ContactSolution &solution);
   };
 } // namespace stiction
 

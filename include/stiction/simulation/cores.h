@@ -14,8 +14,7 @@ namespace stiction
   /// That of the machine with the most ranks to a core. What counts as a core
   /// is what the system schedules processes on, without those that this set of
   /// processes was kept from. Collective.
-  SharedCores
-  shared_cores(MPI_Comm communicator);
+  SharedCores shared_cores(MPI_Comm communicator);
 } // namespace stiction
 
 #endif

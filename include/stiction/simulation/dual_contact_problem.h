@@ -35,8 +35,7 @@ namespace stiction
     /// @param path see import_problem().
     /// @param parameters their sections on the contact solver and on output
     ///   count; must outlive the problem.
-    DualContactProblem(std::string path,
-                       const Parameters &parameters,
+    DualContactProblem(std::string path, const Parameters &parameters,
                        MPI_Comm communicator);
     ~DualContactProblem();
 
@@ -44,36 +43,21 @@ namespace stiction
     /// files that every run writes. Collective. Throws InputError.
     ///
     /// @return whether the tolerance was reached.
-    bool
-    run();
+    bool run();
 
     /// The content of summary.json, after run().
-    const nlohmann::json &
-    summary() const
-    {
-      return *summary_;
-    }
+    const nlohmann::json &summary() const { return *summary_; }
 
-    const ContactSolution &
-    solution() const
-    {
-      return *solution_;
-    }
+    const ContactSolution &solution() const { return *solution_; }
 
   private:
-    std::vector<NodeStatus>
-    node_statuses() const;
+    std::vector<NodeStatus> node_statuses() const;
 
-    void
-    read_problem();
-    void
-    solve_contact();
-    void
-    output_results();
-    void
-    summarize();
-    void
-    report() const;
+    void read_problem();
+    void solve_contact();
+    void output_results();
+    void summarize();
+    void report() const;
 
     const std::string path_;
     const Parameters &parameters_;

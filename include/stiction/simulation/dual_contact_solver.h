@@ -15,29 +15,19 @@ namespace stiction
     explicit DualContactSolver(const Setting &setting);
     ~DualContactSolver() override;
 
-    ContactSolution
-    solve(const Observer &observer) override;
+    ContactSolution solve(const Observer &observer) override;
 
-    const DualOperator *
-    dual_operator() const override
-    {
-      return Q_.get();
-    }
+    const DualOperator *dual_operator() const override { return Q_.get(); }
 
-    nlohmann::json
-    to_json() const override;
+    nlohmann::json to_json() const override;
 
   private:
-    void
-    set_up_stiffness_solver();
-    void
-    set_up_dual_operator();
+    void set_up_stiffness_solver();
+    void set_up_dual_operator();
 
     /// With the obstacles where they are.
-    ContactSolution
-    solve_there(double tolerance,
-                const Eigen::VectorXd &start,
-                const Observer &observer);
+    ContactSolution solve_there(double tolerance, const Eigen::VectorXd &start,
+                                const Observer &observer);
 
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<DualMethod> method_; ///< of the last solve

@@ -14,18 +14,15 @@ namespace stiction
   /// @param boundaries those of the body, for the lines.
   ///
   /// Throws InputError.
-  void
-  require_complete(const Parameters &parameters, const MeshNames &boundaries);
+  void require_complete(const Parameters &parameters, const MeshNames &boundaries);
 
   /// Refuses a problem in which nothing moves or loads the body: no entry does,
   /// see BoundaryParameters::has_load(), and no obstacle is inside it. Unlike
   /// require_complete() it knows the gaps.
   ///
   /// Throws InputError.
-  void
-  require_load(const Parameters &parameters,
-               const MeshNames &boundaries,
-               const ContactSurface &surface);
+  void require_load(const Parameters &parameters, const MeshNames &boundaries,
+                    const ContactSurface &surface);
 } // namespace stiction
 
 #endif

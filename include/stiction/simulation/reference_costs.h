@@ -20,8 +20,8 @@ namespace stiction
   /// are noisy. Collective.
   ///
   /// @param matrix_free with geometric multigrid, otherwise algebraic.
-  ElasticSolveCost
-  measure_elastic_solve(const LinearElasticity &elasticity, bool matrix_free);
+  ElasticSolveCost measure_elastic_solve(const LinearElasticity &elasticity,
+                                         bool matrix_free);
 
   /// What the factorisations cost that dual methods are built on.
   struct FactorizationCost
@@ -31,9 +31,8 @@ namespace stiction
   };
 
   /// Factorises K, which must be assembled, and Q if there is one. Collective.
-  FactorizationCost
-  measure_factorizations(const LinearElasticity &elasticity,
-                         const Eigen::MatrixXd *Q);
+  FactorizationCost measure_factorizations(const LinearElasticity &elasticity,
+                                           const Eigen::MatrixXd *Q);
 } // namespace stiction
 
 #endif

@@ -9,22 +9,16 @@
 namespace stiction
 {
   BodyVerifier::BodyVerifier(const LinearElasticity &elasticity,
-                             const ContactSurface &surface,
-                             StiffnessSolver &solver)
+                             const ContactSurface &surface, StiffnessSolver &solver)
     : elasticity_(elasticity)
     , surface_(surface)
     , solver_(solver)
   {
   }
 
-
-
   BodyVerifier::~BodyVerifier() = default;
 
-
-
-  const ContactConditions &
-  BodyVerifier::verify(const Eigen::VectorXd &lambda)
+  const ContactConditions &BodyVerifier::verify(const Eigen::VectorXd &lambda)
   {
     LA::Vector force = elasticity_.constrained_load();
     surface_.B().add_transpose(-1., lambda, force);
@@ -33,15 +27,12 @@ namespace stiction
     return verify(u, lambda);
   }
 
-
-
-  const ContactConditions &
-  BodyVerifier::verify(const LA::Vector &u, const Eigen::VectorXd &lambda)
+  const ContactConditions &BodyVerifier::verify(const LA::Vector &u,
+                                                const Eigen::VectorXd &lambda)
   {
     u_ = std::make_unique<LA::Vector>(u);
     elasticity_.distribute(*u_);
-    certificate_ =
-      std::make_unique<Certificate>(elasticity_, surface_, *u_, lambda);
+    certificate_ = std::make_unique<Certificate>(elasticity_, surface_, *u_, lambda);
     return *certificate_;
   }
 } // namespace stiction

@@ -32,31 +32,24 @@ namespace stiction
     using Cell = DoFHandler<3>::active_cell_iterator;
 
     // Of the own cells and their neighbours.
-    LA::Vector
-    with_ghosts(const Body &body, const LA::Vector &u)
+    LA::Vector with_ghosts(const Body &body, const LA::Vector &u)
     {
-      LA::Vector ghosted(body.locally_owned_dofs(),
-                         body.locally_relevant_dofs(),
+      LA::Vector ghosted(body.locally_owned_dofs(), body.locally_relevant_dofs(),
                          body.communicator());
       ghosted.copy_locally_owned_data_from(u);
       ghosted.update_ghost_values();
       return ghosted;
     }
 
-
-
     // A as in (n·C·n) a = A a: what a jump of ∂u/∂n is as a jump of σn.
     // @return t·A⁻¹t
-    double
-    compliance(const Material &material,
-               const Tensor<1, 3> &n,
-               const Tensor<1, 3> &t)
+    double compliance(const Material &material, const Tensor<1, 3> &n,
+                      const Tensor<1, 3> &t)
     {
       if (material.is_isotropic)
         {
           const double along_n = (t * n) * (t * n);
-          return along_n /
-                   (material.lame_lambda + 2. * material.shear_modulus) +
+          return along_n / (material.lame_lambda + 2. * material.shear_modulus) +
                  (t.norm_square() - along_n) / material.shear_modulus;
         }
       Tensor<2, 3> A;
@@ -68,15 +61,11 @@ namespace stiction
       return t * (invert(A) * t);
     }
 
-
-
     class Estimator : public CellError
     {
     public:
-      Estimator(const LinearElasticity &elasticity,
-                const ContactSurface &surface,
-                const LA::Vector &u,
-                const Eigen::VectorXd &lambda)
+      Estimator(const LinearElasticity &elasticity, const ContactSurface &surface,
+                const LA::Vector &u, const Eigen::VectorXd &lambda)
         : body_(elasticity.body())
         , elasticity_(elasticity)
         , surface_(surface)
@@ -85,30 +74,18 @@ namespace stiction
         , contact_(elasticity, surface, lambda)
         , u_(with_ghosts(body_, u))
         , face_quadrature_(degree_ + 1)
-        , inside_(body_.mapping(),
-                  body_.dof_handler().get_fe(),
-                  QGauss<3>(degree_ + 1),
-                  update_gradients | update_hessians |
-                    update_quadrature_points | update_JxW_values |
-                    update_inverse_jacobians)
-        , face_(body_.mapping(),
-                body_.dof_handler().get_fe(),
-                face_quadrature_,
+        , inside_(body_.mapping(), body_.dof_handler().get_fe(), QGauss<3>(degree_ + 1),
+                  update_gradients | update_hessians | update_quadrature_points |
+                    update_JxW_values | update_inverse_jacobians)
+        , face_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
                 update_values | update_gradients | update_normal_vectors |
-                  update_quadrature_points | update_JxW_values |
-                  update_inverse_jacobians)
-        , part_(body_.mapping(),
-                body_.dof_handler().get_fe(),
-                face_quadrature_,
+                  update_quadrature_points | update_JxW_values | update_inverse_jacobians)
+        , part_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
                 update_gradients | update_normal_vectors | update_JxW_values |
                   update_inverse_jacobians)
-        , neighbor_face_(body_.mapping(),
-                         body_.dof_handler().get_fe(),
-                         face_quadrature_,
+        , neighbor_face_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
                          update_gradients | update_inverse_jacobians)
-        , neighbor_part_(body_.mapping(),
-                         body_.dof_handler().get_fe(),
-                         face_quadrature_,
+        , neighbor_part_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
                          update_gradients | update_inverse_jacobians)
       {
         for (const auto id : body_.triangulation().get_boundary_ids())
@@ -116,15 +93,13 @@ namespace stiction
       }
 
       // η_K²
-      double
-      square(const Cell &cell) override
+      double square(const Cell &cell) override
       {
         double sum = degree_ == 1 ? 0. : residual(cell);
         if (degree_ > 1 || has_mean_dilatation_)
           {
             for (const unsigned int f : cell->face_indices())
-              sum += cell->at_boundary(f) ? at_boundary(cell, f)
-                                          : between_cells(cell, f);
+              sum += cell->at_boundary(f) ? at_boundary(cell, f) : between_cells(cell, f);
             return sum;
           }
         const TrilinearCell own(cell, u_);
@@ -136,22 +111,16 @@ namespace stiction
         return sum;
       }
 
-      const LA::Vector &
-      displacement() const override
-      {
-        return u_;
-      }
+      const LA::Vector &displacement() const override { return u_; }
 
     private:
-      const Material &
-      material_of(const Cell &cell) const
+      const Material &material_of(const Cell &cell) const
       {
         return elasticity_.materials().of(cell->material_id());
       }
 
       // of ∇·u over the cell
-      double
-      mean_dilatation(const Cell &cell)
+      double mean_dilatation(const Cell &cell)
       {
         inside_.reinit(cell);
         std::vector<double> divergence(inside_.n_quadrature_points);
@@ -166,23 +135,21 @@ namespace stiction
       }
 
       // b + div σ at the quadrature points inside, where inside_ is
-      std::vector<Tensor<1, 3>>
-      out_of_balance(const Material &material) const
+      std::vector<Tensor<1, 3>> out_of_balance(const Material &material) const
       {
         std::vector<Tensor<3, 3>> second(inside_.n_quadrature_points);
         inside_[displacement_].get_function_hessians(u_, second);
         std::vector<Tensor<1, 3>> r(second.size());
         for (unsigned int q = 0; q < r.size(); ++q)
           {
-            r[q] = elasticity_.loads().inside(material.density,
-                                              inside_.quadrature_point(q));
+            r[q] =
+              elasticity_.loads().inside(material.density, inside_.quadrature_point(q));
             for (unsigned int j = 0; j < 3; ++j)
               {
                 SymmetricTensor<2, 3> strain; // its derivative along x_j
                 for (unsigned int k = 0; k < 3; ++k)
                   for (unsigned int l = k; l < 3; ++l)
-                    strain[k][l] =
-                      (second[q][k][l][j] + second[q][l][k][j]) / 2.;
+                    strain[k][l] = (second[q][k][l][j] + second[q][l][k][j]) / 2.;
                 if (has_mean_dilatation_)
                   strain = deviator(strain);
                 const auto stress = material.stress(strain);
@@ -195,8 +162,7 @@ namespace stiction
 
       // Σ_d h_d²/60 ∫ r_d·A_d⁻¹ r_d with r_d the part of the residual that is
       // linear across the cell in its direction d, and what is left of it
-      double
-      residual(const Cell &cell)
+      double residual(const Cell &cell)
       {
         const Material &material = material_of(cell);
         inside_.reinit(cell);
@@ -222,8 +188,7 @@ namespace stiction
           {
             const double height  = volume / row[d].norm();
             const Tensor<1, 3> n = row[d] / row[d].norm();
-            sum +=
-              height * height * compliance(material, n, moment[d]) / volume;
+            sum += height * height * compliance(material, n, moment[d]) / volume;
             rest -= moment[d].norm_square() / volume;
           }
         return (sum + std::pow(volume, 2. / 3.) / material.youngs_modulus *
@@ -238,8 +203,7 @@ namespace stiction
       };
 
       // at the quadrature points of a face
-      std::vector<StressAt>
-      stresses(const FEFaceValuesBase<3> &values, const Cell &cell)
+      std::vector<StressAt> stresses(const FEFaceValuesBase<3> &values, const Cell &cell)
       {
         std::vector<SymmetricTensor<2, 3>> strains(values.n_quadrature_points);
         values[displacement_].get_function_symmetric_gradients(u_, strains);
@@ -247,8 +211,8 @@ namespace stiction
           {
             const double dilatation = mean_dilatation(cell);
             for (auto &strain : strains)
-              strain = deviator(strain) +
-                       dilatation / 3. * unit_symmetric_tensor<3, double>();
+              strain =
+                deviator(strain) + dilatation / 3. * unit_symmetric_tensor<3, double>();
           }
         const Material &material = material_of(cell);
         const unsigned int d     = values.get_face_number() / 2;
@@ -260,45 +224,33 @@ namespace stiction
       }
 
       // of a residual of σn on a face
-      double
-      of_residual(const Material &material,
-                  const Tensor<1, 3> &n,
-                  const double height,
-                  const Tensor<1, 3> &residual) const
+      double of_residual(const Material &material, const Tensor<1, 3> &n,
+                         const double height, const Tensor<1, 3> &residual) const
       {
         return height / (6. * degree_) * compliance(material, n, residual);
       }
 
       // of this cell's part of a jump of σn
-      double
-      jump(const Material &material,
-           const Tensor<1, 3> &n,
-           const StressAt &own,
-           const StressAt &other) const
+      double jump(const Material &material, const Tensor<1, 3> &n, const StressAt &own,
+                  const StressAt &other) const
       {
         const double part = own.height / (own.height + other.height);
-        return of_residual(
-          material, n, own.height, part * ((own.stress - other.stress) * n));
+        return of_residual(material, n, own.height,
+                           part * ((own.stress - other.stress) * n));
       }
 
-      double
-      jump(const FEFaceValuesBase<3> &own,
-           const Cell &cell,
-           const FEFaceValuesBase<3> &other,
-           const Cell &neighbor)
+      double jump(const FEFaceValuesBase<3> &own, const Cell &cell,
+                  const FEFaceValuesBase<3> &other, const Cell &neighbor)
       {
-        const auto here  = stresses(own, cell),
-                   there = stresses(other, neighbor);
-        double sum       = 0.;
+        const auto here = stresses(own, cell), there = stresses(other, neighbor);
+        double sum = 0.;
         for (unsigned int q = 0; q < here.size(); ++q)
           sum +=
-            jump(material_of(cell), own.normal_vector(q), here[q], there[q]) *
-            own.JxW(q);
+            jump(material_of(cell), own.normal_vector(q), here[q], there[q]) * own.JxW(q);
         return sum;
       }
 
-      double
-      between_cells(const Cell &cell, const unsigned int f)
+      double between_cells(const Cell &cell, const unsigned int f)
       {
         const auto face = cell->face(f);
         if (face->has_children()) // small cells on the other side
@@ -328,34 +280,28 @@ namespace stiction
       }
 
       // the same for trilinear cells that share the whole face
-      double
-      between_alike(const TrilinearCell &own,
-                    const Cell &cell,
-                    const unsigned int f) const
+      double between_alike(const TrilinearCell &own, const Cell &cell,
+                           const unsigned int f) const
       {
         const Cell neighbor            = cell->neighbor(f);
         const unsigned int of_neighbor = cell->neighbor_of_neighbor(f);
         const TrilinearCell other(neighbor, u_);
         const Material &material          = material_of(cell);
         const Material &neighbor_material = material_of(neighbor);
-        const auto vertex =
-          [](const Cell &of, const unsigned int face, const unsigned int a) {
-            return of->vertex_index(
-              GeometryInfo<3>::face_to_cell_vertices(face, a));
-          };
+        const auto vertex                 = [](const Cell &of, const unsigned int face,
+                               const unsigned int a) {
+          return of->vertex_index(GeometryInfo<3>::face_to_cell_vertices(face, a));
+        };
 
         double sum = 0.;
         for (unsigned int a = 0; a < 4; ++a)
           {
             unsigned int b = 0;
-            while (b < 3 &&
-                   vertex(neighbor, of_neighbor, b) != vertex(cell, f, a))
+            while (b < 3 && vertex(neighbor, of_neighbor, b) != vertex(cell, f, a))
               ++b;
             const auto here = own.at(f, a), there = other.at(of_neighbor, b);
             sum +=
-              jump(material,
-                   here.normal,
-                   {material.stress(here.strain), here.height},
+              jump(material, here.normal, {material.stress(here.strain), here.height},
                    {neighbor_material.stress(there.strain), there.height}) *
               here.JxW;
           }
@@ -363,8 +309,7 @@ namespace stiction
       }
 
       // of t − σn, and on the contact boundary E/h ‖g⁻‖² + ∫ p g⁺
-      double
-      at_boundary(const Cell &cell, const unsigned int f)
+      double at_boundary(const Cell &cell, const unsigned int f)
       {
         const auto id           = cell->face(f)->boundary_id();
         const bool is_contact   = surface_.is_contact_boundary(id);
@@ -391,17 +336,15 @@ namespace stiction
               r[component - 'x'] = 0.;
             sum += of_residual(material, n, at[q].height, r) * face_.JxW(q);
           }
-        return is_contact
-                 ? sum + between_contact_nodes(
-                           id, contact, material.youngs_modulus / at[0].height)
-                 : sum;
+        return is_contact ? sum + between_contact_nodes(
+                                    id, contact, material.youngs_modulus / at[0].height)
+                          : sum;
       }
 
       // the face is that of face_
-      double
-      between_contact_nodes(const types::boundary_id id,
-                            const std::vector<Tensor<1, 3>> &contact,
-                            const double stiffness) const
+      double between_contact_nodes(const types::boundary_id id,
+                                   const std::vector<Tensor<1, 3>> &contact,
+                                   const double stiffness) const
       {
         const ContactBoundary &boundary = surface_.boundary(id);
         const Tensor<1, 3> moved        = surface_.obstacle_displacement(id);
@@ -417,8 +360,7 @@ namespace stiction
               continue;
             const double gap      = place.gap + place.normal * (moved - u[q]);
             const double pressure = -contact[q] * place.normal;
-            sum += (gap < 0. ? stiffness * gap * gap
-                             : std::max(pressure, 0.) * gap) *
+            sum += (gap < 0. ? stiffness * gap * gap : std::max(pressure, 0.) * gap) *
                    face_.JxW(q);
           }
         return sum;
@@ -442,13 +384,10 @@ namespace stiction
     };
   } // namespace
 
-
-
-  std::unique_ptr<CellError>
-  CellError::create(const LinearElasticity &elasticity,
-                    const ContactSurface &surface,
-                    const LA::Vector &u,
-                    const Eigen::VectorXd &lambda)
+  std::unique_ptr<CellError> CellError::create(const LinearElasticity &elasticity,
+                                               const ContactSurface &surface,
+                                               const LA::Vector &u,
+                                               const Eigen::VectorXd &lambda)
   {
     return std::make_unique<Estimator>(elasticity, surface, u, lambda);
   }

@@ -19,22 +19,19 @@ namespace stiction
   {
   public:
     /// Collective. What is given, but for u, must outlive the object.
-    static std::unique_ptr<CellError>
-    create(const LinearElasticity &elasticity,
-           const ContactSurface &surface,
-           const LA::Vector &u,
-           const Eigen::VectorXd &lambda);
+    static std::unique_ptr<CellError> create(const LinearElasticity &elasticity,
+                                             const ContactSurface &surface,
+                                             const LA::Vector &u,
+                                             const Eigen::VectorXd &lambda);
 
     virtual ~CellError() = default;
 
     /// η_K² of a cell that this rank owns, J. Throws InputError where a formula
     /// has no finite value.
-    virtual double
-    square(const dealii::DoFHandler<3>::active_cell_iterator &cell) = 0;
+    virtual double square(const dealii::DoFHandler<3>::active_cell_iterator &cell) = 0;
 
     /// u with what the own cells and their neighbours need of it.
-    virtual const LA::Vector &
-    displacement() const = 0;
+    virtual const LA::Vector &displacement() const = 0;
   };
 } // namespace stiction
 

@@ -30,11 +30,8 @@ namespace stiction
     constexpr double rounding_of_gaps = 1e-12;
   } // namespace
 
-
-
   Certificate::Certificate(const LinearElasticity &elasticity,
-                           const ContactSurface &surface,
-                           const LA::Vector &u,
+                           const ContactSurface &surface, const LA::Vector &u,
                            const Eigen::VectorXd &lambda)
     : ContactConditions(lambda, surface.slip_bound().at(lambda))
     , elasticity_(elasticity)
@@ -45,10 +42,7 @@ namespace stiction
     compute_contact_figures();
   }
 
-
-
-  void
-  Certificate::compute_body_figures(const LA::Vector &u)
+  void Certificate::compute_body_figures(const LA::Vector &u)
   {
     const Body &body         = elasticity_.body();
     const LA::Vector &load   = elasticity_.load();
@@ -108,27 +102,22 @@ namespace stiction
           }
       }
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        body.communicator(),
-                        ArrayView<double>(sums.data(), sums.size()));
+                        body.communicator(), ArrayView<double>(sums.data(), sums.size()));
 
-    const Eigen::Index m = surface_.n_nodes();
-    const Eigen::VectorXd cartesian_force =
-      -surface_.B().force_to_cartesian(lambda_);
-    double contact_forces = 0.;
+    const Eigen::Index m                  = surface_.n_nodes();
+    const Eigen::VectorXd cartesian_force = -surface_.B().force_to_cartesian(lambda_);
+    double contact_forces                 = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
-        const Tensor<1, 3> at_node({cartesian_force(i),
-                                    cartesian_force(i + m),
-                                    cartesian_force(i + 2 * m)});
+        const Tensor<1, 3> at_node(
+          {cartesian_force(i), cartesian_force(i + m), cartesian_force(i + 2 * m)});
         contact_forces += at_node.norm();
         force_on_body_ += at_node;
-        moment_on_body_ +=
-          cross_product_3d(surface_.nodes()[i].position, at_node);
+        moment_on_body_ += cross_product_3d(surface_.nodes()[i].position, at_node);
       }
 
-    double S =
-      nonzero(std::max({sums[loads], sums[reactions], contact_forces}));
-    double S_u0         = sums[energy];
+    double S    = nonzero(std::max({sums[loads], sums[reactions], contact_forces}));
+    double S_u0 = sums[energy];
     const double u_size = u.linfty_norm();
     // of a body that is only moved by its supports, and touches nothing, S is
     // rounding: then what the displacement would take if it strained the body
@@ -148,33 +137,26 @@ namespace stiction
     body_figures_.moment_balance =
       std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) / (S * size);
     if (surface_.pressing_forces().size() > 0)
-      body_figures_.obstacle_force = largest_relative_error(
-        -surface_.motion().directions().transpose() * lambda_,
-        surface_.pressing_forces());
+      body_figures_.obstacle_force =
+        largest_relative_error(-surface_.motion().directions().transpose() * lambda_,
+                               surface_.pressing_forces());
     rounding_      = sums[rounding] / S;
     force_scale_   = S;
     strain_energy_ = sums[energy] / 2.;
     load_work_     = sums[work];
 
-    scaling_ = contact_scaling(S,
-                               S_u0,
-                               surface_.areas(),
-                               surface_.boundary_area(),
+    scaling_ = contact_scaling(S, S_u0, surface_.areas(), surface_.boundary_area(),
                                surface_.stiffness());
   }
 
-
-
-  void
-  Certificate::compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver)
+  void Certificate::compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver)
   {
     const Eigen::Index m = surface_.n_nodes();
 
     // The frozen bound, and the forces made feasible.
     Eigen::VectorXd feasible = lambda_;
     feasible.head(m)         = feasible.head(m).cwiseMax(0.);
-    const qp::HalfLinesTimesDiscs feasible_set(
-      surface_.slip_bound().at(feasible));
+    const qp::HalfLinesTimesDiscs feasible_set(surface_.slip_bound().at(feasible));
     feasible_set.project(feasible);
 
     // One prox step with a part k of the stiffness of the node itself,
@@ -183,16 +165,14 @@ namespace stiction
     // g‖p_t‖ = λ̂_t·p_t.
     const Eigen::VectorXd K_diagonal =
       surface_.B().dofs().restriction(elasticity_.stiffness_diagonal());
-    const Eigen::VectorXd k =
-      prox_stiffness * K_diagonal.head(m)
-                         .cwiseMax(K_diagonal.segment(m, m))
-                         .cwiseMax(K_diagonal.tail(m))
-                         .replicate(3, 1);
+    const Eigen::VectorXd k = prox_stiffness * K_diagonal.head(m)
+                                                 .cwiseMax(K_diagonal.segment(m, m))
+                                                 .cwiseMax(K_diagonal.tail(m))
+                                                 .replicate(3, 1);
     const Eigen::VectorXd w    = -gradient_;
     Eigen::VectorXd lambda_hat = feasible + k.cwiseProduct(w);
     feasible_set.project(lambda_hat);
-    const Eigen::VectorXd shift =
-      (lambda_hat - feasible).cwiseQuotient(k); // w − p
+    const Eigen::VectorXd shift = (lambda_hat - feasible).cwiseQuotient(k); // w − p
 
     // What is left of the gap is ½ sᵀK⁻¹s with s = f − Bᵀλ̂ − Kû and
     // û = u − M⁻¹(w − p), so that Bû is p but for the gap: K⁻¹s is M⁻¹(w − p)
@@ -209,24 +189,18 @@ namespace stiction
     if (lacking.l2_norm() > 0.)
       solver.solve(correction, lacking);
     surface_.B().add_displacement(1., shift, correction);
-    const double gap =
-      0.5 * (correction * elasticity_.internal_force(correction));
+    const double gap = 0.5 * (correction * elasticity_.internal_force(correction));
 
     LA::Vector u_hat = u;
     surface_.B().add_displacement(-1., shift, u_hat);
-    body_figures_.duality_gap =
-      std::sqrt(2. * std::max(gap, 0.) /
-                nonzero(u_hat * elasticity_.internal_force(u_hat)));
+    body_figures_.duality_gap = std::sqrt(
+      2. * std::max(gap, 0.) / nonzero(u_hat * elasticity_.internal_force(u_hat)));
   }
 
-
-
-  std::vector<std::pair<std::string, double>>
-  Certificate::deciding_figures() const
+  std::vector<std::pair<std::string, double>> Certificate::deciding_figures() const
   {
     auto figures = ContactConditions::deciding_figures();
-    figures.emplace(figures.begin(),
-                    "equilibrium_residual",
+    figures.emplace(figures.begin(), "equilibrium_residual",
                     body_figures_.equilibrium_residual);
     figures.emplace_back("force_balance", body_figures_.force_balance);
     figures.emplace_back("moment_balance", body_figures_.moment_balance);
@@ -235,10 +209,7 @@ namespace stiction
     return figures;
   }
 
-
-
-  bool
-  Certificate::is_solved(const double tolerance) const
+  bool Certificate::is_solved(const double tolerance) const
   {
     const auto figures = deciding_figures();
     return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {

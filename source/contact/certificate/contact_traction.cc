@@ -20,17 +20,13 @@ namespace stiction
   {
   }
 
-
-
-  std::vector<Tensor<1, 3>>
-  ContactTraction::at_points(const FEFaceValues<3> &values,
-                             const DoFHandler<3>::cell_iterator &cell)
+  std::vector<Tensor<1, 3>> ContactTraction::at_points(
+    const FEFaceValues<3> &values, const DoFHandler<3>::cell_iterator &cell)
   {
     cell->get_dof_indices(dofs_);
     const unsigned int f = values.get_face_number();
     const auto id        = cell->face(f)->boundary_id();
-    std::vector<std::optional<Tensor<1, 3>>> at_nodes(fe_.n_dofs_per_face(f) /
-                                                      3);
+    std::vector<std::optional<Tensor<1, 3>>> at_nodes(fe_.n_dofs_per_face(f) / 3);
     Tensor<1, 3> mean;
     double n_known = 0.;
     for (unsigned int a = 0; a < at_nodes.size(); ++a)
@@ -49,24 +45,19 @@ namespace stiction
     std::vector<Tensor<1, 3>> tractions(values.n_quadrature_points);
     for (unsigned int a = 0; a < at_nodes.size(); ++a)
       for (unsigned int q = 0; q < tractions.size(); ++q)
-        tractions[q] +=
-          values.shape_value(fe_.face_to_cell_index(3 * a, f), q) *
-          at_nodes[a].value_or(mean);
+        tractions[q] += values.shape_value(fe_.face_to_cell_index(3 * a, f), q) *
+                        at_nodes[a].value_or(mean);
     return tractions;
   }
 
-
-
-  std::optional<Tensor<1, 3>>
-  ContactTraction::at_node(const types::global_dof_index first_dof,
-                           const types::boundary_id id) const
+  std::optional<Tensor<1, 3>> ContactTraction::at_node(
+    const types::global_dof_index first_dof, const types::boundary_id id) const
   {
     Tensor<1, 3> traction;
     if (elasticity_.is_hanging(first_dof))
       {
         for (const auto &master :
-             *elasticity_.body().hanging_nodes().get_constraint_entries(
-               first_dof))
+             *elasticity_.body().hanging_nodes().get_constraint_entries(first_dof))
           {
             const auto at_master = at_node(master.first, id);
             if (!at_master)

@@ -21,22 +21,20 @@ namespace stiction
   class ContactTraction
   {
   public:
-    ContactTraction(const LinearElasticity &elasticity,
-                    const ContactSurface &surface,
+    ContactTraction(const LinearElasticity &elasticity, const ContactSurface &surface,
                     const Eigen::VectorXd &lambda);
 
     /// At the quadrature points of a face of a contact boundary, Pa; nothing if
     /// it is known at none of its nodes.
-    std::vector<dealii::Tensor<1, 3>>
-    at_points(const dealii::FEFaceValues<3> &values,
-              const dealii::DoFHandler<3>::cell_iterator &cell);
+    std::vector<dealii::Tensor<1, 3>> at_points(
+      const dealii::FEFaceValues<3> &values,
+      const dealii::DoFHandler<3>::cell_iterator &cell);
 
   private:
     // Zero at a free node that faces away from the obstacle; nothing where a
     // support may carry the load, or another contact boundary.
-    std::optional<dealii::Tensor<1, 3>>
-    at_node(dealii::types::global_dof_index first_dof,
-            dealii::types::boundary_id id) const;
+    std::optional<dealii::Tensor<1, 3>> at_node(dealii::types::global_dof_index first_dof,
+                                                dealii::types::boundary_id id) const;
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

@@ -31,8 +31,7 @@ namespace stiction
     using ActiveCell = DoFHandler<3>::active_cell_iterator;
 
     // The same on all ranks. Two cells with one number do no harm.
-    std::uint64_t
-    number_of(const AnyCell &cell)
+    std::uint64_t number_of(const AnyCell &cell)
     {
       std::uint64_t number = 0;
       for (const unsigned int part : cell->id().to_binary<3>())
@@ -40,19 +39,15 @@ namespace stiction
       return number;
     }
 
-
-
     // One of the active cells in a cell, and how many it stands for: 1/p if it
     // is taken with probability p, so that the sum is right on average whatever
     // p is. Cells at the boundary, where more of the error is, are taken more
     // often. Chance depends on the number of the cell and that of the draw.
-    std::pair<AnyCell, double>
-    drawn_from(AnyCell cell, const unsigned int draw)
+    std::pair<AnyCell, double> drawn_from(AnyCell cell, const unsigned int draw)
     {
       if (cell->is_active())
         return {cell, 1.};
-      std::minstd_rand chance((number_of(cell) * 0x9e3779b97f4a7c15u >> 33) +
-                              draw);
+      std::minstd_rand chance((number_of(cell) * 0x9e3779b97f4a7c15u >> 33) + draw);
       chance.discard(2); // the first ones show that seeds are alike
       std::array<bool, 6> at_boundary;
       for (unsigned int f = 0; f < 6; ++f)
@@ -71,8 +66,7 @@ namespace stiction
               up_to[c] = sum;
             }
           const unsigned int c =
-            std::upper_bound(up_to.begin(), up_to.end(), chance() % sum) -
-            up_to.begin();
+            std::upper_bound(up_to.begin(), up_to.end(), chance() % sum) - up_to.begin();
           weight *= 1. * sum / (c == 0 ? up_to[0] : up_to[c] - up_to[c - 1]);
           for (unsigned int d = 0; d < 3; ++d) // the others are inside now
             at_boundary[2 * d + 1 - (c >> d & 1)] = false;
@@ -81,11 +75,8 @@ namespace stiction
       return {cell, weight};
     }
 
-
-
-    void
-    for_each_owned(const AnyCell &cell,
-                   const std::function<void(const ActiveCell &)> &callback)
+    void for_each_owned(const AnyCell &cell,
+                        const std::function<void(const ActiveCell &)> &callback)
     {
       if (!cell->is_active())
         for (const auto &child : cell->child_iterators())
@@ -94,14 +85,10 @@ namespace stiction
         callback(cell);
     }
 
-
-
     // How much the strain changes within a cell, as energy: what is known of
     // the error without looking at other cells.
-    double
-    roughness(const ActiveCell &cell,
-              const LA::Vector &u,
-              const Material &material)
+    double roughness(const ActiveCell &cell, const LA::Vector &u,
+                     const Material &material)
     {
       const TrilinearCell trilinear(cell, u);
       double sum = 0.;
@@ -114,31 +101,22 @@ namespace stiction
       return material.youngs_modulus * sum;
     }
 
-
-
     // Calls back with the cells of a level, and active ones that are coarser.
-    void
-    for_each_family(const Body &body,
-                    const unsigned int level,
-                    const std::function<void(const AnyCell &)> &callback)
+    void for_each_family(const Body &body, const unsigned int level,
+                         const std::function<void(const AnyCell &)> &callback)
     {
       const auto &cells = body.dof_handler();
-      for (unsigned int l = 0;
-           l <= level && l < body.triangulation().n_levels();
-           ++l)
+      for (unsigned int l = 0; l <= level && l < body.triangulation().n_levels(); ++l)
         for (const auto &cell : cells.cell_iterators_on_level(l))
           if (l == level || cell->is_active())
             callback(cell);
     }
 
-
-
     // The numbers of the families that seem to have the largest errors, one
     // cell of each being looked at.
-    std::set<std::uint64_t>
-    roughest_families(const LinearElasticity &elasticity,
-                      const LA::Vector &u,
-                      const unsigned int level)
+    std::set<std::uint64_t> roughest_families(const LinearElasticity &elasticity,
+                                              const LA::Vector &u,
+                                              const unsigned int level)
     {
       // float: rounding of u is not to decide between cells that are alike
       using Family = std::pair<float, std::uint64_t>;
@@ -146,12 +124,10 @@ namespace stiction
       for_each_family(elasticity.body(), level, [&](const AnyCell &family) {
         const auto drawn = drawn_from(family, 1);
         if (drawn.first->is_locally_owned())
-          own.emplace_back(
-            drawn.second *
-              roughness(drawn.first,
-                        u,
-                        elasticity.materials().of(drawn.first->material_id())),
-            number_of(family));
+          own.emplace_back(drawn.second * roughness(drawn.first, u,
+                                                    elasticity.materials().of(
+                                                      drawn.first->material_id())),
+                           number_of(family));
       });
       for (const auto &part :
            Utilities::MPI::all_gather(elasticity.body().communicator(), own))
@@ -166,13 +142,9 @@ namespace stiction
     }
   } // namespace
 
-
-
-  Vector<double>
-  estimate_error(const LinearElasticity &elasticity,
-                 const ContactSurface &surface,
-                 const LA::Vector &u,
-                 const Eigen::VectorXd &lambda)
+  Vector<double> estimate_error(const LinearElasticity &elasticity,
+                                const ContactSurface &surface, const LA::Vector &u,
+                                const Eigen::VectorXd &lambda)
   {
     const Body &body = elasticity.body();
     Vector<double> squares(body.triangulation().n_active_cells());
@@ -185,29 +157,22 @@ namespace stiction
     return squares;
   }
 
-
-
-  MeshError
-  estimate_mesh_error(const LinearElasticity &elasticity,
-                      const ContactSurface &surface,
-                      const LA::Vector &u,
-                      const Eigen::VectorXd &lambda,
-                      const unsigned long long all_up_to)
+  MeshError estimate_mesh_error(const LinearElasticity &elasticity,
+                                const ContactSurface &surface, const LA::Vector &u,
+                                const Eigen::VectorXd &lambda,
+                                const unsigned long long all_up_to)
   {
     const Body &body          = elasticity.body();
     const auto &triangulation = body.triangulation();
     const auto n_cells        = triangulation.n_global_active_cells();
     const unsigned int finest = triangulation.n_global_levels() - 1;
-    const unsigned int up     = n_cells <= all_up_to       ? 0
-                                : n_cells <= 4 * all_up_to ? 1
-                                                           : 2;
-    const unsigned int level  = finest - std::min(up, finest);
+    const unsigned int up = n_cells <= all_up_to ? 0 : n_cells <= 4 * all_up_to ? 1 : 2;
+    const unsigned int level = finest - std::min(up, finest);
 
     const auto error = CellError::create(elasticity, surface, u, lambda);
-    const auto whole =
-      level < finest
-        ? roughest_families(elasticity, error->displacement(), level)
-        : std::set<std::uint64_t>();
+    const auto whole = level < finest
+                         ? roughest_families(elasticity, error->displacement(), level)
+                         : std::set<std::uint64_t>();
     MeshError sum;
     throw_on_all_ranks(body.communicator(), [&]() {
       for_each_family(body, level, [&](const AnyCell &family) {
@@ -216,8 +181,7 @@ namespace stiction
           ++sum.n_cells;
         };
         if (level == finest || whole.count(number_of(family)) > 0)
-          return for_each_owned(family,
-                                [&](const ActiveCell &cell) { add(cell, 1.); });
+          return for_each_owned(family, [&](const ActiveCell &cell) { add(cell, 1.); });
         const auto drawn = drawn_from(family, 2);
         if (drawn.first->is_locally_owned())
           add(drawn.first, drawn.second);

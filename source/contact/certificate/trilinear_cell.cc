@@ -11,11 +11,9 @@ namespace stiction
   namespace
   {
     // ∇φ_k of the eight shape functions at the points of the six faces
-    using ShapeGradients =
-      std::array<std::array<std::array<Tensor<1, 3>, 8>, 4>, 6>;
+    using ShapeGradients = std::array<std::array<std::array<Tensor<1, 3>, 8>, 4>, 6>;
 
-    ShapeGradients
-    gradients_on_faces()
+    ShapeGradients gradients_on_faces()
     {
       ShapeGradients gradients;
       for (unsigned int f = 0; f < 6; ++f)
@@ -34,8 +32,6 @@ namespace stiction
     }
   } // namespace
 
-
-
   TrilinearCell::TrilinearCell(const DoFHandler<3>::active_cell_iterator &cell,
                                const LA::Vector &u)
   {
@@ -48,11 +44,8 @@ namespace stiction
       }
   }
 
-
-
-  TrilinearCell::Place
-  TrilinearCell::at(const unsigned int face,
-                    const unsigned int vertex_of_face) const
+  TrilinearCell::Place TrilinearCell::at(const unsigned int face,
+                                         const unsigned int vertex_of_face) const
   {
     static const ShapeGradients on_faces = gradients_on_faces();
     const auto &gradients                = on_faces[face][vertex_of_face];

@@ -29,8 +29,7 @@ namespace stiction
       double height;               ///< of the cell above the face, m
       double JxW;                  ///< m²
     };
-    Place
-    at(unsigned int face, unsigned int vertex_of_face) const;
+    Place at(unsigned int face, unsigned int vertex_of_face) const;
 
   private:
     std::array<dealii::Point<3>, 8> vertices_;

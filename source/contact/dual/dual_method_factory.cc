@@ -17,12 +17,11 @@ namespace stiction
 {
   namespace
   {
-    std::optional<qp::DiscActiveSet::Variant>
-    variant(const std::string &disc_solver)
+    std::optional<qp::DiscActiveSet::Variant> variant(const std::string &disc_solver)
     {
       if (disc_solver == "newton")
         return std::nullopt;
-      using Variant = qp::DiscActiveSet::Variant;
+      using Variant                                        = qp::DiscActiveSet::Variant;
       static const std::map<std::string, Variant> variants = {
         {"as printed", Variant::as_printed},
         {"with expansion", Variant::with_expansion},
@@ -33,8 +32,8 @@ namespace stiction
       return variants.at(disc_solver);
     }
 
-    std::unique_ptr<DualMethod>
-    create(const ContactSolverParameters &parameters, const DualOperator &Q)
+    std::unique_ptr<DualMethod> create(const ContactSolverParameters &parameters,
+                                       const DualOperator &Q)
     {
       if (parameters.method == "squares")
         return std::make_unique<Squares>(Q, parameters.squares);
@@ -47,10 +46,8 @@ namespace stiction
       return std::make_unique<GaussSeidel>(Q, variant(parameters.disc_solver));
     }
 
-    bool
-    is_refused(const std::string &method,
-               const Parameters &parameters,
-               const bool has_body)
+    bool is_refused(const std::string &method, const Parameters &parameters,
+                    const bool has_body)
     {
       if (method == "admm")
         return parameters.dual_operator.form != "assembled";
@@ -62,34 +59,25 @@ namespace stiction
     }
   } // namespace
 
-
-
-  std::unique_ptr<DualMethod>
-  create_dual_method(const ContactSolverParameters &parameters,
-                     const DualOperator &Q,
-                     const bool coulomb)
+  std::unique_ptr<DualMethod> create_dual_method(
+    const ContactSolverParameters &parameters, const DualOperator &Q, const bool coulomb)
   {
     auto method = create(parameters, Q);
-    if (coulomb && (!method->solves_coulomb() ||
-                    parameters.coulomb_iteration == "fixed point"))
+    if (coulomb &&
+        (!method->solves_coulomb() || parameters.coulomb_iteration == "fixed point"))
       return std::make_unique<CoulombFixedPoint>(std::move(method));
     return method;
   }
 
-
-
-  std::string
-  advice_on_method(const Parameters &parameters,
-                   const bool is_coulomb,
-                   const bool has_body)
+  std::string advice_on_method(const Parameters &parameters, const bool is_coulomb,
+                               const bool has_body)
   {
     const ContactSolverParameters &chosen = parameters.contact_solver;
     const std::string &method             = chosen.method;
     if (method == "gauss seidel" && chosen.disc_solver != "newton" &&
         chosen.disc_solver != "spectral")
       return "choose 'Contact solver/Disc solver = spectral'";
-    const bool approximates =
-      is_coulomb && chosen.coulomb_iteration == "fixed point";
+    const bool approximates = is_coulomb && chosen.coulomb_iteration == "fixed point";
     if (approximates && method != "mpgp")
       return "choose 'Contact solver/Coulomb iteration = direct'";
 
@@ -98,15 +86,13 @@ namespace stiction
       return "choose 'Dual operator/Form = assembled'";
 
     std::vector<std::string> others;
-    for (const char *const other :
-         {"newton", "newton multigrid", "admm", "gauss seidel"})
+    for (const char *const other : {"newton", "newton multigrid", "admm", "gauss seidel"})
       if (other != method && !is_refused(other, parameters, has_body))
         others.push_back(std::string("'") +
-                         (others.empty() ? "Contact solver/Method = " : "") +
-                         other + "'");
+                         (others.empty() ? "Contact solver/Method = " : "") + other +
+                         "'");
     if (approximates)
       return "choose " + others[0] + " with 'Coulomb iteration = direct'";
-    return "choose " + others[0] +
-           (others.size() > 1 ? " or " + others[1] : "");
+    return "choose " + others[0] + (others.size() > 1 ? " or " + others[1] : "");
   }
 } // namespace stiction

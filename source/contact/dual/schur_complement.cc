@@ -11,10 +11,9 @@ namespace stiction
 {
   namespace
   {
-    Eigen::VectorXd
-    dual_right_hand_side(const LinearElasticity &elasticity,
-                         const ContactSurface &surface,
-                         StiffnessSolver &solver)
+    Eigen::VectorXd dual_right_hand_side(const LinearElasticity &elasticity,
+                                         const ContactSurface &surface,
+                                         StiffnessSolver &solver)
     {
       LA::Vector u = elasticity.zero_vector();
       solver.solve(u, elasticity.constrained_load());
@@ -23,9 +22,8 @@ namespace stiction
 
     // What Q gets on its diagonal where nodes are held: of the size of the
     // entries at other nodes.
-    Eigen::VectorXd
-    held_compliance(const LinearElasticity &elasticity,
-                    const ContactSurface &surface)
+    Eigen::VectorXd held_compliance(const LinearElasticity &elasticity,
+                                    const ContactSurface &surface)
     {
       const Eigen::VectorXd stiffness =
         surface.B().dofs().restriction(elasticity.stiffness_diagonal());
@@ -33,13 +31,9 @@ namespace stiction
     }
   } // namespace
 
-
-
-  std::unique_ptr<DualOperator>
-  SchurComplement::create(const std::string &form,
-                          const LinearElasticity &elasticity,
-                          const ContactSurface &surface,
-                          StiffnessSolver &solver)
+  std::unique_ptr<DualOperator> SchurComplement::create(
+    const std::string &form, const LinearElasticity &elasticity,
+    const ContactSurface &surface, StiffnessSolver &solver)
   {
     if (form == "by solves")
       return std::make_unique<SchurComplement>(elasticity, surface, solver);
@@ -52,11 +46,8 @@ namespace stiction
       std::move(Q), dual_right_hand_side(elasticity, surface, solver));
   }
 
-
-
   SchurComplement::SchurComplement(const LinearElasticity &elasticity,
-                                   const ContactSurface &surface,
-                                   StiffnessSolver &solver)
+                                   const ContactSurface &surface, StiffnessSolver &solver)
     : DualOperator(surface.n_nodes())
     , elasticity_(elasticity)
     , surface_(surface)
@@ -66,17 +57,13 @@ namespace stiction
     set_right_hand_side(dual_right_hand_side(elasticity, surface, solver));
   }
 
-
-
-  Eigen::VectorXd
-  SchurComplement::compute_nodal_compliance() const
+  Eigen::VectorXd SchurComplement::compute_nodal_compliance() const
   {
     const Eigen::Index m = n_nodes();
     const Eigen::VectorXd stiffness =
       surface_.B().dofs().restriction(elasticity_.stiffness_diagonal());
     const Eigen::VectorXd shape =
-      (stiffness.head(m) + stiffness.segment(m, m) + stiffness.tail(m))
-        .cwiseInverse();
+      (stiffness.head(m) + stiffness.segment(m, m) + stiffness.tail(m)).cwiseInverse();
 
     // with random signs zᵀQz is the trace of Q, but for a few per cent
     Eigen::VectorXd z(3 * m), Qz;
@@ -90,13 +77,8 @@ namespace stiction
     return shape * (z.dot(Qz) / (3. * shape.sum()));
   }
 
-
-
-  void
-  SchurComplement::apply(const DualBlock rows,
-                         const DualBlock columns,
-                         Eigen::VectorXd &dst,
-                         const Eigen::VectorXd &src) const
+  void SchurComplement::apply(const DualBlock rows, const DualBlock columns,
+                              Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(3 * n_nodes());
     lambda.segment(begin(columns), length(columns)) = src;

@@ -20,10 +20,9 @@ namespace stiction
 
   namespace
   {
-    const std::string obstacle_entry = "Boundary conditions/Obstacle";
-    const std::string displacement_entry =
-      "Boundary conditions/Obstacle displacement";
-    const std::string force_entry = "Boundary conditions/Obstacle force";
+    const std::string obstacle_entry     = "Boundary conditions/Obstacle";
+    const std::string displacement_entry = "Boundary conditions/Obstacle displacement";
+    const std::string force_entry        = "Boundary conditions/Obstacle force";
 
     // Below this cosine between the outward normal and the direction towards
     // the obstacle a node faces away from it.
@@ -33,43 +32,36 @@ namespace stiction
     constexpr double rounding = 1e-9;
 
     // One value for each of n boundaries, of which all may have the same.
-    std::vector<std::string>
-    values_for_each(const std::string &text,
-                    const std::size_t n,
-                    const std::string &description)
+    std::vector<std::string> values_for_each(const std::string &text, const std::size_t n,
+                                             const std::string &description)
     {
       std::vector<std::string> values = split_at_bars(text);
       if (values.size() == 1)
         values.resize(n, values.front());
       if (values.size() != n)
-        throw InputError(description + ", has " +
-                         std::to_string(values.size()) +
+        throw InputError(description + ", has " + std::to_string(values.size()) +
                          " values separated by '|', must have one" +
-                         (n > 1 ? " for all contact boundaries or " +
-                                    std::to_string(n) + ", one for each"
+                         (n > 1 ? " for all contact boundaries or " + std::to_string(n) +
+                                    ", one for each"
                                 : " for the one contact boundary") +
                          ".");
       return values;
     }
 
     // 'file : NAME' with the name of the file where it is.
-    std::string
-    with_path(const std::string &obstacle, const ParameterFile &source)
+    std::string with_path(const std::string &obstacle, const ParameterFile &source)
     {
       const std::size_t colon = obstacle.find(':');
       if (colon == std::string::npos ||
           Utilities::trim(obstacle.substr(0, colon)) != "file")
         return obstacle;
-      return "file : " +
-             source.find_file(obstacle_entry,
-                              Utilities::trim(obstacle.substr(colon + 1)));
+      return "file : " + source.find_file(obstacle_entry,
+                                          Utilities::trim(obstacle.substr(colon + 1)));
     }
 
-    std::string
-    describe_friction(const FrictionLaw law,
-                      const std::string &coefficient,
-                      const std::string &slip_stress,
-                      const std::string &direction)
+    std::string describe_friction(const FrictionLaw law, const std::string &coefficient,
+                                  const std::string &slip_stress,
+                                  const std::string &direction)
     {
       if (law == FrictionLaw::frictionless)
         return ", no friction";
@@ -79,8 +71,7 @@ namespace stiction
              (direction.empty() ? "" : ", first direction " + direction);
     }
 
-    std::string
-    text_of(const Point<3> &p)
+    std::string text_of(const Point<3> &p)
     {
       std::ostringstream out;
       out << '(' << p << ')';
@@ -88,20 +79,16 @@ namespace stiction
     }
   } // namespace
 
-
-
   ContactBoundary::ContactBoundary()                            = default;
   ContactBoundary::ContactBoundary(ContactBoundary &&) noexcept = default;
   ContactBoundary::~ContactBoundary()                           = default;
 
-
-
-  std::vector<ContactBoundary>
-  ContactBoundary::read(const Parameters &parameters, const Body &body)
+  std::vector<ContactBoundary> ContactBoundary::read(const Parameters &parameters,
+                                                     const Body &body)
   {
     const ParameterFile &source = parameters.source;
     const std::string entry     = "Boundary conditions/Contact boundary";
-    const auto names = split_at_bars(parameters.boundary.contact_boundary);
+    const auto names            = split_at_bars(parameters.boundary.contact_boundary);
     const std::vector<FrictionLaw> laws = parameters.friction.laws();
 
     const auto values = [&](const std::string &of, const std::string &text) {
@@ -109,8 +96,8 @@ namespace stiction
     };
     values("Friction/Law", parameters.friction.law_name); // counted only
     const auto obstacles = values(obstacle_entry, parameters.boundary.obstacle);
-    const auto gaps      = values("Boundary conditions/Initial gap",
-                             parameters.boundary.initial_gap);
+    const auto gaps =
+      values("Boundary conditions/Initial gap", parameters.boundary.initial_gap);
     const auto displacements =
       values(displacement_entry, parameters.boundary.obstacle_displacement);
     const auto forces = values(force_entry, parameters.boundary.obstacle_force);
@@ -126,8 +113,8 @@ namespace stiction
       return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
     };
     const auto formula = [&](const std::string &of, const std::string &text) {
-      return std::make_unique<ParsedFunction>(
-        text, 1, source.locate(of), parameters.boundary.time);
+      return std::make_unique<ParsedFunction>(text, 1, source.locate(of),
+                                              parameters.boundary.time);
     };
 
     const auto corners = body.bounding_box().get_boundary_points();
@@ -138,36 +125,27 @@ namespace stiction
     for (std::size_t b = 0; b < names.size(); ++b)
       {
         ContactBoundary boundary;
-        boundary.id_ = body.boundary_names().id(names[b], source.locate(entry));
+        boundary.id_   = body.boundary_names().id(names[b], source.locate(entry));
         boundary.name_ = body.boundary_names().name(boundary.id_);
         if (!ids.insert(boundary.id_).second)
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
 
-        boundary.obstacle_ = Obstacle::read(with_path(obstacles[b], source),
-                                            source.locate(obstacle_entry),
-                                            size,
-                                            parameters.boundary.time,
-                                            body.communicator());
-        boundary.gap_ = formula("Boundary conditions/Initial gap", gaps[b]);
+        boundary.obstacle_ =
+          Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
+                         size, parameters.boundary.time, body.communicator());
+        boundary.gap_         = formula("Boundary conditions/Initial gap", gaps[b]);
         const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
         boundary.friction_ =
-          std::make_unique<FrictionData>(law,
-                                         coefficients[b],
-                                         slip_stresses[b],
-                                         directions[b],
-                                         source,
-                                         parameters.boundary.time);
+          std::make_unique<FrictionData>(law, coefficients[b], slip_stresses[b],
+                                         directions[b], source, parameters.boundary.time);
         boundary.displacement_ = vector(displacement_entry, displacements[b]);
         boundary.force_        = vector(force_entry, forces[b]);
         boundary.description_ =
           obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
-          (boundary.displacement_.norm() > 0.
-             ? ", displaced " + displacements[b]
-             : "") +
+          (boundary.displacement_.norm() > 0. ? ", displaced " + displacements[b] : "") +
           (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
-          describe_friction(
-            law, coefficients[b], slip_stresses[b], directions[b]);
+          describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
         boundary.size_   = size;
         boundary.source_ = &source;
         boundaries.push_back(std::move(boundary));
@@ -175,10 +153,7 @@ namespace stiction
     return boundaries;
   }
 
-
-
-  bool
-  ContactBoundary::place(ContactNode &node) const
+  bool ContactBoundary::place(ContactNode &node) const
   {
     node.gap = gap_->value(node.position);
     if (!obstacle_)
@@ -200,7 +175,7 @@ namespace stiction
              " than the body is large, must be outside but for a small "
              "interference");
     const Tensor<1, 3> towards_obstacle = value.gradient / -slope;
-    const bool is_facing = towards_obstacle * node.normal >= facing_cosine;
+    const bool is_facing                = towards_obstacle * node.normal >= facing_cosine;
     if (!is_facing && node.gap < -rounding * size_)
       refuse("contains the contact node at " + text_of(node.position) +
              ", which faces away from its surface there, must face the "
@@ -210,34 +185,22 @@ namespace stiction
     return is_facing;
   }
 
-
-
-  double
-  ContactBoundary::initial_gap(const Point<3> &p) const
+  double ContactBoundary::initial_gap(const Point<3> &p) const
   {
     return gap_->value(p);
   }
 
-
-
-  FrictionLaw
-  ContactBoundary::law() const
+  FrictionLaw ContactBoundary::law() const
   {
     return friction_->law();
   }
 
-
-
-  void
-  ContactBoundary::set_friction(ContactNode &node) const
+  void ContactBoundary::set_friction(ContactNode &node) const
   {
     friction_->set(node);
   }
 
-
-
-  double
-  ContactBoundary::penetration(const Point<3> &p) const
+  double ContactBoundary::penetration(const Point<3> &p) const
   {
     if (!obstacle_)
       return 0.;

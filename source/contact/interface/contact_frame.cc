@@ -14,8 +14,7 @@ namespace stiction
     // ... and of a direction without its normal component.
     constexpr double least_tangent = 1e-6;
 
-    Tensor<1, 3>
-    first_tangent(const Tensor<1, 3> &normal)
+    Tensor<1, 3> first_tangent(const Tensor<1, 3> &normal)
     {
       Tensor<1, 3> e;
       e[std::abs(normal[0]) > 0.9 ? 1 : 0] = 1.;
@@ -25,10 +24,7 @@ namespace stiction
     }
   } // namespace
 
-
-
-  bool
-  set_tangents(ContactFrame &frame)
+  bool set_tangents(ContactFrame &frame)
   {
     Tensor<1, 3> normal = frame.normal;
     Tensor<1, 3> held;
@@ -53,13 +49,9 @@ namespace stiction
     return true;
   }
 
-
-
-  std::optional<double>
-  set_friction_ellipse(ContactFrame &frame,
-                       const double first,
-                       const double second,
-                       const std::optional<Tensor<1, 3>> &direction)
+  std::optional<double> set_friction_ellipse(ContactFrame &frame, const double first,
+                                             const double second,
+                                             const std::optional<Tensor<1, 3>> &direction)
   {
     Tensor<1, 3> principal = first_tangent(frame.normal);
     if (direction)

@@ -11,10 +11,8 @@ namespace stiction
   {
     // The same map at every node.
     template<typename Map>
-    Eigen::VectorXd
-    at_all_nodes(const std::vector<ContactFrame> &frames,
-                 const Eigen::VectorXd &v,
-                 const Map &map)
+    Eigen::VectorXd at_all_nodes(const std::vector<ContactFrame> &frames,
+                                 const Eigen::VectorXd &v, const Map &map)
     {
       Eigen::VectorXd image(v.size());
       for (std::size_t i = 0; i < frames.size(); ++i)
@@ -26,39 +24,26 @@ namespace stiction
     }
   } // namespace
 
-
-
-  ContactOperator::ContactOperator(DofSubset dofs,
-                                   std::vector<ContactFrame> frames)
+  ContactOperator::ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames)
     : dofs_(std::move(dofs))
     , frames_(std::move(frames))
   {
   }
 
-
-
-  Eigen::VectorXd
-  ContactOperator::apply(const LA::Vector &u) const
+  Eigen::VectorXd ContactOperator::apply(const LA::Vector &u) const
   {
-    return at_all_nodes(
-      frames_, dofs_.restriction(u), &ContactFrame::displacement_to_local);
+    return at_all_nodes(frames_, dofs_.restriction(u),
+                        &ContactFrame::displacement_to_local);
   }
 
-
-
-  void
-  ContactOperator::add_transpose(const double factor,
-                                 const Eigen::VectorXd &lambda,
-                                 LA::Vector &dst) const
+  void ContactOperator::add_transpose(const double factor, const Eigen::VectorXd &lambda,
+                                      LA::Vector &dst) const
   {
     dofs_.add_extension(factor * force_to_cartesian(lambda), dst);
   }
 
-
-
-  void
-  ContactOperator::set_transpose(const Eigen::VectorXd &lambda,
-                                 LA::Vector &dst) const
+  void ContactOperator::set_transpose(const Eigen::VectorXd &lambda,
+                                      LA::Vector &dst) const
   {
     for (const auto dof : dofs_.dofs())
       if (dst.in_local_range(dof))
@@ -66,47 +51,29 @@ namespace stiction
     dofs_.add_extension(force_to_cartesian(lambda), dst);
   }
 
-
-
-  void
-  ContactOperator::add_displacement(const double factor,
-                                    const Eigen::VectorXd &w,
-                                    LA::Vector &u) const
+  void ContactOperator::add_displacement(const double factor, const Eigen::VectorXd &w,
+                                         LA::Vector &u) const
   {
     dofs_.add_extension(
-      factor *
-        at_all_nodes(frames_, w, &ContactFrame::displacement_to_cartesian),
-      u);
+      factor * at_all_nodes(frames_, w, &ContactFrame::displacement_to_cartesian), u);
   }
 
-
-
-  Eigen::VectorXd
-  ContactOperator::contact_forces(const LA::Vector &R) const
+  Eigen::VectorXd ContactOperator::contact_forces(const LA::Vector &R) const
   {
     return force_to_local(dofs_.restriction(R));
   }
 
-
-
-  Eigen::VectorXd
-  ContactOperator::force_to_cartesian(const Eigen::VectorXd &lambda) const
+  Eigen::VectorXd ContactOperator::force_to_cartesian(const Eigen::VectorXd &lambda) const
   {
     return at_all_nodes(frames_, lambda, &ContactFrame::force_to_cartesian);
   }
 
-
-
-  Eigen::VectorXd
-  ContactOperator::force_to_local(const Eigen::VectorXd &force) const
+  Eigen::VectorXd ContactOperator::force_to_local(const Eigen::VectorXd &force) const
   {
     return at_all_nodes(frames_, force, &ContactFrame::force_to_local);
   }
 
-
-
-  void
-  ContactOperator::rotate_to_local(Eigen::MatrixXd &C) const
+  void ContactOperator::rotate_to_local(Eigen::MatrixXd &C) const
   {
     const Eigen::Index m = n_nodes();
     std::vector<Eigen::Matrix3d> M;
@@ -126,15 +93,11 @@ namespace stiction
         }
   }
 
-
-
-  Eigen::VectorXd
-  ContactOperator::held() const
+  Eigen::VectorXd ContactOperator::held() const
   {
     Eigen::VectorXd held(3 * n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(
-        held, i, (frames_[i].scales().array() == 0.).matrix().cast<double>());
+      set_at_node(held, i, (frames_[i].scales().array() == 0.).matrix().cast<double>());
     return held;
   }
 } // namespace stiction

@@ -12,9 +12,8 @@ namespace stiction
   namespace
   {
     // The place of a boundary in the list, the list's size if it is not there.
-    std::size_t
-    index_of(const std::vector<ContactBoundary> &boundaries,
-             const types::boundary_id id)
+    std::size_t index_of(const std::vector<ContactBoundary> &boundaries,
+                         const types::boundary_id id)
     {
       std::size_t b = 0;
       while (b < boundaries.size() && boundaries[b].id() != id)
@@ -23,30 +22,19 @@ namespace stiction
     }
   } // namespace
 
-
-
   ContactSurface::~ContactSurface() = default;
 
-
-
-  const ContactBoundary &
-  ContactSurface::boundary(const types::boundary_id id) const
+  const ContactBoundary &ContactSurface::boundary(const types::boundary_id id) const
   {
     return boundaries_.at(index_of(boundaries_, id));
   }
 
-
-
-  bool
-  ContactSurface::is_contact_boundary(const types::boundary_id id) const
+  bool ContactSurface::is_contact_boundary(const types::boundary_id id) const
   {
     return index_of(boundaries_, id) < boundaries_.size();
   }
 
-
-
-  double
-  ContactSurface::penetration_of_facing_away(const LA::Vector &u) const
+  double ContactSurface::penetration_of_facing_away(const LA::Vector &u) const
   {
     const Eigen::VectorXd moved = facing_away_dofs_.restriction(u);
     const std::size_t m         = facing_away_.size();
@@ -57,35 +45,27 @@ namespace stiction
         for (unsigned int c = 0; c < 3; ++c)
           p[c] += moved(static_cast<Eigen::Index>(i + c * m));
         p -= obstacle_displacement(boundaries_[facing_away_[i].boundary].id());
-        depth =
-          std::max(depth, boundaries_[facing_away_[i].boundary].penetration(p));
+        depth = std::max(depth, boundaries_[facing_away_[i].boundary].penetration(p));
       }
     return depth;
   }
 
-
-
-  Tensor<1, 3>
-  ContactSurface::obstacle_displacement(const types::boundary_id id) const
+  Tensor<1, 3> ContactSurface::obstacle_displacement(const types::boundary_id id) const
   {
     Eigen::Index column = 0;
     for (const ContactBoundary &boundary : boundaries_)
       {
         const double force = boundary.force().norm();
         if (boundary.id() == id)
-          return force > 0.
-                   ? boundary.displacement() +
-                       motion_.distances()(column) / force * boundary.force()
-                   : boundary.displacement();
+          return force > 0. ? boundary.displacement() +
+                                motion_.distances()(column) / force * boundary.force()
+                            : boundary.displacement();
         column += force > 0. ? 1 : 0;
       }
     return Tensor<1, 3>();
   }
 
-
-
-  Eigen::Index
-  ContactSurface::node_of(const types::global_dof_index first_dof) const
+  Eigen::Index ContactSurface::node_of(const types::global_dof_index first_dof) const
   {
     const auto node = node_of_dof_.find(first_dof);
     return node == node_of_dof_.end() ? -1 : node->second;

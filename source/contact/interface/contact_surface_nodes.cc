@@ -27,14 +27,12 @@ namespace stiction
   namespace
   {
     // Whether the bit of a component is set.
-    bool
-    has_component(const double bits, const unsigned int c)
+    bool has_component(const double bits, const unsigned int c)
     {
       return (static_cast<unsigned int>(bits) >> c & 1u) != 0;
     }
 
-    std::vector<types::global_dof_index>
-    first_dofs(const std::vector<ContactNode> &nodes)
+    std::vector<types::global_dof_index> first_dofs(const std::vector<ContactNode> &nodes)
     {
       std::vector<types::global_dof_index> dofs;
       for (const ContactNode &node : nodes)
@@ -43,26 +41,21 @@ namespace stiction
     }
   } // namespace
 
-
-
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const Parameters &parameters)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body()))
   {
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
-    require_nodes(
-      parameters,
-      "Boundary conditions/Contact boundary",
-      boundaries_.size() == 1
-        ? "the displacement is prescribed at every node of this "
-          "boundary, must be a boundary with free nodes"
-        : "the displacement is prescribed at every node that belongs "
-          "to no boundary before this one, must be a boundary with "
-          "free nodes of its own");
+    require_nodes(parameters, "Boundary conditions/Contact boundary",
+                  boundaries_.size() == 1
+                    ? "the displacement is prescribed at every node of this "
+                      "boundary, must be a boundary with free nodes"
+                    : "the displacement is prescribed at every node that belongs "
+                      "to no boundary before this one, must be a boundary with "
+                      "free nodes of its own");
     place_obstacles();
-    require_nodes(parameters,
-                  "Boundary conditions/Obstacle",
+    require_nodes(parameters, "Boundary conditions/Obstacle",
                   "no free node of the contact boundary faces it, its "
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
@@ -71,10 +64,7 @@ namespace stiction
     displace_obstacles(parameters);
   }
 
-
-
-  void
-  ContactSurface::collect_nodes(const LinearElasticity &elasticity)
+  void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
   {
     const Body &body = elasticity.body();
 
@@ -95,8 +85,7 @@ namespace stiction
     std::map<types::global_dof_index, Share> shares;
     // A node belongs to the first of its boundaries, which is why the others'
     // shares are dropped.
-    const auto add = [&](const types::global_dof_index dof,
-                         const double weight,
+    const auto add = [&](const types::global_dof_index dof, const double weight,
                          const Share &share) {
       const auto place = shares.emplace(dof, share);
       Share &sum       = place.first->second;
@@ -111,28 +100,25 @@ namespace stiction
       sum[prescribed] = share[prescribed];
       std::copy_n(&share[value], 3, &sum[value]);
     };
-    const auto add_with_prescribed =
-      [&](const types::global_dof_index dof, const double weight, Share share) {
-        unsigned int components = 0;
-        for (unsigned int c = 0; c < 3; ++c)
-          if (elasticity.is_prescribed(dof + c))
-            {
-              components |= 1u << c;
-              share[value + c] = elasticity.prescribed_value(dof + c);
-            }
-        if (components == 7)
-          return;
-        share[prescribed] = components;
-        add(dof, weight, share);
-      };
+    const auto add_with_prescribed = [&](const types::global_dof_index dof,
+                                         const double weight, Share share) {
+      unsigned int components = 0;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (elasticity.is_prescribed(dof + c))
+          {
+            components |= 1u << c;
+            share[value + c] = elasticity.prescribed_value(dof + c);
+          }
+      if (components == 7)
+        return;
+      share[prescribed] = components;
+      add(dof, weight, share);
+    };
 
     const FiniteElement<3> &fe = body.dof_handler().get_fe();
     const QGauss<2> quadrature(fe.degree + 1);
-    FEFaceValues<3> values(body.mapping(),
-                           fe,
-                           quadrature,
-                           update_values | update_normal_vectors |
-                             update_JxW_values);
+    FEFaceValues<3> values(body.mapping(), fe, quadrature,
+                           update_values | update_normal_vectors | update_JxW_values);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
 
     for (const auto &cell : body.dof_handler().active_cell_iterators())
@@ -148,9 +134,8 @@ namespace stiction
                   if (!fe.has_support_on_face(i, f))
                     continue;
                   Share share{};
-                  share[modulus] = elasticity.materials()
-                                     .of(cell->material_id())
-                                     .youngs_modulus;
+                  share[modulus] =
+                    elasticity.materials().of(cell->material_id()).youngs_modulus;
                   for (const unsigned int q : values.quadrature_point_indices())
                     {
                       const double w = values.shape_value(i, q) * values.JxW(q);
@@ -160,8 +145,7 @@ namespace stiction
                     }
                   boundary_area_ += share[area];
                   share[boundary] = static_cast<double>(
-                    &this->boundary(cell->face(f)->boundary_id()) -
-                    boundaries_.data());
+                    &this->boundary(cell->face(f)->boundary_id()) - boundaries_.data());
                   if (!elasticity.is_hanging(dofs[i]))
                     add_with_prescribed(dofs[i], 1., share);
                   else
@@ -176,8 +160,7 @@ namespace stiction
     for (const auto &share : shares)
       mine.push_back(share.second);
     shares.clear();
-    for (const auto &theirs :
-         Utilities::MPI::all_gather(body.communicator(), mine))
+    for (const auto &theirs : Utilities::MPI::all_gather(body.communicator(), mine))
       for (const Share &share : theirs)
         add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
 
@@ -188,8 +171,7 @@ namespace stiction
       for (unsigned int c = 0; c < 3; ++c)
         positions.push_back(
           owned.is_element(share.first)
-            ? body
-                .locally_owned_nodes()[owned.index_within_set(share.first) / 3]
+            ? body.locally_owned_nodes()[owned.index_within_set(share.first) / 3]
                 .position[c]
             : 0.);
     Utilities::MPI::sum(positions, body.communicator(), positions);
@@ -212,8 +194,7 @@ namespace stiction
         k[c] = std::llround((share[position + c] - corners.first[c]) / unit);
       return k;
     };
-    std::sort(sorted.begin(),
-              sorted.end(),
+    std::sort(sorted.begin(), sorted.end(),
               [&](const Share &a, const Share &b) { return key(a) < key(b); });
 
     for (const Share &share : sorted)
@@ -221,9 +202,9 @@ namespace stiction
         ContactNode node;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            node.position[c]   = share[position + c];
-            node.normal[c]     = share[normal + c];
-            node.prescribed[c] = has_component(share[prescribed], c);
+            node.position[c]                = share[position + c];
+            node.normal[c]                  = share[normal + c];
+            node.prescribed[c]              = has_component(share[prescribed], c);
             node.prescribed_displacement[c] = share[value + c];
           }
         node.normal /= node.normal.norm();
@@ -237,12 +218,9 @@ namespace stiction
       }
   }
 
-
-
-  void
-  ContactSurface::require_nodes(const Parameters &parameters,
-                                const std::string &entry,
-                                const std::string &reason) const
+  void ContactSurface::require_nodes(const Parameters &parameters,
+                                     const std::string &entry,
+                                     const std::string &reason) const
   {
     std::vector<unsigned int> n(boundaries_.size(), 0);
     for (const ContactNode &node : nodes_)
@@ -250,18 +228,14 @@ namespace stiction
     const auto empty = std::find(n.begin(), n.end(), 0u);
     if (empty == n.end())
       return;
-    throw InputError(
-      parameters.source.describe(entry) +
-      (n.size() == 1
-         ? ""
-         : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
-      ", " + reason + ".");
+    throw InputError(parameters.source.describe(entry) +
+                     (n.size() == 1
+                        ? ""
+                        : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
+                     ", " + reason + ".");
   }
 
-
-
-  void
-  ContactSurface::place_obstacles()
+  void ContactSurface::place_obstacles()
   {
     std::vector<ContactNode> facing;
     for (ContactNode &node : nodes_)
@@ -287,22 +261,16 @@ namespace stiction
     nodes_ = std::move(facing);
   }
 
-
-
-  void
-  ContactSurface::number_nodes()
+  void ContactSurface::number_nodes()
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
     B_                = ContactOperator(DofSubset::of_nodes(first_dofs(nodes_)),
-                         {nodes_.begin(), nodes_.end()});
+                                        {nodes_.begin(), nodes_.end()});
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs(facing_away_));
   }
 
-
-
-  void
-  ContactSurface::evaluate_data()
+  void ContactSurface::evaluate_data()
   {
     areas_.resize(n_nodes());
     stiffness_.youngs_moduli.resize(n_nodes());
@@ -320,15 +288,12 @@ namespace stiction
         coefficient(i)              = node.coefficient;
         is_coulomb = is_coulomb || boundary.law() == FrictionLaw::coulomb;
       }
-    slip_bound_ = is_coulomb ? qp::SlipBound::mixed(std::move(constant),
-                                                    std::move(coefficient))
-                             : qp::SlipBound::given(std::move(constant));
+    slip_bound_ = is_coulomb
+                    ? qp::SlipBound::mixed(std::move(constant), std::move(coefficient))
+                    : qp::SlipBound::given(std::move(constant));
   }
 
-
-
-  void
-  ContactSurface::displace_obstacles(const Parameters &parameters)
+  void ContactSurface::displace_obstacles(const Parameters &parameters)
   {
     // of those with a force, the column; of the others none
     std::vector<Eigen::Index> column(boundaries_.size(), -1);
@@ -346,10 +311,9 @@ namespace stiction
     Eigen::MatrixXd directions =
       Eigen::MatrixXd::Zero(3 * n_nodes(), pressing_forces_.size());
     std::vector<double> largest_approach(boundaries_.size(), 0.);
-    const auto seen_from = [](const ContactNode &node,
-                              const Tensor<1, 3> &displacement) {
-      Eigen::Vector3d local = node.displacement_to_local(
-        {displacement[0], displacement[1], displacement[2]});
+    const auto seen_from = [](const ContactNode &node, const Tensor<1, 3> &displacement) {
+      Eigen::Vector3d local =
+        node.displacement_to_local({displacement[0], displacement[1], displacement[2]});
       local(0) = node.gap_growth * displacement;
       return local;
     };
@@ -357,12 +321,11 @@ namespace stiction
       {
         const ContactNode &node         = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
-        Eigen::Vector3d e = seen_from(node, boundary.displacement());
+        Eigen::Vector3d e               = seen_from(node, boundary.displacement());
         e(0) += node.gap;
         if (e(0) < -boundary.body_size())
           throw InputError(
-            parameters.source.describe(
-              "Boundary conditions/Obstacle displacement") +
+            parameters.source.describe("Boundary conditions/Obstacle displacement") +
             ", moves the obstacle of boundary '" + boundary.name() +
             "' into the body by more than the body is large, must be small "
             "like the displacements of the body.");
@@ -381,8 +344,7 @@ namespace stiction
       if (column[b] >= 0 && largest_approach[b] < least_approach)
         throw InputError(
           parameters.source.describe("Boundary conditions/Obstacle force") +
-          ", does not press the obstacle of boundary '" +
-          boundaries_[b].name() +
+          ", does not press the obstacle of boundary '" + boundaries_[b].name() +
           "' against the body, must point from the obstacle into the body.");
     motion_ = ObstacleMotion(std::move(offset), std::move(directions));
   }

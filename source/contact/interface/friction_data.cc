@@ -23,36 +23,23 @@ namespace stiction
     constexpr double largest_ratio = 100.;
   } // namespace
 
-
-
-  FrictionData::Values::Values(const ParameterFile &source,
-                               const std::string &entry,
-                               const std::string &expression,
-                               const double time)
+  FrictionData::Values::Values(const ParameterFile &source, const std::string &entry,
+                               const std::string &expression, const double time)
     : source(source)
     , entry(entry)
   {
-    const auto n_formulas =
-      1 + std::count(expression.begin(), expression.end(), ';');
+    const auto n_formulas = 1 + std::count(expression.begin(), expression.end(), ';');
     if (n_formulas > 2)
       throw InputError(source.describe(entry) +
                        ", must be one formula, or two separated by ';' for "
                        "the two principal directions.");
-    function =
-      std::make_unique<ParsedFunction>(expression,
-                                       static_cast<unsigned int>(n_formulas),
-                                       source.locate(entry),
-                                       time);
+    function = std::make_unique<ParsedFunction>(
+      expression, static_cast<unsigned int>(n_formulas), source.locate(entry), time);
   }
-
-
 
   FrictionData::Values::~Values() = default;
 
-
-
-  std::array<double, 2>
-  FrictionData::Values::at(const Point<3> &p) const
+  std::array<double, 2> FrictionData::Values::at(const Point<3> &p) const
   {
     const bool is_one   = function->n_components == 1;
     const double first  = function->value(p, 0);
@@ -76,36 +63,27 @@ namespace stiction
     return {{first, second}};
   }
 
-
-
-  FrictionData::FrictionData(const FrictionLaw law,
-                             const std::string &coefficient,
+  FrictionData::FrictionData(const FrictionLaw law, const std::string &coefficient,
                              const std::string &slip_stress,
                              const std::string &first_direction,
-                             const ParameterFile &source,
-                             const double time)
+                             const ParameterFile &source, const double time)
     : source_(source)
     , law_(law)
   {
     if (law == FrictionLaw::coulomb)
-      bound_ = std::make_unique<Values>(
-        source, "Friction/Coefficient", coefficient, time);
+      bound_ =
+        std::make_unique<Values>(source, "Friction/Coefficient", coefficient, time);
     if (law == FrictionLaw::given)
-      bound_ = std::make_unique<Values>(
-        source, "Friction/Slip stress", slip_stress, time);
+      bound_ =
+        std::make_unique<Values>(source, "Friction/Slip stress", slip_stress, time);
     if (!Utilities::trim(first_direction).empty())
       first_direction_ = std::make_unique<ParsedFunction>(
         first_direction, 3, source.locate(direction_entry), time);
   }
 
-
-
   FrictionData::~FrictionData() = default;
 
-
-
-  void
-  FrictionData::set(ContactNode &node) const
+  void FrictionData::set(ContactNode &node) const
   {
     if (law_ == FrictionLaw::frictionless)
       return;
@@ -124,8 +102,8 @@ namespace stiction
     if (!radius)
       {
         std::ostringstream message;
-        message << source_.describe(direction_entry) << ", gives ("
-                << *direction << ") at (" << node.position
+        message << source_.describe(direction_entry) << ", gives (" << *direction
+                << ") at (" << node.position
                 << "), must have a part tangential to the contact boundary "
                    "everywhere.";
         throw InputError(message.str());

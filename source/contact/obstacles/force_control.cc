@@ -40,8 +40,6 @@ namespace stiction
     constexpr double accuracy_of_error = 1e-3;
   } // namespace
 
-
-
   ForceControl::ForceControl(Eigen::VectorXd prescribed, Range range)
     : prescribed_(std::move(prescribed))
     , range_(std::move(range))
@@ -50,10 +48,7 @@ namespace stiction
   {
   }
 
-
-
-  void
-  ForceControl::begin_mesh()
+  void ForceControl::begin_mesh()
   {
     last_.reset();
     before_last_.reset();
@@ -62,18 +57,13 @@ namespace stiction
     last_error_ = error_before_ = infinity;
   }
 
-
-
-  std::string
-  ForceControl::press(const Solve &solve,
-                      const double tolerance,
-                      const double finest_accuracy)
+  std::string ForceControl::press(const Solve &solve, const double tolerance,
+                                  const double finest_accuracy)
   {
     begin_mesh();
     double accuracy = std::max(accuracy_of_error, finest_accuracy);
     double share    = 1.; // of the smallest force in all
-    for (unsigned int trials = 1; trials <= max_trials * prescribed_.size();
-         ++trials)
+    for (unsigned int trials = 1; trials <= max_trials * prescribed_.size(); ++trials)
       {
         const double used     = share;
         const Outcome outcome = solve(used * accuracy);
@@ -90,16 +80,14 @@ namespace stiction
         // and where there is no other force, a little contact may have been
         // taken for none
         const bool is_blurred =
-          (outcome.forces.array() <= 0. && outcome.clearance.array() <= 0.)
-            .any();
+          (outcome.forces.array() <= 0. && outcome.clearance.array() <= 0.).any();
         if (is_blurred && accuracy > finest_accuracy)
           {
             accuracy = std::max(accuracy_of_error * accuracy, finest_accuracy);
             continue;
           }
 
-        const double error =
-          largest_relative_error(outcome.forces, prescribed_);
+        const double error = largest_relative_error(outcome.forces, prescribed_);
         if (error <= tolerance && accuracy <= finest_accuracy)
           return {};
         if (error > tolerance)
@@ -109,18 +97,15 @@ namespace stiction
             if (!reason.empty())
               return reason;
           }
-        accuracy = std::max(std::min(accuracy, accuracy_of_error * error),
-                            finest_accuracy);
+        accuracy =
+          std::max(std::min(accuracy, accuracy_of_error * error), finest_accuracy);
       }
     return "no place of the obstacle was found where it presses with its "
            "force, raise 'Contact solver/Tolerance' if the force is small "
            "beside the others";
   }
 
-
-
-  std::string
-  ForceControl::advance(const Outcome &outcome, const double noise)
+  std::string ForceControl::advance(const Outcome &outcome, const double noise)
   {
     const Eigen::VectorXd next      = place_after(outcome, noise);
     const Eigen::VectorXd new_reach = (next - range_.touch).cwiseAbs();
@@ -133,14 +118,11 @@ namespace stiction
     return {};
   }
 
-
-
-  Eigen::VectorXd
-  ForceControl::place_after(const Outcome &outcome, const double noise)
+  Eigen::VectorXd ForceControl::place_after(const Outcome &outcome, const double noise)
   {
     const Eigen::VectorXd &forces = outcome.forces;
     const bool is_one             = forces.size() == 1;
-    const auto no_contact = forces.array() <= no_force * prescribed_.array();
+    const auto no_contact         = forces.array() <= no_force * prescribed_.array();
     if (no_contact.any() && (is_one || !last_))
       {
         // as far again beyond the place of contact
@@ -148,8 +130,7 @@ namespace stiction
           outcome.clearance +
           first_reach_.cwiseMax((distances_ - range_.touch).cwiseAbs());
         Eigen::VectorXd next =
-          distances_ +
-          Eigen::VectorXd(no_contact.cast<double>() * onwards.array());
+          distances_ + Eigen::VectorXd(no_contact.cast<double>() * onwards.array());
         if (is_one)
           stay_within_interval(forces(0) - prescribed_(0), noise, next(0));
         return next;
@@ -160,10 +141,7 @@ namespace stiction
                   : places_of_several(forces, noise);
   }
 
-
-
-  Eigen::MatrixXd
-  ForceControl::first_compliance(const Eigen::VectorXd &forces) const
+  Eigen::MatrixXd ForceControl::first_compliance(const Eigen::VectorXd &forces) const
   {
     // the power law through the place of first contact and here
     Eigen::VectorXd compliance(forces.size());
@@ -173,17 +151,13 @@ namespace stiction
           std::max(distances_(j) - range_.touch(j), 1e-3 * range_.reach(j));
         const double ratio = prescribed_(j) / forces(j);
         const double way   = depth * (std::pow(ratio, 1. / exponent) - 1.);
-        compliance(j)      = std::abs(ratio - 1.) > 1e-6
-                               ? way / (prescribed_(j) - forces(j))
-                               : depth / (exponent * forces(j));
+        compliance(j) = std::abs(ratio - 1.) > 1e-6 ? way / (prescribed_(j) - forces(j))
+                                                    : depth / (exponent * forces(j));
       }
     return compliance.asDiagonal();
   }
 
-
-
-  double
-  ForceControl::place_of_one(const double force, const double noise)
+  double ForceControl::place_of_one(const double force, const double noise)
   {
     const double missing = prescribed_(0) - force;
     if (last_ && std::abs(force - last_->forces(0)) > telling_change * noise)
@@ -194,8 +168,8 @@ namespace stiction
       }
     last_ = {distances_, Eigen::VectorXd::Constant(1, force)};
 
-    double step = before_last_ ? interpolate() - distances_(0)
-                               : (*compliance_)(0, 0) * missing;
+    double step =
+      before_last_ ? interpolate() - distances_(0) : (*compliance_)(0, 0) * missing;
     // a force that no longer grows leaves the size of the step open
     const double limit = largest_growth * range_.reach(0);
     if (!std::isfinite(step) || step * missing <= 0.)
@@ -205,19 +179,15 @@ namespace stiction
     return next;
   }
 
-
-
-  Eigen::VectorXd
-  ForceControl::places_of_several(const Eigen::VectorXd &forces,
-                                  const double noise)
+  Eigen::VectorXd ForceControl::places_of_several(const Eigen::VectorXd &forces,
+                                                  const double noise)
   {
     const Eigen::VectorXd error = forces - prescribed_;
     if (last_)
       {
         const double slope = error.dot(line_.direction);
         if (std::abs(slope) > -required_fall_of_error * line_.slope_at_start &&
-            std::abs(slope) >
-              telling_change * noise * line_.direction.cwiseAbs().sum())
+            std::abs(slope) > telling_change * noise * line_.direction.cwiseAbs().sum())
           return last_->distances + line_.next(slope) * line_.direction;
 
         const Eigen::VectorXd step   = distances_ - last_->distances;
@@ -227,22 +197,18 @@ namespace stiction
           {
             const auto n = step.size();
             const Eigen::MatrixXd projection =
-              Eigen::MatrixXd::Identity(n, n) -
-              step * change.transpose() / curvature;
+              Eigen::MatrixXd::Identity(n, n) - step * change.transpose() / curvature;
             *compliance_ = projection * *compliance_ * projection.transpose() +
                            step * step.transpose() / curvature;
           }
       }
     last_                     = {distances_, forces};
     Eigen::VectorXd direction = -*compliance_ * error;
-    const double length = direction.cwiseQuotient(largest_growth * range_.reach)
-                            .cwiseAbs()
-                            .maxCoeff();
+    const double length =
+      direction.cwiseQuotient(largest_growth * range_.reach).cwiseAbs().maxCoeff();
     line_ = Line(direction / std::max(length, 1.), error);
     return distances_ + line_.direction;
   }
-
-
 
   ForceControl::Line::Line(Eigen::VectorXd along, const Eigen::VectorXd &error)
     : direction(std::move(along))
@@ -251,10 +217,7 @@ namespace stiction
   {
   }
 
-
-
-  double
-  ForceControl::Line::next(const double slope)
+  double ForceControl::Line::next(const double slope)
   {
     if (slope < 0.)
       {
@@ -269,16 +232,12 @@ namespace stiction
     if (!std::isfinite(above))
       at *= 2.;
     else
-      at = below +
-           (above - below) *
-             std::clamp(slope_below / (slope_below - slope_above), 0.1, 0.9);
+      at = below + (above - below) *
+                     std::clamp(slope_below / (slope_below - slope_above), 0.1, 0.9);
     return at;
   }
 
-
-
-  double
-  ForceControl::interpolate() const
+  double ForceControl::interpolate() const
   {
     const double x1 = before_last_->distances(0), x2 = last_->distances(0);
     const double f1 = before_last_->forces(0), f2 = last_->forces(0);
@@ -288,25 +247,20 @@ namespace stiction
       {
         const double power = std::log(f2 / f1) / std::log(depth2 / depth1);
         if (power > least_power && power < largest_power)
-          return range_.touch(0) +
-                 depth2 * std::pow(prescribed_(0) / f2, 1. / power);
+          return range_.touch(0) + depth2 * std::pow(prescribed_(0) / f2, 1. / power);
       }
     return x2 + (prescribed_(0) - f2) / slope;
   }
 
-
-
-  void
-  ForceControl::stay_within_interval(const double error,
-                                     const double noise,
-                                     double &next)
+  void ForceControl::stay_within_interval(const double error, const double noise,
+                                          double &next)
   {
     if (error < -noise)
       too_far_ = std::max(too_far_, distances_(0));
     if (error > noise)
       too_near_ = std::min(too_near_, distances_(0));
-    const bool is_slow = std::abs(error) > 0.5 * error_before_ &&
-                         std::abs(error) > telling_change * noise;
+    const bool is_slow =
+      std::abs(error) > 0.5 * error_before_ && std::abs(error) > telling_change * noise;
     error_before_ = last_error_;
     last_error_   = std::abs(error);
     if (std::isfinite(too_far_) && std::isfinite(too_near_))
@@ -315,19 +269,12 @@ namespace stiction
           next = 0.5 * (too_far_ + too_near_);
       }
     else if (is_slow)
-      next = distances_(0) +
-             (error < 0. ? 1. : -1.) * largest_growth * range_.reach(0);
+      next = distances_(0) + (error < 0. ? 1. : -1.) * largest_growth * range_.reach(0);
   }
 
-
-
-  double
-  largest_relative_error(const Eigen::VectorXd &forces,
-                         const Eigen::VectorXd &prescribed)
+  double largest_relative_error(const Eigen::VectorXd &forces,
+                                const Eigen::VectorXd &prescribed)
   {
-    return (forces - prescribed)
-      .cwiseQuotient(prescribed)
-      .cwiseAbs()
-      .maxCoeff();
+    return (forces - prescribed).cwiseQuotient(prescribed).cwiseAbs().maxCoeff();
   }
 } // namespace stiction

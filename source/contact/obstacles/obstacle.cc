@@ -21,17 +21,14 @@ namespace stiction
     class ObstacleFormula : public Obstacle
     {
     public:
-      ObstacleFormula(const std::string &formula,
-                      const std::string &location,
-                      const double size,
-                      const double time)
+      ObstacleFormula(const std::string &formula, const std::string &location,
+                      const double size, const double time)
         : psi_(formula, 1, location, time)
         , step_(relative_step * size)
       {
       }
 
-      Value
-      at(const Point<3> &p) const override
+      Value at(const Point<3> &p) const override
       {
         Value value;
         value.psi = psi_.value(p);
@@ -60,14 +57,9 @@ namespace stiction
     };
   } // namespace
 
-
-
-  std::unique_ptr<Obstacle>
-  Obstacle::read(const std::string &text,
-                 const std::string &location,
-                 const double size,
-                 const double time,
-                 MPI_Comm communicator)
+  std::unique_ptr<Obstacle> Obstacle::read(const std::string &text,
+                                           const std::string &location, const double size,
+                                           const double time, MPI_Comm communicator)
   {
     const std::size_t colon = text.find(':');
     const std::string name  = trim(text.substr(0, colon));
@@ -84,21 +76,14 @@ namespace stiction
         throw_on_all_ranks(communicator, [&]() { surface = read_stl(data, entry); });
         return std::make_unique<ObstacleSurface>(std::move(surface));
       }
-    auto shape =
-      has_data ? make_obstacle_shape(name, data, location, time) : nullptr;
+    auto shape = has_data ? make_obstacle_shape(name, data, location, time) : nullptr;
     if (!shape)
       throw InputError(entry +
                        ", must be 'foundation' or begin with 'plane :', "
                        "'sphere :', 'cylinder :', 'paraboloid :', 'formula :' "
                        "or 'file :'" +
-                       did_you_mean(name,
-                                    {"foundation",
-                                     "plane",
-                                     "sphere",
-                                     "cylinder",
-                                     "paraboloid",
-                                     "formula",
-                                     "file"}) +
+                       did_you_mean(name, {"foundation", "plane", "sphere", "cylinder",
+                                           "paraboloid", "formula", "file"}) +
                        ".");
     return shape;
   }

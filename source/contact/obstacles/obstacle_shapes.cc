@@ -24,8 +24,7 @@ namespace stiction
       {
       }
 
-      Value
-      at(const Point<3> &p) const override
+      Value at(const Point<3> &p) const override
       {
         return {(p - point_) * normal_, normal_};
       }
@@ -34,8 +33,6 @@ namespace stiction
       const Point<3> point_;
       const Tensor<1, 3> normal_;
     };
-
-
 
     // The distance R from a point or, with an axis, from a line.
     class Round : public Obstacle
@@ -48,8 +45,7 @@ namespace stiction
       {
       }
 
-      Value
-      at(const Point<3> &p) const override
+      Value at(const Point<3> &p) const override
       {
         Tensor<1, 3> v = p - centre_;
         v -= (v * axis_) * axis_;
@@ -64,8 +60,6 @@ namespace stiction
       const double R_;
     };
 
-
-
     class Paraboloid : public Obstacle
     {
     public:
@@ -76,8 +70,7 @@ namespace stiction
       {
       }
 
-      Value
-      at(const Point<3> &p) const override
+      Value at(const Point<3> &p) const override
       {
         const Tensor<1, 3> v = p - apex_;
         const double s       = v * axis_;
@@ -93,19 +86,16 @@ namespace stiction
 
   } // namespace
 
-
-
-  std::unique_ptr<Obstacle>
-  make_obstacle_shape(const std::string &name,
-                      const std::string &numbers,
-                      const std::string &location,
-                      const double time)
+  std::unique_ptr<Obstacle> make_obstacle_shape(const std::string &name,
+                                                const std::string &numbers,
+                                                const std::string &location,
+                                                const double time)
   {
-    static const std::map<std::string, std::pair<unsigned int, std::string>>
-      forms         = {{"plane", {6, "px; py; pz; nx; ny; nz"}},
-                       {"sphere", {4, "cx; cy; cz; R"}},
-                       {"cylinder", {7, "px; py; pz; ax; ay; az; R"}},
-                       {"paraboloid", {7, "px; py; pz; ax; ay; az; R"}}};
+    static const std::map<std::string, std::pair<unsigned int, std::string>> forms = {
+      {"plane", {6, "px; py; pz; nx; ny; nz"}},
+      {"sphere", {4, "cx; cy; cz; R"}},
+      {"cylinder", {7, "px; py; pz; ax; ay; az; R"}},
+      {"paraboloid", {7, "px; py; pz; ax; ay; az; R"}}};
     const auto form = forms.find(name);
     if (form == forms.end())
       return nullptr;
@@ -116,8 +106,8 @@ namespace stiction
     for (const char c : numbers)
       n_given += c == ';' ? 1 : 0;
     if (n_given != n)
-      throw InputError(entry + ", must read '" + name + " : " +
-                       form->second.second + "'.");
+      throw InputError(entry + ", must read '" + name + " : " + form->second.second +
+                       "'.");
     const std::vector<double> v = read_numbers(numbers, n, location, time);
 
     const Point<3> point(v[0], v[1], v[2]);
@@ -127,8 +117,7 @@ namespace stiction
         for (unsigned int c = 0; c < 3; ++c)
           direction[c] = v[3 + c];
         if (!(direction.norm() > 1e-30))
-          throw InputError(entry + ", its " +
-                           (name == "plane" ? "normal" : "axis") +
+          throw InputError(entry + ", its " + (name == "plane" ? "normal" : "axis") +
                            " must not be zero.");
         direction /= direction.norm();
       }

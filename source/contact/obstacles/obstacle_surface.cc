@@ -26,16 +26,14 @@ namespace stiction
       unsigned int feature;
     };
 
-    Nearest
-    nearest_on_triangle(const std::array<Point<3>, 3> &v, const Point<3> &p)
+    Nearest nearest_on_triangle(const std::array<Point<3>, 3> &v, const Point<3> &p)
     {
       const Tensor<1, 3> n = cross_product_3d(v[1] - v[0], v[2] - v[0]);
       const Tensor<1, 3> h = p - v[0];
       bool is_above        = true;
       for (unsigned int k = 0; k < 3; ++k)
         is_above =
-          is_above &&
-          cross_product_3d(n, v[(k + 1) % 3] - v[k]) * (p - v[k]) >= 0.;
+          is_above && cross_product_3d(n, v[(k + 1) % 3] - v[k]) * (p - v[k]) >= 0.;
       if (is_above)
         return {p - (h * n) / n.norm_square() * n, 0};
 
@@ -45,10 +43,9 @@ namespace stiction
         {
           const Tensor<1, 3> edge = v[(k + 1) % 3] - v[k];
           const double s          = (p - v[k]) * edge / edge.norm_square();
-          const Nearest here      = s <= 0. ? Nearest{v[k], 4 + k}
-                                    : s >= 1.
-                                      ? Nearest{v[(k + 1) % 3], 4 + (k + 1) % 3}
-                                      : Nearest{v[k] + s * edge, 1 + k};
+          const Nearest here      = s <= 0.   ? Nearest{v[k], 4 + k}
+                                    : s >= 1. ? Nearest{v[(k + 1) % 3], 4 + (k + 1) % 3}
+                                              : Nearest{v[k] + s * edge, 1 + k};
           const double distance   = here.point.distance(p);
           if (distance < smallest)
             {
@@ -59,8 +56,6 @@ namespace stiction
       return nearest;
     }
   } // namespace
-
-
 
   struct ObstacleSurface::Data
   {
@@ -73,33 +68,27 @@ namespace stiction
     dealii::RTree<Box> tree;
     double size = 0.;
 
-    std::array<Point<3>, 3>
-    corners(const unsigned int triangle) const
+    std::array<Point<3>, 3> corners(const unsigned int triangle) const
     {
       const auto &t = surface.triangles[triangle];
-      return {{surface.vertices[t[0]],
-               surface.vertices[t[1]],
-               surface.vertices[t[2]]}};
+      return {{surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]}};
     }
 
-    std::pair<unsigned int, unsigned int>
-    edge(const unsigned int triangle, const unsigned int k) const
+    std::pair<unsigned int, unsigned int> edge(const unsigned int triangle,
+                                               const unsigned int k) const
     {
       const auto &t = surface.triangles[triangle];
       return std::minmax({t[k], t[(k + 1) % 3]});
     }
 
-    const Tensor<1, 3> &
-    normal(const unsigned int triangle, const unsigned int feature) const
+    const Tensor<1, 3> &normal(const unsigned int triangle,
+                               const unsigned int feature) const
     {
-      return feature == 0 ? normals[triangle]
-             : feature < 4
-               ? edge_normals.at(edge(triangle, feature - 1))
-               : vertex_normals[surface.triangles[triangle][feature - 4]];
+      return feature == 0  ? normals[triangle]
+             : feature < 4 ? edge_normals.at(edge(triangle, feature - 1))
+                           : vertex_normals[surface.triangles[triangle][feature - 4]];
     }
   };
-
-
 
   ObstacleSurface::ObstacleSurface(TriangulatedSurface surface)
     : data_(std::make_unique<Data>())
@@ -115,10 +104,8 @@ namespace stiction
         data_->normals.push_back(n);
         for (unsigned int k = 0; k < 3; ++k)
           {
-            const Tensor<1, 3> a = v[(k + 1) % 3] - v[k],
-                               b = v[(k + 2) % 3] - v[k];
-            const double angle =
-              std::atan2(cross_product_3d(a, b).norm(), a * b);
+            const Tensor<1, 3> a = v[(k + 1) % 3] - v[k], b = v[(k + 2) % 3] - v[k];
+            const double angle = std::atan2(cross_product_3d(a, b).norm(), a * b);
             data_->vertex_normals[data_->surface.triangles[i][k]] += angle * n;
             data_->edge_normals[data_->edge(i, k)] += n;
           }
@@ -131,22 +118,14 @@ namespace stiction
     data_->size = corners.first.distance(corners.second);
   }
 
-
-
   ObstacleSurface::~ObstacleSurface() = default;
 
-
-
-  const TriangulatedSurface *
-  ObstacleSurface::triangles() const
+  const TriangulatedSurface *ObstacleSurface::triangles() const
   {
     return &data_->surface;
   }
 
-
-
-  Obstacle::Value
-  ObstacleSurface::at(const Point<3> &p) const
+  Obstacle::Value ObstacleSurface::at(const Point<3> &p) const
   {
     namespace bgi = boost::geometry::index;
 
@@ -160,8 +139,7 @@ namespace stiction
          boost::geometry::distance(p, box->first) <= distance;
          ++box)
       {
-        const Nearest here =
-          nearest_on_triangle(data_->corners(box->second), p);
+        const Nearest here         = nearest_on_triangle(data_->corners(box->second), p);
         const double here_distance = here.point.distance(p);
         if (here_distance < distance)
           {

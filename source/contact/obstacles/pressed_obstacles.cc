@@ -11,22 +11,16 @@ namespace stiction
   {
     // How far obstacle j has to go until it meets the node, were nothing to
     // move; infinite if it never does.
-    double
-    way_to(const Eigen::MatrixXd &directions,
-           const Eigen::VectorXd &gaps,
-           const Eigen::Index node,
-           const Eigen::Index j)
+    double way_to(const Eigen::MatrixXd &directions, const Eigen::VectorXd &gaps,
+                  const Eigen::Index node, const Eigen::Index j)
     {
       const double approach = -directions(node, j);
-      return approach > least_approach
-               ? gaps(node) / approach
-               : std::numeric_limits<double>::infinity();
+      return approach > least_approach ? gaps(node) / approach
+                                       : std::numeric_limits<double>::infinity();
     }
 
-    double
-    shortest_way(const Eigen::MatrixXd &directions,
-                 const Eigen::VectorXd &gaps,
-                 const Eigen::Index j)
+    double shortest_way(const Eigen::MatrixXd &directions, const Eigen::VectorXd &gaps,
+                        const Eigen::Index j)
     {
       double shortest = std::numeric_limits<double>::infinity();
       for (Eigen::Index i = 0; i < directions.rows() / 3; ++i)
@@ -35,14 +29,10 @@ namespace stiction
     }
   } // namespace
 
-
-
-  ForceControl::Range
-  range_of_search(const ObstacleMotion &motion,
-                  const Eigen::VectorXd &areas,
-                  const Eigen::VectorXd &forces,
-                  const double youngs_modulus,
-                  const double body_size)
+  ForceControl::Range range_of_search(const ObstacleMotion &motion,
+                                      const Eigen::VectorXd &areas,
+                                      const Eigen::VectorXd &forces,
+                                      const double youngs_modulus, const double body_size)
   {
     const Eigen::MatrixXd &directions = motion.directions();
     const Eigen::VectorXd gaps        = motion.offset().head(areas.size());
@@ -71,13 +61,10 @@ namespace stiction
     return range;
   }
 
-
-
-  ForceControl::Outcome
-  outcome_of(const Eigen::MatrixXd &directions,
-             const Eigen::VectorXd &lambda,
-             const Eigen::VectorXd &gradient,
-             const double force_scale)
+  ForceControl::Outcome outcome_of(const Eigen::MatrixXd &directions,
+                                   const Eigen::VectorXd &lambda,
+                                   const Eigen::VectorXd &gradient,
+                                   const double force_scale)
   {
     ForceControl::Outcome outcome;
     outcome.forces      = -directions.transpose() * lambda;
@@ -85,8 +72,7 @@ namespace stiction
     outcome.clearance   = Eigen::VectorXd::Zero(directions.cols());
 
     for (Eigen::Index j = 0; j < directions.cols(); ++j)
-      outcome.clearance(j) =
-        std::max(shortest_way(directions, gradient, j), 0.);
+      outcome.clearance(j) = std::max(shortest_way(directions, gradient, j), 0.);
     return outcome;
   }
 } // namespace stiction

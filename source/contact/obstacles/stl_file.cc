@@ -20,8 +20,7 @@ namespace stiction
 
     constexpr std::size_t header_size = 84, record_size = 50;
 
-    bool
-    is_binary(const std::string &content)
+    bool is_binary(const std::string &content)
     {
       if (content.size() < header_size)
         return false;
@@ -30,8 +29,7 @@ namespace stiction
       return content.size() == header_size + record_size * std::size_t(n);
     }
 
-    Corners
-    read_binary(const std::string &content)
+    Corners read_binary(const std::string &content)
     {
       Corners corners;
       for (std::size_t at = header_size; at < content.size(); at += record_size)
@@ -45,8 +43,7 @@ namespace stiction
     }
 
     // Throws the reason.
-    Corners
-    read_text(const std::string &content)
+    Corners read_text(const std::string &content)
     {
       std::istringstream in(content);
       std::string line, word;
@@ -78,8 +75,7 @@ namespace stiction
       return corners;
     }
 
-    Corners
-    read_corners(const std::string &content)
+    Corners read_corners(const std::string &content)
     {
       if (content.empty())
         throw InputError("is empty");
@@ -92,10 +88,7 @@ namespace stiction
     }
   } // namespace
 
-
-
-  TriangulatedSurface
-  read_stl(const std::string &file, const std::string &description)
+  TriangulatedSurface read_stl(const std::string &file, const std::string &description)
   {
     std::ifstream in(file, std::ios::binary);
     std::string content;
@@ -103,8 +96,7 @@ namespace stiction
     if (in && (in.peek(), !in.bad()))
       content.assign(std::istreambuf_iterator<char>(in), {});
     if (in.bad() || !in.is_open())
-      throw InputError(description +
-                       ", the file cannot be read, must be an STL file.");
+      throw InputError(description + ", the file cannot be read, must be an STL file.");
 
     Corners corners;
     try
@@ -122,19 +114,17 @@ namespace stiction
     const auto vertex = [&](const Point<3> &p) {
       for (unsigned int c = 0; c < 3; ++c)
         if (!(std::abs(p[c]) <= 1e30))
-          throw InputError(description +
-                           ", the file has a vertex that is no point, must "
-                           "have finite coordinates of at most 1e30.");
-      const auto place = places.emplace(
-        std::array<double, 3>{{p[0], p[1], p[2]}}, surface.vertices.size());
+          throw InputError(description + ", the file has a vertex that is no point, must "
+                                         "have finite coordinates of at most 1e30.");
+      const auto place = places.emplace(std::array<double, 3>{{p[0], p[1], p[2]}},
+                                        surface.vertices.size());
       if (place.second)
         surface.vertices.push_back(p);
       return place.first->second;
     };
     for (std::size_t t = 0; t < corners.size(); t += 3)
       {
-        const Point<3> &a = corners[t], &b = corners[t + 1],
-                       &c  = corners[t + 2];
+        const Point<3> &a = corners[t], &b = corners[t + 1], &c = corners[t + 2];
         const double area2 = dealii::cross_product_3d(b - a, c - a).norm();
         if (area2 > 1e-12 * (b - a).norm() * (c - a).norm())
           surface.triangles.push_back({{vertex(a), vertex(b), vertex(c)}});
@@ -143,9 +133,8 @@ namespace stiction
             vertex(*p); // refused if it is no point
       }
     if (surface.triangles.empty())
-      throw InputError(description +
-                       ", the file has no triangle with an area, must have "
-                       "one at least.");
+      throw InputError(description + ", the file has no triangle with an area, must have "
+                                     "one at least.");
     return surface;
   }
 } // namespace stiction

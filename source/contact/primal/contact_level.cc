@@ -29,15 +29,13 @@ namespace stiction
 
     // Σ‖v_j‖ over chosen components of the owned nodes of all ranks.
     template<typename Components>
-    double
-    sum_of_norms(const LA::Vector &v, const Components &chosen)
+    double sum_of_norms(const LA::Vector &v, const Components &chosen)
     {
       double sum               = 0.;
       const double *const data = v.begin();
       for (std::size_t i = 0; i < v.locally_owned_size() / 3; ++i)
         if (chosen(i) == all_components)
-          sum += std::sqrt(data[3 * i] * data[3 * i] +
-                           data[3 * i + 1] * data[3 * i + 1] +
+          sum += std::sqrt(data[3 * i] * data[3 * i] + data[3 * i + 1] * data[3 * i + 1] +
                            data[3 * i + 2] * data[3 * i + 2]);
         else if (chosen(i) != 0)
           {
@@ -50,8 +48,6 @@ namespace stiction
       return Utilities::MPI::sum(sum, v.get_mpi_communicator());
     }
   } // namespace
-
-
 
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
                              const ContactSurface &surface)
@@ -71,23 +67,19 @@ namespace stiction
           prescribed_.push_back(elasticity.prescribed_value(dof));
         }
     find_inner_nodes();
-    load_sum_ =
-      sum_of_norms(*load_, [](std::size_t) { return all_components; });
+    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
-
-
 
   ContactLevel::ContactLevel(const ContactLevel &finer,
                              const LinearElasticity &elasticity,
                              const MeshHierarchy &hierarchy,
                              const DofSubsetHierarchy &trace_hierarchy,
                              const unsigned int level)
-    : own_stiffness_(
-        std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
-                                                    elasticity.materials()))
+    : own_stiffness_(std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
+                                                                 elasticity.materials()))
     , stiffness_(own_stiffness_.get())
-    , own_load_(std::make_unique<LA::Vector>(
-        hierarchy.level(level).zero_vector<double>()))
+    , own_load_(
+        std::make_unique<LA::Vector>(hierarchy.level(level).zero_vector<double>()))
     , load_(own_load_.get())
     , boundary_area_(finer.boundary_area_)
   {
@@ -113,9 +105,9 @@ namespace stiction
           prescribed_.push_back(coarse_values.local_element(k));
         }
 
-    const auto &on_finer  = trace_hierarchy.on_finer_level(level);
-    const auto &weights   = trace_hierarchy.prolongation(level + 1);
-    const auto n_vertices = static_cast<Eigen::Index>(on_finer.size());
+    const auto &on_finer                    = trace_hierarchy.on_finer_level(level);
+    const auto &weights                     = trace_hierarchy.prolongation(level + 1);
+    const auto n_vertices                   = static_cast<Eigen::Index>(on_finer.size());
     const Eigen::VectorXd finer_offset      = finer.motion_.offset_at_start();
     const Eigen::MatrixXd &finer_directions = finer.motion_.directions();
     Eigen::VectorXd offset(3 * n_vertices);
@@ -128,8 +120,8 @@ namespace stiction
       {
         for (Eigen::Index c = 0; c < 3; ++c)
           {
-            const Eigen::Index k       = on_finer[j] + c * finer.n_nodes();
-            offset(j + c * n_vertices) = finer_offset(k);
+            const Eigen::Index k               = on_finer[j] + c * finer.n_nodes();
+            offset(j + c * n_vertices)         = finer_offset(k);
             directions.row(j + c * n_vertices) = finer_directions.row(k);
           }
 
@@ -138,36 +130,26 @@ namespace stiction
           finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
         frames.push_back(finer.B_.frames()[on_finer[j]]);
       }
-    B_ = ContactOperator(DofSubset::of_nodes(trace_hierarchy.first_dofs(level)),
-                         std::move(frames));
+    B_      = ContactOperator(DofSubset::of_nodes(trace_hierarchy.first_dofs(level)),
+                              std::move(frames));
     motion_ = ObstacleMotion(std::move(offset), std::move(directions));
     areas_  = weights.transpose() * finer.areas_;
-    const Eigen::VectorXd constant =
-      weights.transpose() * finer.slip_bound_.constant();
-    slip_bound_ = finer.slip_bound_.is_coulomb()
-                    ? qp::SlipBound::mixed(constant, coefficient)
-                    : qp::SlipBound::given(constant);
+    const Eigen::VectorXd constant = weights.transpose() * finer.slip_bound_.constant();
+    slip_bound_                    = finer.slip_bound_.is_coulomb()
+                                       ? qp::SlipBound::mixed(constant, coefficient)
+                                       : qp::SlipBound::given(constant);
     find_inner_nodes();
-    load_sum_ =
-      sum_of_norms(*load_, [](std::size_t) { return all_components; });
+    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
-
-
 
   ContactLevel::~ContactLevel() = default;
 
-
-
-  const MeshLevel &
-  ContactLevel::mesh() const
+  const MeshLevel &ContactLevel::mesh() const
   {
     return stiffness_->level();
   }
 
-
-
-  void
-  ContactLevel::find_inner_nodes()
+  void ContactLevel::find_inner_nodes()
   {
     free_components_.assign(mesh().n_owned_nodes(), all_components);
     for (const unsigned int k : fixed_)
@@ -177,28 +159,19 @@ namespace stiction
         free_components_[mesh().local_node(B_.dofs().dofs()[i])] = 0;
   }
 
-
-
-  void
-  ContactLevel::prescribe(LA::Vector &u) const
+  void ContactLevel::prescribe(LA::Vector &u) const
   {
     for (std::size_t k = 0; k < fixed_.size(); ++k)
       u.local_element(fixed_[k]) = prescribed_[k];
   }
 
-
-
-  void
-  ContactLevel::clear_prescribed(LA::Vector &v) const
+  void ContactLevel::clear_prescribed(LA::Vector &v) const
   {
     for (const unsigned int k : fixed_)
       v.local_element(k) = 0.;
   }
 
-
-
-  std::vector<double>
-  ContactLevel::prescribed_entries(const LA::Vector &v) const
+  std::vector<double> ContactLevel::prescribed_entries(const LA::Vector &v) const
   {
     std::vector<double> entries;
     entries.reserve(fixed_.size());
@@ -207,31 +180,22 @@ namespace stiction
     return entries;
   }
 
-
-
-  void
-  ContactLevel::set_prescribed_entries(const std::vector<double> &entries,
-                                       LA::Vector &v) const
+  void ContactLevel::set_prescribed_entries(const std::vector<double> &entries,
+                                            LA::Vector &v) const
   {
     for (std::size_t k = 0; k < fixed_.size(); ++k)
       v.local_element(fixed_[k]) = entries[k];
   }
 
-
-
-  void
-  ContactLevel::add_prescribed_entries(const double factor,
-                                       const std::vector<double> &entries,
-                                       LA::Vector &v) const
+  void ContactLevel::add_prescribed_entries(const double factor,
+                                            const std::vector<double> &entries,
+                                            LA::Vector &v) const
   {
     for (std::size_t k = 0; k < fixed_.size(); ++k)
       v.local_element(fixed_[k]) += factor * entries[k];
   }
 
-
-
-  Eigen::VectorXd
-  ContactLevel::nodal_stiffness() const
+  Eigen::VectorXd ContactLevel::nodal_stiffness() const
   {
     Eigen::VectorXd stiffness =
       stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_.cwiseSqrt());
@@ -240,40 +204,28 @@ namespace stiction
     return stiffness;
   }
 
-
-
-  Eigen::VectorXd
-  ContactLevel::penetration_and_slip(const LA::Vector &u) const
+  Eigen::VectorXd ContactLevel::penetration_and_slip(const LA::Vector &u) const
   {
     return B_.apply(u) - motion_.offset();
   }
 
-
-
-  NodalConstraint
-  ContactLevel::support(const Eigen::Index node,
-                        const Eigen::Matrix3d &projection,
-                        const Eigen::Matrix3d &spring) const
+  NodalConstraint ContactLevel::support(const Eigen::Index node,
+                                        const Eigen::Matrix3d &projection,
+                                        const Eigen::Matrix3d &spring) const
   {
-    const ContactFrame &frame = B_.frames()[node];
-    const Eigen::Matrix3d R   = frame.axes();
-    const Eigen::Vector3d is_free =
-      (frame.scales().array() > 0.).matrix().cast<double>();
-    const Eigen::Matrix3d M = frame.scales().asDiagonal() * R;
+    const ContactFrame &frame     = B_.frames()[node];
+    const Eigen::Matrix3d R       = frame.axes();
+    const Eigen::Vector3d is_free = (frame.scales().array() > 0.).matrix().cast<double>();
+    const Eigen::Matrix3d M       = frame.scales().asDiagonal() * R;
 
     NodalConstraint support;
-    support.projection =
-      R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
-    support.spring = M.transpose() * spring * M;
+    support.projection = R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
+    support.spring     = M.transpose() * spring * M;
     return support;
   }
 
-
-
-  ContactLevel::Scales
-  ContactLevel::scales(const LA::Vector &u,
-                       const LA::Vector &R,
-                       const Eigen::VectorXd &lambda) const
+  ContactLevel::Scales ContactLevel::scales(const LA::Vector &u, const LA::Vector &R,
+                                            const Eigen::VectorXd &lambda) const
   {
     // a prescribed node may be prescribed in some components only
     double reactions = 0.;
@@ -287,8 +239,7 @@ namespace stiction
       }
     double energy = 0.; // uᵀKu = uᵀ(f − R)
     for (unsigned int k = 0; k < u.locally_owned_size(); ++k)
-      energy +=
-        u.local_element(k) * (load_->local_element(k) - R.local_element(k));
+      energy += u.local_element(k) * (load_->local_element(k) - R.local_element(k));
     std::array<double, 2> sums{{reactions, energy}};
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         u.get_mpi_communicator(),
@@ -296,20 +247,16 @@ namespace stiction
 
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      contact_forces +=
-        at_node(lambda, i).cwiseProduct(B_.frames()[i].scales()).norm();
+      contact_forces += at_node(lambda, i).cwiseProduct(B_.frames()[i].scales()).norm();
 
     Scales scales;
-    scales.force   = nonzero(std::max({load_sum_, sums[0], contact_forces}));
-    scales.scaling = contact_scaling(
-      scales.force, sums[1], areas_, boundary_area_, stiffness_of_cells_);
+    scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
+    scales.scaling =
+      contact_scaling(scales.force, sums[1], areas_, boundary_area_, stiffness_of_cells_);
     return scales;
   }
 
-
-
-  double
-  ContactLevel::rounding_of_forces(const LA::Vector &u) const
+  double ContactLevel::rounding_of_forces(const LA::Vector &u) const
   {
     const std::vector<double> blocks = stiffness().diagonal_blocks();
     LA::Vector forces                = u;
@@ -318,12 +265,8 @@ namespace stiction
     return sum_of_norms(forces, [](std::size_t) { return all_components; });
   }
 
-
-
-  double
-  ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
+  double ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
   {
-    return sum_of_norms(
-      v, [&](const std::size_t i) { return free_components_[i]; });
+    return sum_of_norms(v, [&](const std::size_t i) { return free_components_[i]; });
   }
 } // namespace stiction

@@ -15,10 +15,7 @@ namespace stiction
   {
   }
 
-
-
-  void
-  ContactState::update(const ContactLevel &problem)
+  void ContactState::update(const ContactLevel &problem)
   {
     problem.stiffness().vmult(R, u);
     R.sadd(-1., 1., problem.load());
@@ -26,37 +23,23 @@ namespace stiction
     w      = problem.penetration_and_slip(u);
   }
 
-
-
-  ContactResidual::ContactResidual(const ContactLevel &problem,
-                                   const ContactState &state,
+  ContactResidual::ContactResidual(const ContactLevel &problem, const ContactState &state,
                                    const qp::SlipBound &slip_bound)
-    : ContactResidual(problem,
-                      state,
-                      slip_bound,
+    : ContactResidual(problem, state, slip_bound,
                       problem.scales(state.u, state.R, state.lambda))
   {
   }
 
-
-
-  ContactResidual::ContactResidual(const ContactLevel &problem,
-                                   const ContactState &state,
+  ContactResidual::ContactResidual(const ContactLevel &problem, const ContactState &state,
                                    const qp::SlipBound &slip_bound,
                                    const ContactLevel::Scales &scales)
     : force_scale(scales.force)
-    , conditions(state.lambda,
-                 -state.w,
-                 slip_bound.at(state.lambda),
-                 scales.scaling)
+    , conditions(state.lambda, -state.w, slip_bound.at(state.lambda), scales.scaling)
     , equilibrium(problem.sum_of_norms_inside(state.R) / scales.force)
   {
   }
 
-
-
-  double
-  ContactResidual::value() const
+  double ContactResidual::value() const
   {
     double largest = equilibrium;
     for (const auto &figure : conditions.deciding_figures())
@@ -65,7 +48,6 @@ namespace stiction
           return std::numeric_limits<double>::infinity();
         largest = std::max(largest, figure.second);
       }
-    return std::isfinite(largest) ? largest
-                                  : std::numeric_limits<double>::infinity();
+    return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
   }
 } // namespace stiction

@@ -41,10 +41,7 @@ namespace stiction
     constexpr unsigned int max_approximations = 4;
   } // namespace
 
-
-
-  LevelNewton::LevelNewton(const ContactLevel &problem,
-                           const unsigned int level,
+  LevelNewton::LevelNewton(const ContactLevel &problem, const unsigned int level,
                            StiffnessPreconditioner &preconditioner,
                            const Options &options)
     : problem_(problem)
@@ -56,14 +53,9 @@ namespace stiction
   {
   }
 
-
-
-  std::string
-  LevelNewton::solve(ContactState &state,
-                     Eigen::VectorXd lambda,
-                     const double tolerance,
-                     const unsigned int max_steps,
-                     const Observer &observer)
+  std::string LevelNewton::solve(ContactState &state, Eigen::VectorXd lambda,
+                                 const double tolerance, const unsigned int max_steps,
+                                 const Observer &observer)
   {
     ContactResidual residual(problem_, state, problem_.slip_bound());
     std::deque<double> history;
@@ -79,8 +71,7 @@ namespace stiction
             // what the linear solver carried along is made anew
             state.update(problem_);
             residual = ContactResidual(problem_, state, problem_.slip_bound());
-            if (carries_rounding_only(residual,
-                                      problem_.rounding_of_forces(state.u)))
+            if (carries_rounding_only(residual, problem_.rounding_of_forces(state.u)))
               {
                 drop_contact_forces(state);
                 return {};
@@ -104,8 +95,7 @@ namespace stiction
           return "the iteration broke down: the displacement is no number";
         const bool falls =
           history.size() <= fall_horizon ||
-          history.back() <=
-            required_fall * history[history.size() - 1 - fall_horizon];
+          history.back() <= required_fall * history[history.size() - 1 - fall_horizon];
         if (falls && !options_.only_fallback)
           continue;
 
@@ -128,9 +118,7 @@ namespace stiction
           continue;
         if (statistics_.fallbacks == max_fallbacks || has_hard_systems())
           return why_no_closer();
-        fall_back(state,
-                  residual.value(),
-                  tolerance,
+        fall_back(state, residual.value(), tolerance,
                   max_steps - statistics_.newton_steps);
         residual = ContactResidual(problem_, state, problem_.slip_bound());
         lambda   = state.lambda;
@@ -138,38 +126,26 @@ namespace stiction
       }
   }
 
-
-
-  bool
-  LevelNewton::carries_rounding_only(const ContactResidual &residual,
-                                     const double rounding) const
+  bool LevelNewton::carries_rounding_only(const ContactResidual &residual,
+                                          const double rounding) const
   {
     return residual.force_scale < only_rounding * rounding &&
            problem_.slip_bound().constant().isZero(0.);
   }
 
-
-
-  void
-  LevelNewton::drop_contact_forces(ContactState &state) const
+  void LevelNewton::drop_contact_forces(ContactState &state) const
   {
     state.update(problem_);
     state.lambda.setZero();
   }
 
-
-
-  bool
-  LevelNewton::has_hard_systems() const
+  bool LevelNewton::has_hard_systems() const
   {
     return system_.n_unfinished() > 0 && !preconditioner_.is_direct(level_) &&
            2 * system_.n_unfinished() >= statistics_.newton_steps;
   }
 
-
-
-  std::string
-  LevelNewton::why_no_closer() const
+  std::string LevelNewton::why_no_closer() const
   {
     if (!has_hard_systems())
       return "neither Newton steps nor the method of multipliers come "
@@ -182,16 +158,11 @@ namespace stiction
            options_.other_method;
   }
 
-
-
-  void
-  LevelNewton::step(ContactState &state,
-                    const Eigen::VectorXd &lambda,
-                    const ContactResidual &residual,
-                    const double tolerance)
+  void LevelNewton::step(ContactState &state, const Eigen::VectorXd &lambda,
+                         const ContactResidual &residual, const double tolerance)
   {
-    const PrimalActiveSet linearization(
-      lambda, state.w, c_ * problem_.nodal_stiffness(), problem_.slip_bound());
+    const PrimalActiveSet linearization(lambda, state.w, c_ * problem_.nodal_stiffness(),
+                                        problem_.slip_bound());
     const double force_scale  = residual.force_scale;
     const qp::Scaling scaling = residual.conditions.scaling();
     const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
@@ -204,33 +175,23 @@ namespace stiction
                  largest_at_nodes(now.contact_residual, scaling.force));
       return linear <=
              std::max(linear_part_of_tolerance * tolerance,
-                      linear_part *
-                        qp::natural_residual(
-                          now.lambda, -now.w, problem_.slip_bound(), scaling));
+                      linear_part * qp::natural_residual(now.lambda, -now.w,
+                                                         problem_.slip_bound(), scaling));
     };
-    const unsigned int iterations =
-      system_.solve(state, linearization, is_enough);
+    const unsigned int iterations = system_.solve(state, linearization, is_enough);
     statistics_.krylov_iterations += iterations;
     ++statistics_.newton_steps;
     note_factorization();
   }
 
-
-
-  void
-  LevelNewton::note_factorization()
+  void LevelNewton::note_factorization()
   {
     if (system_.is_factorized() && statistics_.factorized_from == 0)
       statistics_.factorized_from = statistics_.newton_steps + 1;
   }
 
-
-
-  void
-  LevelNewton::fall_back(ContactState &state,
-                         const double residual,
-                         const double tolerance,
-                         const unsigned int max_steps)
+  void LevelNewton::fall_back(ContactState &state, const double residual,
+                              const double tolerance, const unsigned int max_steps)
   {
     // one digit more each time, so that given friction gets there by this alone
     ++statistics_.fallbacks;
@@ -240,16 +201,12 @@ namespace stiction
     for (unsigned int k = 0; k < max_approximations && steps < max_steps; ++k)
       {
         const Eigen::VectorXd bound = problem_.slip_bound().at(state.lambda);
-        const auto effort =
-          multipliers.solve(state,
-                            bound,
-                            target,
-                            std::min(max_fallback_steps, max_steps - steps));
+        const auto effort           = multipliers.solve(
+                    state, bound, target, std::min(max_fallback_steps, max_steps - steps));
         steps += effort.newton_steps;
         statistics_.newton_steps += effort.newton_steps;
         statistics_.krylov_iterations += effort.krylov_iterations;
-        if (ContactResidual(problem_, state, problem_.slip_bound()).value() <=
-            target)
+        if (ContactResidual(problem_, state, problem_.slip_bound()).value() <= target)
           break;
       }
     note_factorization();

@@ -21,8 +21,6 @@ namespace stiction
     constexpr unsigned int max_updates = 300;
   } // namespace
 
-
-
   MethodOfMultipliers::MethodOfMultipliers(const ContactLevel &problem,
                                            NewtonSystem &system)
     : problem_(problem)
@@ -31,24 +29,17 @@ namespace stiction
   {
   }
 
-
-
-  Eigen::VectorXd
-  MethodOfMultipliers::forces(const Eigen::VectorXd &w) const
+  Eigen::VectorXd MethodOfMultipliers::forces(const Eigen::VectorXd &w) const
   {
     Eigen::VectorXd a = multipliers_ + rho_.replicate(3, 1).cwiseProduct(w);
     qp::HalfLinesTimesDiscs(slip_bound_).project(a);
     return a;
   }
 
-
-
-  PrimalActiveSet
-  MethodOfMultipliers::linearize(const Eigen::VectorXd &w) const
+  PrimalActiveSet MethodOfMultipliers::linearize(const Eigen::VectorXd &w) const
   {
-    const Eigen::Index m = rho_.size();
-    const Eigen::VectorXd a =
-      multipliers_ + rho_.replicate(3, 1).cwiseProduct(w);
+    const Eigen::Index m        = rho_.size();
+    const Eigen::VectorXd a     = multipliers_ + rho_.replicate(3, 1).cwiseProduct(w);
     const Eigen::VectorXd force = forces(w);
 
     PrimalActiveSet result(m);
@@ -60,8 +51,7 @@ namespace stiction
         const Eigen::Vector2d a_t(a(i + m), a(i + 2 * m));
         const double norm = a_t.norm();
         if (norm <= slip_bound_(i))
-          node.spring.bottomRightCorner<2, 2>() =
-            rho_(i) * Eigen::Matrix2d::Identity();
+          node.spring.bottomRightCorner<2, 2>() = rho_(i) * Eigen::Matrix2d::Identity();
         else if (slip_bound_(i) > 0.)
           {
             const Eigen::Vector2d across(-a_t(1) / norm, a_t(0) / norm);
@@ -73,11 +63,7 @@ namespace stiction
     return result;
   }
 
-
-
-  bool
-  MethodOfMultipliers::search(ContactState &state,
-                              const ContactState &before) const
+  bool MethodOfMultipliers::search(ContactState &state, const ContactState &before) const
   {
     // along u + α d the derivative of the energy is
     // −R(α)ᵀd + Σ ∇ψ(w + α Bd)·Bd, with R linear in α
@@ -112,13 +98,9 @@ namespace stiction
     return true;
   }
 
-
-
-  MethodOfMultipliers::Effort
-  MethodOfMultipliers::solve(ContactState &state,
-                             const Eigen::VectorXd &slip_bound,
-                             const double tolerance,
-                             const unsigned int max_newton_steps)
+  MethodOfMultipliers::Effort MethodOfMultipliers::solve(
+    ContactState &state, const Eigen::VectorXd &slip_bound, const double tolerance,
+    const unsigned int max_newton_steps)
   {
     Effort effort;
     slip_bound_  = slip_bound;
@@ -127,8 +109,8 @@ namespace stiction
 
     while (effort.newton_steps < max_newton_steps)
       {
-        const ContactResidual residual(
-          problem_, state, qp::SlipBound::given(slip_bound_));
+        const ContactResidual residual(problem_, state,
+                                       qp::SlipBound::given(slip_bound_));
         if (residual.value() <= tolerance)
           break;
         const qp::Scaling &scaling = residual.conditions.scaling();
@@ -136,13 +118,11 @@ namespace stiction
         // what the forces lack to be those of the multipliers and springs,
         // and what these lack to satisfy the conditions
         const Eigen::VectorXd force = forces(state.w);
-        const double imbalance =
-          std::max(residual.equilibrium,
-                   largest_at_nodes(state.lambda - force, scaling.force));
-        const double violation =
-          ContactConditions(force, -state.w, slip_bound_, scaling)
-            .contact_figures()
-            .kkt_residual;
+        const double imbalance      = std::max(
+               residual.equilibrium, largest_at_nodes(state.lambda - force, scaling.force));
+        const double violation = ContactConditions(force, -state.w, slip_bound_, scaling)
+                                   .contact_figures()
+                                   .kkt_residual;
         if (imbalance <= std::max(inner_accuracy * violation, 0.3 * tolerance))
           {
             if (effort.updates == max_updates)
@@ -160,8 +140,8 @@ namespace stiction
         ++effort.newton_steps;
         // near the end the slope is rounding: then the residual decides
         if (!search(state, before) &&
-            ContactResidual(problem_, state, qp::SlipBound::given(slip_bound_))
-                .value() > residual.value())
+            ContactResidual(problem_, state, qp::SlipBound::given(slip_bound_)).value() >
+              residual.value())
           {
             state = before;
             break;

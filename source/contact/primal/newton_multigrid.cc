@@ -18,16 +18,12 @@ namespace stiction
     // tolerance.
     constexpr double force_accuracy = 0.5;
 
-
-    std::vector<dealii::types::global_dof_index>
-    first_dofs(const ContactSurface &surface)
+    std::vector<dealii::types::global_dof_index> first_dofs(const ContactSurface &surface)
     {
       const auto &dofs = surface.B().dofs().dofs();
       return {dofs.begin(), dofs.begin() + surface.n_nodes()};
     }
   } // namespace
-
-
 
   NewtonMultigrid::NewtonMultigrid(const LinearElasticity &elasticity,
                                    const ContactSurface &surface,
@@ -46,13 +42,10 @@ namespace stiction
         *problems_[l], elasticity, hierarchy_, trace_hierarchy_, l - 1);
   }
 
-
-
-  ContactSolution
-  NewtonMultigrid::solve(const double tolerance,
-                         const unsigned int max_steps,
-                         const Observer &observer,
-                         ForceControl *const force_control)
+  ContactSolution NewtonMultigrid::solve(const double tolerance,
+                                         const unsigned int max_steps,
+                                         const Observer &observer,
+                                         ForceControl *const force_control)
   {
     state_ = std::make_unique<ContactState>(*problems_[0]);
     problems_[0]->prescribe(state_->u);
@@ -71,34 +64,29 @@ namespace stiction
 
         const unsigned int iterations = row.iterations;
         row.residual                  = 0.; // that of another problem
-        const auto after_step = [&](const LevelNewton::Statistics &statistics,
+        const auto after_step         = [&](const LevelNewton::Statistics &statistics,
                                     const ContactResidual &residual) {
           statistics_[l] = statistics;
           ++row.step;
-          row.unknowns   = hierarchy_.level(l).n_dofs();
-          row.iterations = iterations + statistics.krylov_iterations;
-          row.contraction =
-            row.residual > 0. ? residual.value() / row.residual : 0.;
+          row.unknowns     = hierarchy_.level(l).n_dofs();
+          row.iterations   = iterations + statistics.krylov_iterations;
+          row.contraction  = row.residual > 0. ? residual.value() / row.residual : 0.;
           row.residual     = residual.value();
           row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
           row.remark =
             statistics.factorized_from == statistics.newton_steps + 1
-              ? "Linear systems take too many iterations (are cells flat, is a "
-                "Poisson ratio near 0.5?): with " +
+                      ? "Linear systems take too many iterations (are cells flat, is a "
+                        "Poisson ratio near 0.5?): with " +
                   std::to_string(row.unknowns) +
                   " unknowns they are factorised from here on."
-              : "";
+                      : "";
           observer(row);
         };
         try
           {
             solution.reason = solve_on_level(
-              l,
-              lambda,
-              is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
-              max_steps - steps,
-              after_step,
-              force_control);
+              l, lambda, is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
+              max_steps - steps, after_step, force_control);
           }
         catch (const Interrupted &)
           {
@@ -112,15 +100,12 @@ namespace stiction
     return solution;
   }
 
-
-
-  std::string
-  NewtonMultigrid::solve_on_level(const unsigned int level,
-                                  const Eigen::VectorXd &lambda,
-                                  const double tolerance,
-                                  const unsigned int max_steps,
-                                  const LevelNewton::Observer &observer,
-                                  ForceControl *const force_control)
+  std::string NewtonMultigrid::solve_on_level(const unsigned int level,
+                                              const Eigen::VectorXd &lambda,
+                                              const double tolerance,
+                                              const unsigned int max_steps,
+                                              const LevelNewton::Observer &observer,
+                                              ForceControl *const force_control)
   {
     ContactLevel &problem = *problems_[level];
     LevelNewton newton(problem, level, multigrid_, options_);
@@ -145,23 +130,17 @@ namespace stiction
           reason.empty() ||
           ContactResidual(problem, *state_, problem.slip_bound()).value() <=
             std::max(accuracy, tolerance);
-        auto outcome = outcome_of(
-          problem.motion().directions(),
-          state_->lambda,
-          -state_->w,
-          problem.scales(state_->u, state_->R, state_->lambda).force);
+        auto outcome =
+          outcome_of(problem.motion().directions(), state_->lambda, -state_->w,
+                     problem.scales(state_->u, state_->R, state_->lambda).force);
         if (!is_solved)
           outcome.reason = reason;
         return outcome;
       },
-      force_accuracy * tolerance,
-      tolerance);
+      force_accuracy * tolerance, tolerance);
   }
 
-
-
-  Eigen::VectorXd
-  NewtonMultigrid::refine(const unsigned int level)
+  Eigen::VectorXd NewtonMultigrid::refine(const unsigned int level)
   {
     const ContactLevel &coarse = *problems_[level - 1];
     const ContactLevel &fine   = *problems_[level];
@@ -169,8 +148,7 @@ namespace stiction
     // tractions are interpolated, forces belong to areas
     const auto &weights  = trace_hierarchy_.prolongation(level);
     const Eigen::Index m = coarse.n_nodes(), n = fine.n_nodes();
-    const Eigen::VectorXd coarse_force =
-      coarse.B().force_to_cartesian(state_->lambda);
+    const Eigen::VectorXd coarse_force = coarse.B().force_to_cartesian(state_->lambda);
     Eigen::VectorXd force(3 * n);
     for (unsigned int c = 0; c < 3; ++c)
       force.segment(c * n, n) = fine.areas().cwiseProduct(
@@ -185,10 +163,7 @@ namespace stiction
     return lambda;
   }
 
-
-
-  StiffnessPreconditioner &
-  NewtonMultigrid::free_preconditioner()
+  StiffnessPreconditioner &NewtonMultigrid::free_preconditioner()
   {
     NodalSupports supports;
     for (Eigen::Index i = 0; i < problems_.back()->n_nodes(); ++i)

@@ -24,36 +24,30 @@ namespace stiction
     using Piece      = Eigen::Map<Eigen::VectorXd>;
     using ConstPiece = Eigen::Map<const Eigen::VectorXd>;
 
-    Eigen::Index
-    piece_size(const std::size_t begin, const std::size_t size)
+    Eigen::Index piece_size(const std::size_t begin, const std::size_t size)
     {
       return static_cast<Eigen::Index>(std::min(block_size, size - begin));
     }
 
     // v_j · v for all j, of this rank.
-    std::vector<double>
-    multiple_dot(const std::vector<const double *> &vectors,
-                 const double *const v,
-                 const std::size_t size)
+    std::vector<double> multiple_dot(const std::vector<const double *> &vectors,
+                                     const double *const v, const std::size_t size)
     {
       std::vector<double> products(vectors.size(), 0.);
       for (std::size_t b = 0; b < size; b += block_size)
         {
           const Eigen::Index n = piece_size(b, size);
           for (std::size_t j = 0; j < vectors.size(); ++j)
-            products[j] +=
-              ConstPiece(vectors[j] + b, n).dot(ConstPiece(v + b, n));
+            products[j] += ConstPiece(vectors[j] + b, n).dot(ConstPiece(v + b, n));
         }
       return products;
     }
 
     // v -= Σ h_j v_j; returns v·v and v·r.
-    std::vector<double>
-    subtract_all(double *const v,
-                 const std::vector<const double *> &vectors,
-                 const std::vector<double> &h,
-                 const double *const r,
-                 const std::size_t size)
+    std::vector<double> subtract_all(double *const v,
+                                     const std::vector<const double *> &vectors,
+                                     const std::vector<double> &h, const double *const r,
+                                     const std::size_t size)
     {
       std::vector<double> products(2, 0.);
       for (std::size_t b = 0; b < size; b += block_size)
@@ -69,11 +63,8 @@ namespace stiction
     }
 
     // r -= a v; returns r·r and the sum of the norms at the nodes.
-    std::vector<double>
-    subtract(double *const r,
-             const double a,
-             const double *const v,
-             const std::size_t size)
+    std::vector<double> subtract(double *const r, const double a, const double *const v,
+                                 const std::size_t size)
     {
       std::vector<double> sums(2, 0.);
       for (std::size_t k = 0; k < size; k += 3)
@@ -90,20 +81,15 @@ namespace stiction
       return sums;
     }
 
-    void
-    sum(std::vector<double> &values, MPI_Comm communicator)
+    void sum(std::vector<double> &values, MPI_Comm communicator)
     {
       dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(values.data(), values.size()),
-        communicator,
+        dealii::ArrayView<const double>(values.data(), values.size()), communicator,
         dealii::ArrayView<double>(values.data(), values.size()));
     }
   } // namespace
 
-
-
-  NewtonSystem::NewtonSystem(const ContactLevel &problem,
-                             const unsigned int level,
+  NewtonSystem::NewtonSystem(const ContactLevel &problem, const unsigned int level,
                              StiffnessPreconditioner &preconditioner)
     : problem_(problem)
     , level_(level)
@@ -113,44 +99,33 @@ namespace stiction
   {
   }
 
-
-
-  void
-  NewtonSystem::set_supports(const PrimalActiveSet &linearization)
+  void NewtonSystem::set_supports(const PrimalActiveSet &linearization)
   {
     NodalSupports supports(linearization.nodes.size());
     for (std::size_t i = 0; i < supports.size(); ++i)
       {
         const auto node = static_cast<Eigen::Index>(i);
-        supports[i]     = problem_.support(node,
-                                       linearization.nodes[i].projection,
-                                       linearization.nodes[i].spring);
+        supports[i]     = problem_.support(node, linearization.nodes[i].projection,
+                                           linearization.nodes[i].spring);
       }
     preconditioner_.set_supports(level_, supports);
   }
 
-
-
-  Eigen::VectorXd
-  NewtonSystem::contact_rows(const PrimalActiveSet &linearization,
-                             const Eigen::VectorXd &force,
-                             const Eigen::VectorXd &displacement) const
+  Eigen::VectorXd NewtonSystem::contact_rows(const PrimalActiveSet &linearization,
+                                             const Eigen::VectorXd &force,
+                                             const Eigen::VectorXd &displacement) const
   {
     Eigen::VectorXd rows(force.size());
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
-      set_at_node(rows,
-                  i,
+      set_at_node(rows, i,
                   linearization.nodes[i].test * at_node(force, i) +
                     linearization.nodes[i].spring * at_node(displacement, i));
     return rows;
   }
 
-
-
-  unsigned int
-  NewtonSystem::solve(ContactState &state,
-                      const PrimalActiveSet &linearization,
-                      const std::function<bool(const Progress &)> &stop)
+  unsigned int NewtonSystem::solve(ContactState &state,
+                                   const PrimalActiveSet &linearization,
+                                   const std::function<bool(const Progress &)> &stop)
   {
     const Eigen::Index m = problem_.n_nodes();
     set_supports(linearization);
@@ -171,12 +146,11 @@ namespace stiction
     Eigen::VectorXd contact_r =
       contact_rows(linearization, state.lambda, -state.w) - load;
     problem_.B().set_transpose(contact_r, r);
-    double square       = r.norm_sqr();
-    const double start  = std::sqrt(square);
-    LA::Vector &z       = step_;
-    const std::size_t N = z.locally_owned_size();
-    Eigen::MatrixXd H =
-      Eigen::MatrixXd::Identity(max_directions, max_directions);
+    double square           = r.norm_sqr();
+    const double start      = std::sqrt(square);
+    LA::Vector &z           = step_;
+    const std::size_t N     = z.locally_owned_size();
+    Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(max_directions, max_directions);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(max_directions);
     std::vector<const double *> images;
     unsigned int n   = 0;
@@ -208,16 +182,14 @@ namespace stiction
             for (std::size_t k = 0; k < d.reaction.size(); ++k)
               d.reaction[k] -= h[j] * other.reaction[k];
           }
-        std::vector<double> products =
-          subtract_all(d.v.begin(), images, h, r.begin(), N);
+        std::vector<double> products = subtract_all(d.v.begin(), images, h, r.begin(), N);
         sum(products, communicator);
         d.square = products[0];
         if (!(d.square > 0.))
           break;
 
-        amounts(n) = products[1] / d.square;
-        std::vector<double> norms =
-          subtract(r.begin(), amounts(n), d.v.begin(), N);
+        amounts(n)                = products[1] / d.square;
+        std::vector<double> norms = subtract(r.begin(), amounts(n), d.v.begin(), N);
         sum(norms, communicator);
         square = norms[0];
         contact_r -= amounts(n) * d.contact_rows;
@@ -226,11 +198,7 @@ namespace stiction
         problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
         images.push_back(d.v.begin());
         ++n;
-        is_finished = stop({n,
-                            norms[1],
-                            contact_r,
-                            state.lambda,
-                            state.w,
+        is_finished = stop({n, norms[1], contact_r, state.lambda, state.w,
                             std::sqrt(square) / start}) ||
                       square == 0.;
       }
@@ -244,8 +212,7 @@ namespace stiction
     // u is moved along the preconditioned vectors, R is the residual wherever
     // nothing was replaced in it
     const Eigen::VectorXd y =
-      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(
-        amounts.head(n));
+      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(amounts.head(n));
     add_all(state.u.begin(), y, N);
     problem_.B().set_transpose(state.lambda, r);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
@@ -253,10 +220,7 @@ namespace stiction
     return n;
   }
 
-
-
-  NewtonSystem::Direction &
-  NewtonSystem::new_direction(const unsigned int n)
+  NewtonSystem::Direction &NewtonSystem::new_direction(const unsigned int n)
   {
     if (n == directions_.size())
       {
@@ -267,12 +231,8 @@ namespace stiction
     return *directions_[n];
   }
 
-
-
-  void
-  NewtonSystem::add_all(double *const u,
-                        const Eigen::VectorXd &y,
-                        const std::size_t size) const
+  void NewtonSystem::add_all(double *const u, const Eigen::VectorXd &y,
+                             const std::size_t size) const
   {
     for (std::size_t b = 0; b < size; b += block_size)
       {

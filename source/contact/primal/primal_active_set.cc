@@ -6,8 +6,7 @@
 namespace stiction
 {
   PrimalActiveSet::PrimalActiveSet(const Eigen::VectorXd &lambda,
-                                   const Eigen::VectorXd &w,
-                                   const Eigen::VectorXd &rho,
+                                   const Eigen::VectorXd &w, const Eigen::VectorXd &rho,
                                    const qp::SlipBound &slip_bound)
     : nodes(rho.size())
   {
@@ -41,9 +40,8 @@ namespace stiction
             const Eigen::Vector2d across(-t(1), t(0));
             node.spring.bottomRightCorner<2, 2>() =
               rho(i) * b(i) / (norm - b(i)) * across * across.transpose();
-            node.test.bottomLeftCorner<2, 1>() =
-              -slip_bound.coefficient()(i) * t;
-            node.load.tail<2>() = slip_bound.constant()(i) * t;
+            node.test.bottomLeftCorner<2, 1>() = -slip_bound.coefficient()(i) * t;
+            node.load.tail<2>()                = slip_bound.constant()(i) * t;
           }
       }
   }

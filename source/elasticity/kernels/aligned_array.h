@@ -12,31 +12,18 @@ namespace stiction::cell_kernel
   {
   public:
     /// Keeps the first numbers and gives back memory that is not needed.
-    void
-    resize(const std::size_t size)
+    void resize(const std::size_t size)
     {
       lines_.resize((size * sizeof(Number) + sizeof(Line) - 1) / sizeof(Line));
       lines_.shrink_to_fit();
     }
 
-    Number *
-    data()
-    {
-      return reinterpret_cast<Number *>(lines_.data());
-    }
+    Number *data() { return reinterpret_cast<Number *>(lines_.data()); }
 
-    const Number *
-    data() const
-    {
-      return reinterpret_cast<const Number *>(lines_.data());
-    }
+    const Number *data() const { return reinterpret_cast<const Number *>(lines_.data()); }
 
     /// Unit: bytes.
-    std::size_t
-    memory_consumption() const
-    {
-      return lines_.capacity() * sizeof(Line);
-    }
+    std::size_t memory_consumption() const { return lines_.capacity() * sizeof(Line); }
 
   private:
     struct alignas(64) Line

@@ -23,42 +23,27 @@ namespace stiction::cell_kernel
   {
   public:
     /// The class of this cell, still empty.
-    CongruentCells(const CellMap &map,
-                   double lame_lambda,
-                   double shear_modulus);
+    CongruentCells(const CellMap &map, double lame_lambda, double shear_modulus);
 
     /// Whether a cell with an affine map belongs to it.
-    bool
-    contains(const CellMap &map,
-             double lame_lambda,
-             double shear_modulus) const;
+    bool contains(const CellMap &map, double lame_lambda, double shear_modulus) const;
 
-    void
-    add(const CellNodes &nodes);
+    void add(const CellNodes &nodes);
 
     /// Arranges the cells in patches; after the last one.
-    void
-    finish(const Kernels<Number> &kernels);
+    void finish(const Kernels<Number> &kernels);
 
     /// dst += K src.
-    void
-    add_product(const Kernels<Number> &kernels,
-                Number *dst,
-                const Number *src) const;
+    void add_product(const Kernels<Number> &kernels, Number *dst,
+                     const Number *src) const;
 
     /// As CellStiffness::add_diagonal_blocks().
-    void
-    add_diagonal_blocks(const Kernels<Number> &kernels, Number *dst) const;
+    void add_diagonal_blocks(const Kernels<Number> &kernels, Number *dst) const;
 
-    std::size_t
-    n_patches() const
-    {
-      return patches_.n_elements;
-    }
+    std::size_t n_patches() const { return patches_.n_elements; }
 
     /// Unit: bytes.
-    std::size_t
-    memory_consumption() const;
+    std::size_t memory_consumption() const;
 
   private:
     // Cells or patches.
@@ -68,14 +53,12 @@ namespace stiction::cell_kernel
       std::vector<std::uint32_t> entries;
       AlignedArray<Number> coefficients;
 
-      std::size_t
-      memory_consumption() const;
+      std::size_t memory_consumption() const;
     };
 
     template<std::size_t n_nodes>
-    Elements
-    make_elements(const std::vector<std::array<std::uint32_t, n_nodes>> &nodes,
-                  const Kernels<Number> &kernels) const;
+    Elements make_elements(const std::vector<std::array<std::uint32_t, n_nodes>> &nodes,
+                           const Kernels<Number> &kernels) const;
 
     CellMap map_;
     double lame_lambda_, shear_modulus_;
@@ -83,8 +66,6 @@ namespace stiction::cell_kernel
     std::deque<CellNodes> unfinished_;
     Elements cells_, patches_;
   };
-
-
 
   /// Some of the cells that are neither parallelepipeds nor of few shapes. In
   /// blocks, since a single array would have to be copied to grow.
@@ -94,48 +75,32 @@ namespace stiction::cell_kernel
   public:
     explicit GeneralCellBlock(unsigned int lanes);
 
-    bool
-    is_full() const;
+    bool is_full() const;
 
-    void
-    add(const CellNodes &nodes,
-        const CellMap &map,
-        double lame_lambda,
-        double shear_modulus);
+    void add(const CellNodes &nodes, const CellMap &map, double lame_lambda,
+             double shear_modulus);
 
     /// Makes the last batch complete and gives back memory.
-    void
-    finish();
+    void finish();
 
     /// dst += K src.
-    void
-    add_product(const Kernels<Number> &kernels,
-                Number *dst,
-                const Number *src) const;
+    void add_product(const Kernels<Number> &kernels, Number *dst,
+                     const Number *src) const;
 
     /// As CellStiffness::add_diagonal_blocks().
-    void
-    add_diagonal_blocks(Number *dst) const;
+    void add_diagonal_blocks(Number *dst) const;
 
-    std::size_t
-    n_cells() const
-    {
-      return n_cells_;
-    }
+    std::size_t n_cells() const { return n_cells_; }
 
     /// Unit: bytes.
-    std::size_t
-    memory_consumption() const;
+    std::size_t memory_consumption() const;
 
   private:
-    void
-    resize(std::size_t n_cells);
+    void resize(std::size_t n_cells);
 
-    std::uint32_t &
-    entry(std::size_t cell, unsigned int node);
+    std::uint32_t &entry(std::size_t cell, unsigned int node);
 
-    Number &
-    number(std::size_t cell, unsigned int i);
+    Number &number(std::size_t cell, unsigned int i);
 
     unsigned int lanes_;
     std::size_t n_cells_ = 0;

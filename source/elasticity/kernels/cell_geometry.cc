@@ -10,16 +10,14 @@ namespace stiction::cell_kernel
   {
     using Matrix = std::array<std::array<double, 3>, 3>;
 
-    std::array<double, 3>
-    gauss_point(const unsigned int q)
+    std::array<double, 3> gauss_point(const unsigned int q)
     {
       static const double g = 1. / std::sqrt(3.);
       return {q & 1 ? g : -g, q & 2 ? g : -g, q & 4 ? g : -g};
     }
 
     // With the transposed inverse times the determinant, the cofactors.
-    double
-    determinant(const Matrix &J, Matrix &cofactors)
+    double determinant(const Matrix &J, Matrix &cofactors)
     {
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int d = 0; d < 3; ++d)
@@ -36,8 +34,7 @@ namespace stiction::cell_kernel
     }
 
     // Of the eight shape functions in reference coordinates, at Gauss points.
-    std::array<std::array<std::array<double, 3>, 8>, 8>
-    shape_derivatives()
+    std::array<std::array<std::array<double, 3>, 8>, 8> shape_derivatives()
     {
       std::array<std::array<std::array<double, 3>, 8>, 8> result;
       for (unsigned int q = 0; q < 8; ++q)
@@ -45,35 +42,28 @@ namespace stiction::cell_kernel
           {
             double factor[3];
             for (unsigned int d = 0; d < 3; ++d)
-              factor[d] =
-                .5 * (1. + (v >> d & 1 ? 1. : -1.) * gauss_point(q)[d]);
+              factor[d] = .5 * (1. + (v >> d & 1 ? 1. : -1.) * gauss_point(q)[d]);
             for (unsigned int d = 0; d < 3; ++d)
-              result[q][v][d] = (v >> d & 1 ? .5 : -.5) * factor[(d + 1) % 3] *
-                                factor[(d + 2) % 3];
+              result[q][v][d] =
+                (v >> d & 1 ? .5 : -.5) * factor[(d + 1) % 3] * factor[(d + 2) % 3];
           }
       return result;
     }
 
     // The energy of two displacements with gradients a ⊗ e_row and b ⊗ e_column
     // in isotropic elasticity, a unit of volume: [row][column].
-    Matrix
-    elasticity(const std::array<double, 3> &a,
-               const std::array<double, 3> &b,
-               const double lame_lambda,
-               const double shear_modulus)
+    Matrix elasticity(const std::array<double, 3> &a, const std::array<double, 3> &b,
+                      const double lame_lambda, const double shear_modulus)
     {
       const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
       Matrix result;
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int d = 0; d < 3; ++d)
-          result[c][d] =
-            lame_lambda * a[c] * b[d] +
-            shear_modulus * (a[d] * b[c] + (c == d ? product : 0.));
+          result[c][d] = lame_lambda * a[c] * b[d] +
+                         shear_modulus * (a[d] * b[c] + (c == d ? product : 0.));
       return result;
     }
   } // namespace
-
-
 
   CellMap::CellMap(const std::array<std::array<double, 3>, 8> &vertices)
   {
@@ -98,14 +88,10 @@ namespace stiction::cell_kernel
         for (const unsigned int mode : {1, 2, 4})
           size = std::max(size, std::abs(values[mode]));
       }
-    tolerance =
-      1e-12 * size + 4. * std::numeric_limits<double>::epsilon() * largest;
+    tolerance = 1e-12 * size + 4. * std::numeric_limits<double>::epsilon() * largest;
   }
 
-
-
-  bool
-  CellMap::is_valid() const
+  bool CellMap::is_valid() const
   {
     Matrix cofactors;
     const unsigned int n_points = is_affine() ? 1 : 8;
@@ -115,10 +101,7 @@ namespace stiction::cell_kernel
     return true;
   }
 
-
-
-  bool
-  CellMap::is_affine() const
+  bool CellMap::is_affine() const
   {
     for (unsigned int c = 0; c < 3; ++c)
       for (const unsigned int mode : {3, 5, 6, 7})
@@ -127,10 +110,7 @@ namespace stiction::cell_kernel
     return true;
   }
 
-
-
-  bool
-  CellMap::is_box() const
+  bool CellMap::is_box() const
   {
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int d = 0; d < 3; ++d)
@@ -139,10 +119,7 @@ namespace stiction::cell_kernel
     return true;
   }
 
-
-
-  bool
-  CellMap::is_congruent(const CellMap &other) const
+  bool CellMap::is_congruent(const CellMap &other) const
   {
     const double allowed = std::max(tolerance, other.tolerance);
     for (unsigned int c = 0; c < 3; ++c)
@@ -152,10 +129,8 @@ namespace stiction::cell_kernel
     return true;
   }
 
-
-
-  std::array<std::array<double, 3>, 3>
-  CellMap::jacobian(const std::array<double, 3> &point) const
+  std::array<std::array<double, 3>, 3> CellMap::jacobian(
+    const std::array<double, 3> &point) const
   {
     Matrix J;
     for (unsigned int d = 0; d < 3; ++d)
@@ -164,20 +139,14 @@ namespace stiction::cell_kernel
         const unsigned int s = 1 << d, s1 = 1 << d1, s2 = 1 << d2;
         for (unsigned int c = 0; c < 3; ++c)
           J[c][d] = modes[c][s] + point[d1] * modes[c][s | s1] +
-                    point[d2] * modes[c][s | s2] +
-                    point[d1] * point[d2] * modes[c][7];
+                    point[d2] * modes[c][s | s2] + point[d1] * point[d2] * modes[c][7];
       }
     return J;
   }
 
-
-
-  std::vector<double>
-  affine_coefficients(const CellMap &map,
-                      const double lame_lambda,
-                      const double shear_modulus,
-                      const unsigned int n,
-                      const bool is_box)
+  std::vector<double> affine_coefficients(const CellMap &map, const double lame_lambda,
+                                          const double shear_modulus,
+                                          const unsigned int n, const bool is_box)
   {
     // Matrices of a line: mass, stiffness, and β, each for the basis of
     // cell_kernel_affine.h.
@@ -202,8 +171,8 @@ namespace stiction::cell_kernel
     Matrix energy[3][3];
     for (unsigned int a = 0; a < 3; ++a)
       for (unsigned int b = 0; b < 3; ++b)
-        energy[a][b] = elasticity(
-          gradient[a], gradient[b], lame_lambda * det, shear_modulus * det);
+        energy[a][b] =
+          elasticity(gradient[a], gradient[b], lame_lambda * det, shear_modulus * det);
 
     std::vector<double> result;
     const unsigned int n_modes = n * n * n;
@@ -232,20 +201,15 @@ namespace stiction::cell_kernel
               {
                 const unsigned int b = (a + 1) % 3, c = (a + 2) % 3;
 
-                const double entry =
-                  is_shear ? energy[b][c][c][b] : energy[b][c][b][c];
+                const double entry = is_shear ? energy[b][c][c][b] : energy[b][c][b][c];
                 result.push_back(beta * beta * mass[i] * entry);
               }
       }
     else
       {
         for (const Matrix &matrix : diagonal)
-          for (const double entry : {matrix[0][0],
-                                     matrix[1][1],
-                                     matrix[2][2],
-                                     matrix[1][2],
-                                     matrix[2][0],
-                                     matrix[0][1]})
+          for (const double entry : {matrix[0][0], matrix[1][1], matrix[2][2],
+                                     matrix[1][2], matrix[2][0], matrix[0][1]})
             result.push_back(entry);
         for (unsigned int a = 0; a < 3; ++a)
           for (unsigned int i = 0; i < n; ++i)
@@ -256,23 +220,19 @@ namespace stiction::cell_kernel
     return result;
   }
 
-
-
-  std::array<std::array<double, 9>, 8>
-  diagonal_blocks(const CellMap &map,
-                  const double lame_lambda,
-                  const double shear_modulus)
+  std::array<std::array<double, 9>, 8> diagonal_blocks(const CellMap &map,
+                                                       const double lame_lambda,
+                                                       const double shear_modulus)
   {
-    static const std::array<std::array<std::array<double, 3>, 8>, 8>
-      derivatives = shape_derivatives();
+    static const std::array<std::array<std::array<double, 3>, 8>, 8> derivatives =
+      shape_derivatives();
 
     // S = ∫ ∇φ ⊗ ∇φ, of which the block is (λ + μ) S + μ tr(S) I
     double S[8][3][3] = {};
     for (unsigned int q = 0; q < 8; ++q)
       {
         Matrix cofactors;
-        const double inverse =
-          1. / determinant(map.jacobian(gauss_point(q)), cofactors);
+        const double inverse = 1. / determinant(map.jacobian(gauss_point(q)), cofactors);
         for (unsigned int v = 0; v < 8; ++v)
           {
             double gradient[3];
@@ -292,8 +252,7 @@ namespace stiction::cell_kernel
         for (unsigned int d = 0; d < 3; ++d)
           result[v][3 * c + d] =
             (lame_lambda + shear_modulus) * S[v][c][d] +
-            (c == d ? shear_modulus * (S[v][0][0] + S[v][1][1] + S[v][2][2])
-                    : 0.);
+            (c == d ? shear_modulus * (S[v][0][0] + S[v][1][1] + S[v][2][2]) : 0.);
     return result;
   }
 } // namespace stiction::cell_kernel

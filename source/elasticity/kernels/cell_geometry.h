@@ -18,25 +18,21 @@ namespace stiction::cell_kernel
     explicit CellMap(const std::array<std::array<double, 3>, 8> &vertices);
 
     /// Whether the determinant is positive at all 2×2×2 Gauss points.
-    bool
-    is_valid() const;
+    bool is_valid() const;
 
     /// Whether it is affine but for what rounding makes of its vertices.
-    bool
-    is_affine() const;
+    bool is_affine() const;
 
     /// Whether it is a box along the axes, if it is affine.
-    bool
-    is_box() const;
+    bool is_box() const;
 
     /// Whether the other one is this one but for a translation, if both are
     /// affine.
-    bool
-    is_congruent(const CellMap &other) const;
+    bool is_congruent(const CellMap &other) const;
 
     /// ∂x_c/∂ξ_d at a point: [c][d].
-    std::array<std::array<double, 3>, 3>
-    jacobian(const std::array<double, 3> &point) const;
+    std::array<std::array<double, 3>, 3> jacobian(
+      const std::array<double, 3> &point) const;
 
     double modes[3][8];
 
@@ -53,17 +49,15 @@ namespace stiction::cell_kernel
   /// Others: the n³ symmetric 3×3 matrices of the modes (xx, yy, zz, yz, zx,
   /// xy); then those that couple modes with derivatives in directions (b, c),
   /// for a and its mode index as above, with (a, b, c) cyclic.
-  std::vector<double>
-  affine_coefficients(const CellMap &map,
-                      double lame_lambda,
-                      double shear_modulus,
-                      unsigned int n,
-                      bool is_box);
+  std::vector<double> affine_coefficients(const CellMap &map, double lame_lambda,
+                                          double shear_modulus, unsigned int n,
+                                          bool is_box);
 
   /// The 3×3 blocks of the eight nodes on the diagonal of a cell's matrix, row
   /// by row.
-  std::array<std::array<double, 9>, 8>
-  diagonal_blocks(const CellMap &map, double lame_lambda, double shear_modulus);
+  std::array<std::array<double, 9>, 8> diagonal_blocks(const CellMap &map,
+                                                       double lame_lambda,
+                                                       double shear_modulus);
 } // namespace stiction::cell_kernel
 
 #endif

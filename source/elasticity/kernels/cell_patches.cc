@@ -10,10 +10,8 @@ namespace stiction::cell_kernel
     constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
     // Whether these eight cells share their nodes as a patch does.
-    bool
-    make_patch(const std::deque<CellNodes> &cells,
-               const std::array<std::uint32_t, 8> &children,
-               PatchNodes &patch)
+    bool make_patch(const std::deque<CellNodes> &cells,
+                    const std::array<std::uint32_t, 8> &children, PatchNodes &patch)
     {
       patch.fill(nothing);
       for (unsigned int child = 0; child < 8; ++child)
@@ -29,14 +27,12 @@ namespace stiction::cell_kernel
     }
 
     // The cell that begins at each node, if only one does that is not taken.
-    std::vector<std::uint32_t>
-    cells_by_first_node(const std::deque<CellNodes> &cells,
-                        const std::vector<bool> &is_taken)
+    std::vector<std::uint32_t> cells_by_first_node(const std::deque<CellNodes> &cells,
+                                                   const std::vector<bool> &is_taken)
     {
       std::uint32_t n_nodes = 0;
       for (const CellNodes &nodes : cells)
-        n_nodes =
-          std::max(n_nodes, *std::max_element(nodes.begin(), nodes.end()) + 1);
+        n_nodes = std::max(n_nodes, *std::max_element(nodes.begin(), nodes.end()) + 1);
       std::vector<std::uint32_t> result(n_nodes, nothing);
       for (std::size_t cell = 0; cell < cells.size(); ++cell)
         if (!is_taken[cell])
@@ -45,10 +41,7 @@ namespace stiction::cell_kernel
     }
   } // namespace
 
-
-
-  Patches
-  find_patches(const std::deque<CellNodes> &cells)
+  Patches find_patches(const std::deque<CellNodes> &cells)
   {
     Patches result;
     std::vector<bool> is_taken(cells.size(), false);
@@ -83,8 +76,7 @@ namespace stiction::cell_kernel
             for (unsigned int child = 0; child < 8 && are_left; ++child)
               {
                 children[child] = by_first_node[cells[cell][child]];
-                are_left =
-                  children[child] != nothing && !is_taken[children[child]];
+                are_left = children[child] != nothing && !is_taken[children[child]];
               }
             if (are_left && make_patch(cells, children, patch))
               take(children);

@@ -19,8 +19,7 @@ namespace stiction::cell_kernel
   };
 
   /// Where in its patch a child has a node.
-  constexpr unsigned int
-  node_in_patch(const unsigned int child, const unsigned int node)
+  constexpr unsigned int node_in_patch(const unsigned int child, const unsigned int node)
   {
     return (child & 1) + (node & 1) + 3 * ((child >> 1 & 1) + (node >> 1 & 1)) +
            9 * ((child >> 2 & 1) + (node >> 2 & 1));
@@ -28,8 +27,7 @@ namespace stiction::cell_kernel
 
   /// Finds patches: first eight cells that follow each other, as children of a
   /// cell do, then any others. All nodes are numbered lexicographically.
-  Patches
-  find_patches(const std::deque<CellNodes> &cells);
+  Patches find_patches(const std::deque<CellNodes> &cells);
 } // namespace stiction::cell_kernel
 
 #endif

@@ -13,20 +13,17 @@ namespace stiction
 
   namespace
   {
-    const Kernels<float> &
-    choose(const KernelPair &pair, float)
+    const Kernels<float> &choose(const KernelPair &pair, float)
     {
       return pair.of_float;
     }
 
-    const Kernels<double> &
-    choose(const KernelPair &pair, double)
+    const Kernels<double> &choose(const KernelPair &pair, double)
     {
       return pair.of_double;
     }
 
-    const KernelPair &
-    kernels_for(const InstructionSet instruction_set)
+    const KernelPair &kernels_for(const InstructionSet instruction_set)
     {
       if (!is_supported(instruction_set))
         throw std::invalid_argument(
@@ -48,16 +45,12 @@ namespace stiction
     }
   } // namespace
 
-
-
   template<typename Number>
   CellStiffness<Number>::CellStiffness(const InstructionSet instruction_set)
     : instruction_set_(instruction_set)
     , kernels_(&choose(kernels_for(instruction_set), Number()))
   {
   }
-
-
 
   template<typename Number>
   CellStiffness<Number>::CellStiffness(const std::vector<HexahedralCell> &cells,
@@ -69,27 +62,18 @@ namespace stiction
     finish();
   }
 
-
-
   template<typename Number>
   CellStiffness<Number>::CellStiffness(CellStiffness &&) noexcept = default;
 
-
-
   template<typename Number>
-  CellStiffness<Number> &
-  CellStiffness<Number>::operator=(CellStiffness &&) noexcept = default;
-
-
+  CellStiffness<Number> &CellStiffness<Number>::operator=(CellStiffness &&) noexcept =
+    default;
 
   template<typename Number>
   CellStiffness<Number>::~CellStiffness() = default;
 
-
-
   template<typename Number>
-  void
-  CellStiffness<Number>::add_cell(const HexahedralCell &cell)
+  void CellStiffness<Number>::add_cell(const HexahedralCell &cell)
   {
     CellNodes nodes;
     for (unsigned int v = 0; v < 8; ++v)
@@ -116,19 +100,15 @@ namespace stiction
     ++n_cells_;
   }
 
-
-
   template<typename Number>
-  CongruentCells<Number> *
-  CellStiffness<Number>::find_class(const HexahedralCell &cell,
-                                    const CellMap &map)
+  CongruentCells<Number> *CellStiffness<Number>::find_class(const HexahedralCell &cell,
+                                                            const CellMap &map)
   {
     // most often it is that of the cell before
     for (std::size_t i = 0; i < classes_.size(); ++i)
       {
         const std::size_t candidate = (last_class_ + i) % classes_.size();
-        if (classes_[candidate].contains(
-              map, cell.lame_lambda, cell.shear_modulus))
+        if (classes_[candidate].contains(map, cell.lame_lambda, cell.shear_modulus))
           {
             last_class_ = candidate;
             return &classes_[candidate];
@@ -141,11 +121,8 @@ namespace stiction
     return &classes_.back();
   }
 
-
-
   template<typename Number>
-  void
-  CellStiffness<Number>::finish()
+  void CellStiffness<Number>::finish()
   {
     for (CongruentCells<Number> &of_class : classes_)
       of_class.finish(*kernels_);
@@ -153,12 +130,9 @@ namespace stiction
       general_.back().finish();
   }
 
-
-
   template<typename Number>
-  void
-  CellStiffness<Number>::add_product(Number *const dst,
-                                     const Number *const src) const
+  void CellStiffness<Number>::add_product(Number *const dst,
+                                          const Number *const src) const
   {
     for (const CongruentCells<Number> &of_class : classes_)
       of_class.add_product(*kernels_, dst, src);
@@ -166,11 +140,8 @@ namespace stiction
       block.add_product(*kernels_, dst, src);
   }
 
-
-
   template<typename Number>
-  void
-  CellStiffness<Number>::add_diagonal_blocks(Number *const dst) const
+  void CellStiffness<Number>::add_diagonal_blocks(Number *const dst) const
   {
     for (const CongruentCells<Number> &of_class : classes_)
       of_class.add_diagonal_blocks(*kernels_, dst);
@@ -178,11 +149,8 @@ namespace stiction
       block.add_diagonal_blocks(dst);
   }
 
-
-
   template<typename Number>
-  std::size_t
-  CellStiffness<Number>::n_patched_cells() const
+  std::size_t CellStiffness<Number>::n_patched_cells() const
   {
     std::size_t n = 0;
     for (const CongruentCells<Number> &of_class : classes_)
@@ -190,11 +158,8 @@ namespace stiction
     return n;
   }
 
-
-
   template<typename Number>
-  std::size_t
-  CellStiffness<Number>::n_general_cells() const
+  std::size_t CellStiffness<Number>::n_general_cells() const
   {
     std::size_t n = 0;
     for (const GeneralCellBlock<Number> &block : general_)
@@ -202,11 +167,8 @@ namespace stiction
     return n;
   }
 
-
-
   template<typename Number>
-  std::size_t
-  CellStiffness<Number>::memory_consumption() const
+  std::size_t CellStiffness<Number>::memory_consumption() const
   {
     std::size_t bytes = sizeof(*this);
     for (const CongruentCells<Number> &of_class : classes_)
@@ -215,8 +177,6 @@ namespace stiction
       bytes += block.memory_consumption();
     return bytes;
   }
-
-
 
   template class CellStiffness<float>;
   template class CellStiffness<double>;

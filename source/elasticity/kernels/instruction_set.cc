@@ -2,8 +2,7 @@
 
 namespace stiction
 {
-  bool
-  is_supported(const InstructionSet instruction_set)
+  bool is_supported(const InstructionSet instruction_set)
   {
     switch (instruction_set)
       {
@@ -11,24 +10,19 @@ namespace stiction
           return true;
 #ifdef STICTION_WITH_AVX2_KERNELS
         case InstructionSet::avx2:
-          return __builtin_cpu_supports("avx2") &&
-                 __builtin_cpu_supports("fma");
+          return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
 #ifdef STICTION_WITH_AVX512_KERNELS
         case InstructionSet::avx512:
           return __builtin_cpu_supports("avx512f") &&
-                 __builtin_cpu_supports("avx512dq") &&
-                 __builtin_cpu_supports("avx512vl");
+                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 #endif
         default:
           return false;
       }
   }
 
-
-
-  InstructionSet
-  best_instruction_set()
+  InstructionSet best_instruction_set()
   {
     InstructionSet best = InstructionSet::baseline;
     for (const InstructionSet candidate : all_instruction_sets)
@@ -37,10 +31,7 @@ namespace stiction
     return best;
   }
 
-
-
-  const char *
-  name(const InstructionSet instruction_set)
+  const char *name(const InstructionSet instruction_set)
   {
     switch (instruction_set)
       {

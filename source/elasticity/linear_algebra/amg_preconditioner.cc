@@ -20,19 +20,14 @@ namespace stiction
     dealii::TrilinosWrappers::PreconditionAMG amg;
   };
 
-
-
-  AmgPreconditioner::AmgPreconditioner(
-    const LA::SparseMatrix &matrix,
-    const std::vector<std::vector<double>> &modes)
+  AmgPreconditioner::AmgPreconditioner(const LA::SparseMatrix &matrix,
+                                       const std::vector<std::vector<double>> &modes)
     : hierarchy_(std::make_unique<Hierarchy>())
   {
     hierarchy_->modes = std::make_unique<Epetra_MultiVector>(
-      matrix.trilinos_matrix().OperatorDomainMap(),
-      static_cast<int>(modes.size()));
+      matrix.trilinos_matrix().OperatorDomainMap(), static_cast<int>(modes.size()));
     for (unsigned int m = 0; m < modes.size(); ++m)
-      std::copy(modes[m].begin(),
-                modes[m].end(),
+      std::copy(modes[m].begin(), modes[m].end(),
                 (*hierarchy_->modes)(static_cast<int>(m))->Values());
 
     Teuchos::ParameterList list;
@@ -58,14 +53,9 @@ namespace stiction
     hierarchy_->amg.initialize(matrix, list);
   }
 
-
-
   AmgPreconditioner::~AmgPreconditioner() = default;
 
-
-
-  void
-  AmgPreconditioner::vmult(LA::Vector &dst, const LA::Vector &src) const
+  void AmgPreconditioner::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
     hierarchy_->amg.vmult(dst, src);
   }

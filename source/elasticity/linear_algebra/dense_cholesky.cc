@@ -13,8 +13,7 @@ namespace stiction
 
     namespace
     {
-      void
-      require_success(const blas_int info)
+      void require_success(const blas_int info)
       {
         if (info != 0)
           throw std::runtime_error("a dense matrix that should be positive "
@@ -23,10 +22,7 @@ namespace stiction
       }
     } // namespace
 
-
-
-    void
-    factorize(double *A, const int n)
+    void factorize(double *A, const int n)
     {
       const blas_int order = n;
       blas_int info        = 0;
@@ -34,10 +30,7 @@ namespace stiction
       require_success(info);
     }
 
-
-
-    void
-    invert(double *L, const int n)
+    void invert(double *L, const int n)
     {
       const blas_int order = n;
       blas_int info        = 0;
@@ -45,10 +38,7 @@ namespace stiction
       require_success(info);
     }
 
-
-
-    void
-    solve(const double *L, const int n, double *b)
+    void solve(const double *L, const int n, double *b)
     {
       const blas_int order = n, one = 1;
       blas_int info = 0;

@@ -12,10 +12,7 @@ namespace stiction
   {
   }
 
-
-
-  DofSubset
-  DofSubset::of_nodes(
+  DofSubset DofSubset::of_nodes(
     const std::vector<dealii::types::global_dof_index> &first_dofs)
   {
     const std::size_t m = first_dofs.size();
@@ -26,10 +23,7 @@ namespace stiction
     return DofSubset(std::move(dofs));
   }
 
-
-
-  Eigen::VectorXd
-  DofSubset::restriction(const LA::Vector &u) const
+  Eigen::VectorXd DofSubset::restriction(const LA::Vector &u) const
   {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(size());
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -37,15 +31,11 @@ namespace stiction
         values(i) = u(dofs_[i]);
     dealii::Utilities::MPI::sum(
       dealii::ArrayView<const double>(values.data(), values.size()),
-      u.get_mpi_communicator(),
-      dealii::ArrayView<double>(values.data(), values.size()));
+      u.get_mpi_communicator(), dealii::ArrayView<double>(values.data(), values.size()));
     return values;
   }
 
-
-
-  void
-  DofSubset::add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const
+  void DofSubset::add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const
   {
     for (Eigen::Index i = 0; i < size(); ++i)
       if (dst.in_local_range(dofs_[i]))

@@ -16,37 +16,17 @@ namespace stiction
       offsets_[r] = offsets_[r - 1] + counts_[r - 1];
   }
 
-
-
-  Eigen::VectorXd
-  HostVector::gather(const LA::Vector &v) const
+  Eigen::VectorXd HostVector::gather(const LA::Vector &v) const
   {
     Eigen::VectorXd whole(is_host_ ? v.size() : 0);
-    MPI_Gatherv(v.begin(),
-                local_size_,
-                MPI_DOUBLE,
-                whole.data(),
-                counts_.data(),
-                offsets_.data(),
-                MPI_DOUBLE,
-                0,
-                communicator_);
+    MPI_Gatherv(v.begin(), local_size_, MPI_DOUBLE, whole.data(), counts_.data(),
+                offsets_.data(), MPI_DOUBLE, 0, communicator_);
     return whole;
   }
 
-
-
-  void
-  HostVector::scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
+  void HostVector::scatter(const Eigen::VectorXd &whole, LA::Vector &v) const
   {
-    MPI_Scatterv(whole.data(),
-                 counts_.data(),
-                 offsets_.data(),
-                 MPI_DOUBLE,
-                 v.begin(),
-                 local_size_,
-                 MPI_DOUBLE,
-                 0,
-                 communicator_);
+    MPI_Scatterv(whole.data(), counts_.data(), offsets_.data(), MPI_DOUBLE, v.begin(),
+                 local_size_, MPI_DOUBLE, 0, communicator_);
   }
 } // namespace stiction

@@ -31,54 +31,36 @@ namespace stiction
 
     // MUMPS never wants a null pointer, even where there is nothing to see.
     template<typename T, typename Container>
-    T *
-    data_or(Container &container, T &nothing)
+    T *data_or(Container &container, T &nothing)
     {
       return container.size() == 0 ? &nothing : container.data();
     }
   } // namespace
 
-
-
   struct MumpsFactorization::Mumps
   {
-    Mumps(const LA::SparseMatrix &matrix,
-          unsigned int dofs_per_node,
+    Mumps(const LA::SparseMatrix &matrix, unsigned int dofs_per_node,
           const std::vector<dealii::types::global_dof_index> &schur_dofs);
     ~Mumps();
-    Mumps(const Mumps &) = delete;
-    Mumps &
-    operator=(const Mumps &) = delete;
+    Mumps(const Mumps &)            = delete;
+    Mumps &operator=(const Mumps &) = delete;
 
-    void
-    copy_lower_triangle(const LA::SparseMatrix &matrix);
-    void
-    run_analysis(unsigned int dofs_per_node);
-    void
-    run_factorisation();
-    void
-    run_solve(int condensation, Eigen::VectorXd &b, Eigen::VectorXd *condensed);
-    void
-    call(Job job);
-    void
-    check(const char *phase) const;
+    void copy_lower_triangle(const LA::SparseMatrix &matrix);
+    void run_analysis(unsigned int dofs_per_node);
+    void run_factorisation();
+    void run_solve(int condensation, Eigen::VectorXd &b, Eigen::VectorXd *condensed);
+    void call(Job job);
+    void check(const char *phase) const;
 
     // the numbering of MUMPS' manual
-    MUMPS_INT &
-    icntl(const int i)
-    {
-      return id.icntl[i - 1];
-    }
+    MUMPS_INT &icntl(const int i) { return id.icntl[i - 1]; }
     MUMPS_INT
-    infog(const int i) const
-    {
-      return id.infog[i - 1];
-    }
+    infog(const int i) const { return id.infog[i - 1]; }
 
     DMUMPS_STRUC_C id{};
     bool is_host  = false;
     double factor = 1.; // what is factorised is K times this, a power of two
-    int n_schur  = 0;
+    int n_schur   = 0;
     Eigen::MatrixXd schur;
 
     // what MUMPS keeps pointers to
@@ -88,11 +70,8 @@ namespace stiction
     double no_number     = 0.;
   };
 
-
-
   MumpsFactorization::Mumps::Mumps(
-    const LA::SparseMatrix &matrix,
-    const unsigned int dofs_per_node,
+    const LA::SparseMatrix &matrix, const unsigned int dofs_per_node,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
     : n_schur(static_cast<int>(schur_dofs.size()))
   {
@@ -123,17 +102,12 @@ namespace stiction
     values.shrink_to_fit();
   }
 
-
-
   MumpsFactorization::Mumps::~Mumps()
   {
     call(terminate);
   }
 
-
-
-  void
-  MumpsFactorization::Mumps::copy_lower_triangle(const LA::SparseMatrix &matrix)
+  void MumpsFactorization::Mumps::copy_lower_triangle(const LA::SparseMatrix &matrix)
   {
     const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
     for (int i = 0; i < K.NumMyRows(); ++i)
@@ -162,18 +136,11 @@ namespace stiction
       value *= factor;
   }
 
-
-
-  void
-  MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
+  void MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
   {
     // Left to itself MUMPS orders by minimum degree as soon as a Schur
     // complement is asked for, at three times the operations.
-    permutation = nested_dissection(rows,
-                                    columns,
-                                    id.n,
-                                    dofs_per_node,
-                                    schur_list,
+    permutation = nested_dissection(rows, columns, id.n, dofs_per_node, schur_list,
                                     MPI_Comm_f2c(id.comm_fortran));
     icntl(7)    = 1; // the given ordering
     icntl(28)   = 1; // sequential analysis: the parallel one has no Schur
@@ -195,10 +162,7 @@ namespace stiction
     check("analysis");
   }
 
-
-
-  void
-  MumpsFactorization::Mumps::run_factorisation()
+  void MumpsFactorization::Mumps::run_factorisation()
   {
     if (n_schur > 0)
       {
@@ -217,11 +181,9 @@ namespace stiction
         call(factorise);
         // the errors of which the manual says: enlarge the work space
         const std::array<MUMPS_INT, 3> limit_too_small    = {{-9, -11, -19}};
-        const std::array<MUMPS_INT, 5> estimate_too_small = {
-          {-8, -14, -15, -17, -20}};
-        const auto is_one_of = [&](const auto &errors) {
-          return std::find(errors.begin(), errors.end(), infog(1)) !=
-                 errors.end();
+        const std::array<MUMPS_INT, 5> estimate_too_small = {{-8, -14, -15, -17, -20}};
+        const auto is_one_of                              = [&](const auto &errors) {
+          return std::find(errors.begin(), errors.end(), infog(1)) != errors.end();
         };
         if (attempt == 6 ||
             !(is_one_of(limit_too_small) || is_one_of(estimate_too_small)))
@@ -234,12 +196,8 @@ namespace stiction
     schur /= factor;
   }
 
-
-
-  void
-  MumpsFactorization::Mumps::run_solve(const int condensation,
-                                       Eigen::VectorXd &b,
-                                       Eigen::VectorXd *condensed)
+  void MumpsFactorization::Mumps::run_solve(const int condensation, Eigen::VectorXd &b,
+                                            Eigen::VectorXd *condensed)
   {
     id.nrhs = 1;
     id.lrhs = id.n;
@@ -259,19 +217,13 @@ namespace stiction
       *condensed /= factor;
   }
 
-
-
-  void
-  MumpsFactorization::Mumps::call(const Job job)
+  void MumpsFactorization::Mumps::call(const Job job)
   {
     id.job = job;
     dmumps_c(&id);
   }
 
-
-
-  void
-  MumpsFactorization::Mumps::check(const char *phase) const
+  void MumpsFactorization::Mumps::check(const char *phase) const
   {
     if (infog(1) == -13)
       throw std::bad_alloc();
@@ -281,58 +233,38 @@ namespace stiction
                                ", INFOG(2) = " + std::to_string(infog(2)));
   }
 
-
-
   // -------------------------------------------------- MumpsFactorization
 
   MumpsFactorization::MumpsFactorization(
-    const LA::SparseMatrix &matrix,
-    const unsigned int dofs_per_node,
+    const LA::SparseMatrix &matrix, const unsigned int dofs_per_node,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
     : mumps_(std::make_unique<Mumps>(matrix, dofs_per_node, schur_dofs))
   {
   }
 
-
-
   MumpsFactorization::~MumpsFactorization() = default;
 
-
-
-  Eigen::MatrixXd &
-  MumpsFactorization::schur_complement()
+  Eigen::MatrixXd &MumpsFactorization::schur_complement()
   {
     return mumps_->schur;
   }
 
-
-
-  bool
-  MumpsFactorization::is_host() const
+  bool MumpsFactorization::is_host() const
   {
     return mumps_->is_host;
   }
 
-
-
-  void
-  MumpsFactorization::solve(Eigen::VectorXd &b)
+  void MumpsFactorization::solve(Eigen::VectorXd &b)
   {
     mumps_->run_solve(0, b, nullptr);
   }
 
-
-
-  void
-  MumpsFactorization::condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
+  void MumpsFactorization::condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
   {
     mumps_->run_solve(1, b, &condensed);
   }
 
-
-
-  void
-  MumpsFactorization::expand(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
+  void MumpsFactorization::expand(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
   {
     mumps_->run_solve(2, b, &condensed);
   }

@@ -14,19 +14,15 @@ namespace stiction
     using Edge  = std::array<int, 2>;
     using Edges = std::vector<Edge>;
 
-    void
-    make_unique(Edges &edges)
+    void make_unique(Edges &edges)
     {
       std::sort(edges.begin(), edges.end());
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     }
 
     // The edges of the graph of the nodes, all of them on rank 0.
-    Edges
-    gather_node_graph(const std::vector<int> &rows,
-                      const std::vector<int> &columns,
-                      const int dofs_per_node,
-                      MPI_Comm communicator)
+    Edges gather_node_graph(const std::vector<int> &rows, const std::vector<int> &columns,
+                            const int dofs_per_node, MPI_Comm communicator)
     {
       Edges mine;
       for (std::size_t k = 0; k < rows.size(); ++k)
@@ -39,8 +35,7 @@ namespace stiction
       make_unique(mine);
 
       Edges all;
-      for (const Edges &theirs :
-           dealii::Utilities::MPI::gather(communicator, mine, 0))
+      for (const Edges &theirs : dealii::Utilities::MPI::gather(communicator, mine, 0))
         for (const Edge &edge : theirs)
           {
             all.push_back(edge);
@@ -51,8 +46,7 @@ namespace stiction
     }
 
     // METIS' order of a graph: which vertex is eliminated as the k-th.
-    std::vector<int>
-    dissect(const Edges &edges, const std::size_t n_vertices)
+    std::vector<int> dissect(const Edges &edges, const std::size_t n_vertices)
     {
       auto n = static_cast<idx_t>(n_vertices);
       std::vector<idx_t> begin_of(n_vertices + 1, 0), neighbours;
@@ -71,27 +65,17 @@ namespace stiction
           METIS_SetDefaultOptions(options);
           options[METIS_OPTION_COMPRESS] = 0; // nodes are compressed already
           options[METIS_OPTION_SEED]     = 7; // the same order in every run
-          METIS_NodeND(&n,
-                       begin_of.data(),
-                       neighbours.data(),
-                       nullptr,
-                       options,
-                       order.data(),
-                       position.data());
+          METIS_NodeND(&n, begin_of.data(), neighbours.data(), nullptr, options,
+                       order.data(), position.data());
         }
       return {order.begin(), order.end()};
     }
   } // namespace
 
-
-
-  std::vector<int>
-  nested_dissection(const std::vector<int> &rows,
-                    const std::vector<int> &columns,
-                    const int n,
-                    const unsigned int dofs_per_node,
-                    const std::vector<int> &last,
-                    MPI_Comm communicator)
+  std::vector<int> nested_dissection(const std::vector<int> &rows,
+                                     const std::vector<int> &columns, const int n,
+                                     const unsigned int dofs_per_node,
+                                     const std::vector<int> &last, MPI_Comm communicator)
   {
     const int size    = static_cast<int>(dofs_per_node);
     const Edges edges = gather_node_graph(rows, columns, size, communicator);
@@ -118,8 +102,7 @@ namespace stiction
     std::vector<int> position(n);
     int count = 0;
     for (const int vertex : dissect(kept, nodes.size()))
-      for (int dof = nodes[vertex] * size;
-           dof < std::min(n, (nodes[vertex] + 1) * size);
+      for (int dof = nodes[vertex] * size; dof < std::min(n, (nodes[vertex] + 1) * size);
            ++dof)
         if (!is_last[dof])
           position[dof] = ++count;

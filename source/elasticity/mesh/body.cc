@@ -18,14 +18,12 @@ namespace stiction
 {
   using namespace dealii;
 
-  Body::Body(const GeometryParameters &geometry,
-             MPI_Comm communicator,
+  Body::Body(const GeometryParameters &geometry, MPI_Comm communicator,
              const std::function<void(double n_cells)> &check_size)
     // all cells of a level exist on their owners, which later multigrid needs,
     // and vertices come out the same on any partition
     : triangulation_(
-        communicator,
-        Triangulation<3>::limit_level_difference_at_vertices,
+        communicator, Triangulation<3>::limit_level_difference_at_vertices,
         parallel::distributed::Triangulation<3>::construct_multigrid_hierarchy)
     , fe_(FE_Q<3>(geometry.element_degree), 3)
     , location_(geometry.location)
@@ -38,19 +36,16 @@ namespace stiction
     find_bounding_box();
   }
 
-
-
-  void
-  Body::make_grid(const GeometryParameters &geometry,
-                  const std::function<void(double n_cells)> &check_size)
+  void Body::make_grid(const GeometryParameters &geometry,
+                       const std::function<void(double n_cells)> &check_size)
   {
     if (geometry.is_brick())
       {
         Point<3> corner;
         for (unsigned int d = 0; d < 3; ++d)
           corner[d] = geometry.lengths[d];
-        GridGenerator::subdivided_hyper_rectangle(
-          triangulation_, geometry.subdivisions, Point<3>(), corner, true);
+        GridGenerator::subdivided_hyper_rectangle(triangulation_, geometry.subdivisions,
+                                                  Point<3>(), corner, true);
         // deal.II colours the octants, too
         for (const auto &cell : triangulation_.active_cell_iterators())
           cell->set_material_id(0);
@@ -75,10 +70,7 @@ namespace stiction
     });
   }
 
-
-
-  void
-  Body::shape_cells()
+  void Body::shape_cells()
   {
     if (quadratic_cells_.empty())
       return;
@@ -88,26 +80,21 @@ namespace stiction
     const std::vector<Point<3>> &unit_points =
       fe_.base_element(0).get_unit_support_points();
     auto mapping = std::make_unique<MappingQCache<3>>(fe_.degree);
-    mapping->initialize(
-      triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
-        std::vector<Point<3>> points;
-        for (const Point<3> &p : unit_points)
-          points.push_back(quadratic_cells_.position(cell, p));
-        return points;
-      });
+    mapping->initialize(triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
+      std::vector<Point<3>> points;
+      for (const Point<3> &p : unit_points)
+        points.push_back(quadratic_cells_.position(cell, p));
+      return points;
+    });
     mapping_ = std::move(mapping);
   }
 
-
-
-  void
-  Body::find_bounding_box()
+  void Body::find_bounding_box()
   {
     // of the coarse cells, which every rank knows, and of those at hand: a
     // curved body grows when it is refined; nodes may lie outside of the
     // corners of curved cells
-    auto corners =
-      GridTools::compute_bounding_box(triangulation_).get_boundary_points();
+    auto corners = GridTools::compute_bounding_box(triangulation_).get_boundary_points();
     if (fe_.degree > 1)
       for (const Node &node : nodes_)
         for (unsigned int d = 0; d < 3; ++d)
@@ -117,18 +104,13 @@ namespace stiction
           }
     for (unsigned int d = 0; d < 3; ++d)
       {
-        corners.first[d] =
-          Utilities::MPI::min(corners.first[d], communicator());
-        corners.second[d] =
-          Utilities::MPI::max(corners.second[d], communicator());
+        corners.first[d]  = Utilities::MPI::min(corners.first[d], communicator());
+        corners.second[d] = Utilities::MPI::max(corners.second[d], communicator());
       }
     bounding_box_ = BoundingBox<3>(corners);
   }
 
-
-
-  void
-  Body::set_material_ids(
+  void Body::set_material_ids(
     const std::function<types::material_id(const Point<3> &)> &id_at)
   {
     std::vector<types::material_id> ids;
@@ -140,10 +122,7 @@ namespace stiction
     material_names_ = MeshNames("material", {ids.begin(), ids.end()}, {});
   }
 
-
-
-  void
-  Body::refine(const std::vector<bool> &is_cut)
+  void Body::refine(const std::vector<bool> &is_cut)
   {
     for (const auto &cell : triangulation_.active_cell_iterators())
       if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
@@ -158,35 +137,27 @@ namespace stiction
     collect_nodes();
   }
 
-
-
-  void
-  Body::distribute_dofs()
+  void Body::distribute_dofs()
   {
     is_uniform_ = !triangulation_.has_hanging_nodes();
     dof_handler_.distribute_dofs(fe_);
     if (triangulation_.n_global_levels() > 1 && has_geometric_levels())
       dof_handler_.distribute_mg_dofs(); // cheap next to the mesh
-    DoFTools::extract_locally_relevant_dofs(dof_handler_,
-                                            locally_relevant_dofs_);
+    DoFTools::extract_locally_relevant_dofs(dof_handler_, locally_relevant_dofs_);
     hanging_nodes_.reinit(locally_relevant_dofs_);
     if (!is_uniform_)
       DoFTools::make_hanging_node_constraints(dof_handler_, hanging_nodes_);
     hanging_nodes_.close();
   }
 
-
-
-  void
-  Body::collect_nodes()
+  void Body::collect_nodes()
   {
     // three consecutive unknowns a node, on a cell too; a rank owns a range of
     // them
     const IndexSet &owned = locally_owned_dofs();
     nodes_.resize(owned.n_elements() / 3);
     std::vector<types::global_dof_index> dofs(fe_.n_dofs_per_cell());
-    FEValues<3> values(*mapping_,
-                       fe_.base_element(0),
+    FEValues<3> values(*mapping_, fe_.base_element(0),
                        fe_.base_element(0).get_unit_support_points(),
                        update_quadrature_points);
     for (const auto &cell : dof_handler_.active_cell_iterators())

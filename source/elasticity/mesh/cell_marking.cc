@@ -6,10 +6,8 @@ namespace stiction
 {
   using namespace dealii;
 
-  std::vector<bool>
-  mark_largest_cells(const Vector<double> &values,
-                     const double fraction,
-                     MPI_Comm communicator)
+  std::vector<bool> mark_largest_cells(const Vector<double> &values,
+                                       const double fraction, MPI_Comm communicator)
   {
     // the sum over all cells with at least this value
     const auto sum_from = [&](const double threshold) {
@@ -21,11 +19,11 @@ namespace stiction
 
     const double wanted = fraction * sum_from(0.);
     double taken        = 0.; // from here on there is enough
-    double not_taken = Utilities::MPI::max(values.linfty_norm(), communicator);
+    double not_taken    = Utilities::MPI::max(values.linfty_norm(), communicator);
     constexpr unsigned int n_bits = 50;
     for (unsigned int k = 0; k < n_bits; ++k)
       {
-        const double middle = (taken + not_taken) / 2.;
+        const double middle                              = (taken + not_taken) / 2.;
         (sum_from(middle) >= wanted ? taken : not_taken) = middle;
       }
 

@@ -21,21 +21,19 @@ namespace stiction
   {
     using Vertices = std::array<Point<3>, 8>; // in deal.II's order
 
-    double
-    determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
+    double determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
     {
       Tensor<2, 3> jacobian;
       for (unsigned int v = 0; v < 8; ++v)
-        jacobian += outer_product(
-          Tensor<1, 3>(vertices[v]),
-          GeometryInfo<3>::d_linear_shape_function_gradient(unit_point, v));
+        jacobian +=
+          outer_product(Tensor<1, 3>(vertices[v]),
+                        GeometryInfo<3>::d_linear_shape_function_gradient(unit_point, v));
       return determinant(jacobian);
     }
 
     // Vertices show a cell that is folded before Gauss points do, which are
     // what the stiffness needs.
-    bool
-    is_valid(const Vertices &vertices, const double smallest)
+    bool is_valid(const Vertices &vertices, const double smallest)
     {
       const double gauss = .5 - .5 / std::sqrt(3.);
       for (const double inset : {0., gauss})
@@ -52,10 +50,8 @@ namespace stiction
 
     // The vertices of a cell with several faces on a sphere are flat if it is a
     // good cell, with edges along the sphere: Gauss points alone count.
-    bool
-    is_valid(const QuadraticCells &cells,
-             const QuadraticCells::Cell &cell,
-             const double smallest)
+    bool is_valid(const QuadraticCells &cells, const QuadraticCells::Cell &cell,
+                  const double smallest)
     {
       static const QGauss<3> quadrature(3);
       for (const Point<3> &p : quadrature.get_points())
@@ -65,8 +61,7 @@ namespace stiction
     }
 
     // What an exception of many lines has to say, in one.
-    std::string
-    in_one_line(const ExceptionBase &exception)
+    std::string in_one_line(const ExceptionBase &exception)
     {
       std::ostringstream out;
       exception.print_info(out);
@@ -81,8 +76,6 @@ namespace stiction
       return text.substr(0, 200);
     }
   } // namespace
-
-
 
   CoarseMesh::CoarseMesh(const GeometryParameters &geometry)
     : triangulation_(Triangulation<3>::none, false)
@@ -104,10 +97,8 @@ namespace stiction
           generate(geometry);
         else
           {
-            const MeshData mesh =
-              read_mesh_file(geometry.mesh_file, geometry.location);
-            triangulation_.create_triangulation(
-              mesh.vertices, mesh.cells, mesh.faces);
+            const MeshData mesh = read_mesh_file(geometry.mesh_file, geometry.location);
+            triangulation_.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
             quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
             boundaries       = mesh.boundary_names;
             materials        = mesh.material_names;
@@ -122,57 +113,43 @@ namespace stiction
     set_names(boundaries, materials);
   }
 
-
-
-  void
-  CoarseMesh::make_cylinder(const double radius, const double length)
+  void CoarseMesh::make_cylinder(const double radius, const double length)
   {
     // around the x axis, x from -length / 2; ids 0 hull, 1 left, 2 right
     GridGenerator::subdivided_cylinder(
       triangulation_,
-      static_cast<unsigned int>(std::max(1., std::round(length / radius))),
-      radius,
+      static_cast<unsigned int>(std::max(1., std::round(length / radius))), radius,
       .5 * length);
     GridTools::transform(
-      [&](const Point<3> &p) {
-        return Point<3>(p[1], p[2], p[0] + .5 * length);
-      },
+      [&](const Point<3> &p) { return Point<3>(p[1], p[2], p[0] + .5 * length); },
       triangulation_);
     triangulation_.set_manifold(0, CylindricalManifold<3>(2));
   }
 
-
-
-  void
-  CoarseMesh::make_half_ball(const double radius)
+  void CoarseMesh::make_half_ball(const double radius)
   {
     // the half x > 0; ids 0 curved, 1 flat
     GridGenerator::half_hyper_ball(triangulation_, Point<3>(), radius);
     GridTools::transform(
       [&](const Point<3> &p) { return Point<3>(p[2], p[1], radius - p[0]); },
       triangulation_);
-    triangulation_.set_manifold(0,
-                                SphericalManifold<3>(Point<3>(0., 0., radius)));
+    triangulation_.set_manifold(0, SphericalManifold<3>(Point<3>(0., 0., radius)));
   }
 
-
-
-  void
-  CoarseMesh::generate(const GeometryParameters &geometry)
+  void CoarseMesh::generate(const GeometryParameters &geometry)
   {
     Triangulation<3> generated(Triangulation<3>::none, false);
     try
       {
-        GridGenerator::generate_from_name_and_arguments(
-          generated, geometry.generator, geometry.generator_arguments);
+        GridGenerator::generate_from_name_and_arguments(generated, geometry.generator,
+                                                        geometry.generator_arguments);
       }
     catch (const ExceptionBase &)
       {
-        throw InputError(
-          geometry.location + ", does not take 'Generator arguments' = '" +
-          geometry.generator_arguments +
-          "', must get what deal.II's GridGenerator::" + geometry.generator +
-          "() has after the mesh, separated by ':'.");
+        throw InputError(geometry.location + ", does not take 'Generator arguments' = '" +
+                         geometry.generator_arguments +
+                         "', must get what deal.II's GridGenerator::" +
+                         geometry.generator + "() has after the mesh, separated by ':'.");
       }
     if (generated.n_active_cells() == 0)
       throw InputError(geometry.location + ", makes a mesh without cells.");
@@ -187,11 +164,8 @@ namespace stiction
         triangulation_.set_manifold(manifold, generated.get_manifold(manifold));
   }
 
-
-
-  void
-  CoarseMesh::set_names(const std::map<std::string, MeshNames::Id> &boundaries,
-                        const std::map<std::string, MeshNames::Id> &materials)
+  void CoarseMesh::set_names(const std::map<std::string, MeshNames::Id> &boundaries,
+                             const std::map<std::string, MeshNames::Id> &materials)
   {
     std::set<MeshNames::Id> boundary_ids, material_ids;
     for (const auto &cell : triangulation_.active_cell_iterators())
@@ -205,12 +179,9 @@ namespace stiction
     material_names_ = MeshNames("material", material_ids, materials);
   }
 
-
-
-  void
-  require_valid_cells(const Triangulation<3> &triangulation,
-                      const QuadraticCells &quadratic_cells,
-                      const std::string &location)
+  void require_valid_cells(const Triangulation<3> &triangulation,
+                           const QuadraticCells &quadratic_cells,
+                           const std::string &location)
   {
     for (const auto &cell : triangulation.cell_iterators())
       {

@@ -15,28 +15,22 @@
 
 namespace stiction
 {
-  void
-  refine_contact_boundary(Body &body, const Parameters &parameters)
+  void refine_contact_boundary(Body &body, const Parameters &parameters)
   {
     const std::string where = "Geometry/Contact refinement where";
-    const ParsedFunction is_refined(
-      parameters.geometry.contact_refinement_where,
-      1,
-      parameters.source.locate(where));
+    const ParsedFunction is_refined(parameters.geometry.contact_refinement_where, 1,
+                                    parameters.source.locate(where));
     if (parameters.geometry.contact_refinement == 0)
       return;
     std::set<dealii::types::boundary_id> contact_boundaries;
-    for (const std::string &name :
-         split_at_bars(parameters.boundary.contact_boundary))
+    for (const std::string &name : split_at_bars(parameters.boundary.contact_boundary))
       contact_boundaries.insert(body.boundary_names().id(
-        name,
-        parameters.source.locate("Boundary conditions/Contact boundary")));
+        name, parameters.source.locate("Boundary conditions/Contact boundary")));
 
     using Cell           = dealii::Triangulation<3>::active_cell_iterator;
     const auto is_wanted = [&](const Cell &cell, const unsigned int f) {
       const auto face = cell->face(f);
-      return face->at_boundary() &&
-             contact_boundaries.count(face->boundary_id()) > 0 &&
+      return face->at_boundary() && contact_boundaries.count(face->boundary_id()) > 0 &&
              is_refined.value(face->center()) > 0.;
     };
     // One layer of cut cells alone would end two small cells below the surface,

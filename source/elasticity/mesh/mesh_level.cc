@@ -17,8 +17,8 @@ namespace stiction
     // The first unknowns of the vertices, in the numbering of the mesh or in
     // that of its level.
     template<typename Cell>
-    std::array<types::global_dof_index, 8>
-    first_dofs(const Cell &cell, const bool is_active)
+    std::array<types::global_dof_index, 8> first_dofs(const Cell &cell,
+                                                      const bool is_active)
     {
       std::array<types::global_dof_index, 8> dofs;
       for (unsigned int v = 0; v < 8; ++v)
@@ -30,15 +30,11 @@ namespace stiction
     // The rank of the first child owns the parent: it interpolates from the
     // parent to all children, whoever owns those.
     template<typename Cell>
-    bool
-    is_first_child(const Cell &cell)
+    bool is_first_child(const Cell &cell)
     {
-      return cell->level() > 0 &&
-             cell->parent()->child_index(0) == cell->index();
+      return cell->level() > 0 && cell->parent()->child_index(0) == cell->index();
     }
   } // namespace
-
-
 
   MeshLevel::MeshLevel(const Body &body)
     : body_(body)
@@ -48,8 +44,6 @@ namespace stiction
     make_partitioner();
   }
 
-
-
   MeshLevel::MeshLevel(const Body &body, const unsigned int level)
     : body_(body)
     , is_active_(false)
@@ -58,15 +52,11 @@ namespace stiction
     make_partitioner();
   }
 
-
-
-  void
-  MeshLevel::make_partitioner()
+  void MeshLevel::make_partitioner()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
-    const IndexSet &owned            = is_active_
-                                         ? dof_handler.locally_owned_dofs()
-                                         : dof_handler.locally_owned_mg_dofs(level_);
+    const IndexSet &owned            = is_active_ ? dof_handler.locally_owned_dofs()
+                                                  : dof_handler.locally_owned_mg_dofs(level_);
     std::vector<types::global_dof_index> ghosts;
     const auto add = [&](const auto &cell) {
       for (const auto dof : first_dofs(cell, is_active_))
@@ -100,8 +90,7 @@ namespace stiction
                 add_with_siblings(cell);
           }
         else
-          for (const auto &cell :
-               dof_handler.mg_cell_iterators_on_level(level_))
+          for (const auto &cell : dof_handler.mg_cell_iterators_on_level(level_))
             if (cell->is_locally_owned_on_level())
               add_with_siblings(cell);
       }
@@ -114,72 +103,46 @@ namespace stiction
       owned, ghost_set, body_.communicator());
   }
 
-
-
-  MPI_Comm
-  MeshLevel::communicator() const
+  MPI_Comm MeshLevel::communicator() const
   {
     return body_.communicator();
   }
 
-
-
-  unsigned int
-  MeshLevel::n_owned_nodes() const
+  unsigned int MeshLevel::n_owned_nodes() const
   {
     return partitioner_->locally_owned_size() / 3;
   }
 
-
-
-  unsigned int
-  MeshLevel::n_local_nodes() const
+  unsigned int MeshLevel::n_local_nodes() const
   {
     return n_owned_nodes() + partitioner_->n_ghost_indices() / 3;
   }
 
-
-
-  types::global_dof_index
-  MeshLevel::n_dofs() const
+  types::global_dof_index MeshLevel::n_dofs() const
   {
     return partitioner_->size();
   }
 
-
-
-  unsigned int
-  MeshLevel::local_node(const types::global_dof_index first_dof) const
+  unsigned int MeshLevel::local_node(const types::global_dof_index first_dof) const
   {
     return partitioner_->global_to_local(first_dof) / 3;
   }
 
-
-
-  types::global_dof_index
-  MeshLevel::first_dof(const unsigned int local_node) const
+  types::global_dof_index MeshLevel::first_dof(const unsigned int local_node) const
   {
     return partitioner_->local_to_global(3 * local_node);
   }
 
-
-
   template<typename Number>
-  LA::VectorOf<Number>
-  MeshLevel::zero_vector() const
+  LA::VectorOf<Number> MeshLevel::zero_vector() const
   {
     return LA::VectorOf<Number>(partitioner_);
   }
 
-  template LA::VectorOf<float>
-  MeshLevel::zero_vector<float>() const;
-  template LA::VectorOf<double>
-  MeshLevel::zero_vector<double>() const;
+  template LA::VectorOf<float> MeshLevel::zero_vector<float>() const;
+  template LA::VectorOf<double> MeshLevel::zero_vector<double>() const;
 
-
-
-  void
-  MeshLevel::for_each_cell(
+  void MeshLevel::for_each_cell(
     const std::function<void(const HexahedralCell &)> &callback) const
   {
     HexahedralCell hexahedron{};

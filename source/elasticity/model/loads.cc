@@ -20,59 +20,45 @@ namespace stiction
 
   namespace
   {
-    BoundaryFunctions
-    read_boundary_load(const Body &body,
-                       const PrescribedDisplacement &prescribed,
-                       const Parameters &parameters,
-                       const std::string &name,
-                       const std::string &load_name,
-                       const std::string &text,
-                       const unsigned int n_components)
+    BoundaryFunctions read_boundary_load(
+      const Body &body, const PrescribedDisplacement &prescribed,
+      const Parameters &parameters, const std::string &name, const std::string &load_name,
+      const std::string &text, const unsigned int n_components)
     {
       const std::string location =
         parameters.source.locate("Boundary conditions/" + name);
       BoundaryFunctions functions =
-        parse_boundary_functions(text,
-                                 location,
-                                 body.boundary_names(),
-                                 n_components,
-                                 false,
-                                 parameters.boundary.time);
+        parse_boundary_functions(text, location, body.boundary_names(), n_components,
+                                 false, parameters.boundary.time);
       for (const auto &load : functions)
         if (prescribed.holds_completely(load.first))
           throw InputError(location + ": boundary " +
                            body.boundary_names().describe(load.first) +
-                           " already has a prescribed displacement, a " +
-                           load_name +
+                           " already has a prescribed displacement, a " + load_name +
                            " there is carried by the support alone; "
                            "allowed is one of the two.");
       return functions;
     }
 
-    std::unique_ptr<ParsedFunction>
-    read_volume_load(const Parameters &parameters,
-                     const std::string &entry,
-                     const std::string &text)
+    std::unique_ptr<ParsedFunction> read_volume_load(const Parameters &parameters,
+                                                     const std::string &entry,
+                                                     const std::string &text)
     {
       if (Utilities::trim(text).empty())
         return nullptr;
-      return std::make_unique<ParsedFunction>(
-        text, 3, parameters.source.locate(entry), parameters.boundary.time);
+      return std::make_unique<ParsedFunction>(text, 3, parameters.source.locate(entry),
+                                              parameters.boundary.time);
     }
 
     // Calls back with the values on each face of the boundary whose cell this
     // rank owns.
     template<typename IsWanted, typename Callback>
-    void
-    for_each_boundary_face(const Body &body,
-                           const IsWanted &is_wanted,
-                           const Callback &callback)
+    void for_each_boundary_face(const Body &body, const IsWanted &is_wanted,
+                                const Callback &callback)
     {
       const FiniteElement<3> &fe = body.dof_handler().get_fe();
       const QGauss<2> quadrature(fe.degree + 1);
-      FEFaceValues<3> values(body.mapping(),
-                             fe,
-                             quadrature,
+      FEFaceValues<3> values(body.mapping(), fe, quadrature,
                              update_values | update_quadrature_points |
                                update_JxW_values | update_normal_vectors);
       for (const auto &cell : body.dof_handler().active_cell_iterators())
@@ -86,43 +72,23 @@ namespace stiction
     }
   } // namespace
 
-
-
-  Loads::Loads(const Body &body,
-               const PrescribedDisplacement &prescribed,
+  Loads::Loads(const Body &body, const PrescribedDisplacement &prescribed,
                const Parameters &parameters)
     : body_(body)
-    , traction_(read_boundary_load(body,
-                                   prescribed,
-                                   parameters,
-                                   "Traction",
-                                   "traction",
-                                   parameters.boundary.traction,
-                                   3))
-    , pressure_(read_boundary_load(body,
-                                   prescribed,
-                                   parameters,
-                                   "Pressure",
-                                   "pressure",
-                                   parameters.boundary.pressure,
-                                   1))
-    , body_force_(read_volume_load(parameters,
-                                   "Boundary conditions/Body force",
+    , traction_(read_boundary_load(body, prescribed, parameters, "Traction", "traction",
+                                   parameters.boundary.traction, 3))
+    , pressure_(read_boundary_load(body, prescribed, parameters, "Pressure", "pressure",
+                                   parameters.boundary.pressure, 1))
+    , body_force_(read_volume_load(parameters, "Boundary conditions/Body force",
                                    parameters.boundary.body_force))
-    , gravity_(read_volume_load(parameters,
-                                "Boundary conditions/Gravity",
+    , gravity_(read_volume_load(parameters, "Boundary conditions/Gravity",
                                 parameters.boundary.gravity))
   {
   }
 
-
-
   Loads::~Loads() = default;
 
-
-
-  void
-  Loads::assemble(const Materials &materials, LA::Vector &load) const
+  void Loads::assemble(const Materials &materials, LA::Vector &load) const
   {
     throw_on_all_ranks(body_.communicator(), [&]() {
       add_boundary_loads(load);
@@ -132,27 +98,18 @@ namespace stiction
     load.compress(VectorOperation::add);
   }
 
-
-
-  void
-  Loads::add(const types::global_dof_index dof,
-             const double force,
-             LA::Vector &load) const
+  void Loads::add(const types::global_dof_index dof, const double force,
+                  LA::Vector &load) const
   {
     if (!body_.is_hanging(dof))
       load(dof) += force;
     else
-      for (const auto &master :
-           *body_.hanging_nodes().get_constraint_entries(dof))
+      for (const auto &master : *body_.hanging_nodes().get_constraint_entries(dof))
         load(master.first) += master.second * force;
   }
 
-
-
-  Tensor<1, 3>
-  Loads::traction(const types::boundary_id boundary,
-                  const Point<3> &x,
-                  const Tensor<1, 3> &normal) const
+  Tensor<1, 3> Loads::traction(const types::boundary_id boundary, const Point<3> &x,
+                               const Tensor<1, 3> &normal) const
   {
     Tensor<1, 3> sum;
     const auto pull = traction_.find(boundary);
@@ -164,10 +121,7 @@ namespace stiction
     return sum;
   }
 
-
-
-  std::string
-  Loads::description(const types::boundary_id boundary) const
+  std::string Loads::description(const types::boundary_id boundary) const
   {
     std::string text;
     const auto add = [&](const char *name, const BoundaryFunctions &functions) {
@@ -181,24 +135,17 @@ namespace stiction
     return text;
   }
 
-
-
-  std::string
-  Loads::description_inside() const
+  std::string Loads::description_inside() const
   {
     std::string text;
     if (body_force_)
       text = "body force " + body_force_->expression();
     if (gravity_)
-      text +=
-        (text.empty() ? "" : ", ") + ("gravity " + gravity_->expression());
+      text += (text.empty() ? "" : ", ") + ("gravity " + gravity_->expression());
     return text;
   }
 
-
-
-  Tensor<1, 3>
-  Loads::inside(const double density, const Point<3> &x) const
+  Tensor<1, 3> Loads::inside(const double density, const Point<3> &x) const
   {
     Tensor<1, 3> force;
     for (unsigned int c = 0; c < 3; ++c)
@@ -207,25 +154,20 @@ namespace stiction
     return force;
   }
 
-
-
-  std::map<types::boundary_id, Loads::OnBoundary>
-  Loads::on_boundaries() const
+  std::map<types::boundary_id, Loads::OnBoundary> Loads::on_boundaries() const
   {
     std::map<types::boundary_id, OnBoundary> sums;
     for (const auto id : body_.boundary_names().ids())
       sums[id] = {};
     for_each_boundary_face(
-      body_,
-      [](types::boundary_id) { return true; },
+      body_, [](types::boundary_id) { return true; },
       [&](const auto &, const types::boundary_id id, const auto &values) {
         OnBoundary &sum = sums[id];
         for (const unsigned int q : values.quadrature_point_indices())
           {
             sum.area += values.JxW(q);
-            sum.force +=
-              values.JxW(q) *
-              traction(id, values.quadrature_point(q), values.normal_vector(q));
+            sum.force += values.JxW(q) * traction(id, values.quadrature_point(q),
+                                                  values.normal_vector(q));
           }
       });
     for (auto &boundary : sums)
@@ -237,10 +179,7 @@ namespace stiction
     return sums;
   }
 
-
-
-  void
-  Loads::add_boundary_loads(LA::Vector &load) const
+  void Loads::add_boundary_loads(LA::Vector &load) const
   {
     const FiniteElement<3> &fe = body_.dof_handler().get_fe();
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
@@ -264,18 +203,12 @@ namespace stiction
       });
   }
 
-
-
-  void
-  Loads::add_volume_loads(const Materials &materials, LA::Vector &load) const
+  void Loads::add_volume_loads(const Materials &materials, LA::Vector &load) const
   {
     const FiniteElement<3> &fe = body_.dof_handler().get_fe();
     const QGauss<3> quadrature(fe.degree + 1);
-    FEValues<3> values(body_.mapping(),
-                       fe,
-                       quadrature,
-                       update_values | update_quadrature_points |
-                         update_JxW_values);
+    FEValues<3> values(body_.mapping(), fe, quadrature,
+                       update_values | update_quadrature_points | update_JxW_values);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
 
     for (const auto &cell : body_.dof_handler().active_cell_iterators())

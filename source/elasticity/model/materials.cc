@@ -29,15 +29,13 @@ namespace stiction
     using dealii::Utilities::split_string_list;
     using dealii::Utilities::trim;
 
-    bool
-    is_sane(const double value)
+    bool is_sane(const double value)
     {
       return value >= 1e-30 && value <= 1e30;
     }
 
-    double
-    largest(const std::map<material_id, Material> &materials,
-            double Material::*const modulus)
+    double largest(const std::map<material_id, Material> &materials,
+                   double Material::*const modulus)
     {
       double value = 0.;
       for (const auto &material : materials)
@@ -49,10 +47,8 @@ namespace stiction
     class MaterialList
     {
     public:
-      MaterialList(const Parameters &parameters,
-                   const std::string &entry,
-                   const std::string &value,
-                   std::string form)
+      MaterialList(const Parameters &parameters, const std::string &entry,
+                   const std::string &value, std::string form)
         : location_(parameters.source.describe(entry))
         , form_(std::move(form))
         , parts_(trim(value).empty() ? std::vector<std::string>()
@@ -62,8 +58,7 @@ namespace stiction
 
       // Calls back with the id and the words of each.
       template<typename Callback>
-      void
-      for_each(const Body &body, const Callback &callback) const
+      void for_each(const Body &body, const Callback &callback) const
       {
         std::vector<material_id> seen;
         for (const std::string &part : parts_)
@@ -84,39 +79,30 @@ namespace stiction
           }
       }
 
-      double
-      number(const std::string &word) const
+      double number(const std::string &word) const
       {
         char *end          = nullptr;
         const double value = std::strtod(word.c_str(), &end);
-        if (word.empty() || *end != '\0' ||
-            word.find_first_of("xX") != std::string::npos)
+        if (word.empty() || *end != '\0' || word.find_first_of("xX") != std::string::npos)
           refuse("'" + word + "' is not a number, must read " + form_ +
                  ", several separated by '|'");
         return value;
       }
 
-      [[noreturn]] void
-      refuse(const std::string &reason) const
+      [[noreturn]] void refuse(const std::string &reason) const
       {
         throw InputError(location_ + ", " + reason + ".");
       }
 
-      const std::string &
-      form() const
-      {
-        return form_;
-      }
+      const std::string &form() const { return form_; }
 
     private:
       const std::string location_, form_;
       const std::vector<std::string> parts_;
     };
 
-    Material
-    read_isotropic(const MaterialList &list,
-                   const std::string &name,
-                   const std::vector<std::string> &words)
+    Material read_isotropic(const MaterialList &list, const std::string &name,
+                            const std::vector<std::string> &words)
     {
       const double E  = list.number(words[1]);
       const double nu = list.number(words[2]);
@@ -129,18 +115,15 @@ namespace stiction
       return Material::isotropic(E, nu);
     }
 
-    Material
-    read_orthotropic(const MaterialList &list,
-                     const std::string &name,
-                     const std::vector<std::string> &words)
+    Material read_orthotropic(const MaterialList &list, const std::string &name,
+                              const std::vector<std::string> &words)
     {
       std::array<double, 9> numbers{};
       for (unsigned int i = 0; i < 9; ++i)
         {
           numbers[i] = list.number(words[i + 1]);
           if ((i < 3 || i >= 6) && !is_sane(numbers[i]))
-            list.refuse("a modulus of material " + name + " is " +
-                        words[i + 1] +
+            list.refuse("a modulus of material " + name + " is " + words[i + 1] +
                         ", must be a number > 0, from 1e-30 to 1e30");
         }
       try
@@ -156,10 +139,8 @@ namespace stiction
         }
     }
 
-    Material
-    read_material(const MaterialList &list,
-                  const std::string &name,
-                  const std::vector<std::string> &words)
+    Material read_material(const MaterialList &list, const std::string &name,
+                           const std::vector<std::string> &words)
     {
       if (words.size() == 3 && words[0] == "isotropic")
         return read_isotropic(list, name, words);
@@ -170,10 +151,7 @@ namespace stiction
     }
   } // namespace
 
-
-
-  Material
-  Material::isotropic(const double E, const double nu)
+  Material Material::isotropic(const double E, const double nu)
   {
     Material material;
     material.is_isotropic   = true;
@@ -181,17 +159,13 @@ namespace stiction
     material.shear_modulus  = E / (2. * (1. + nu));
     material.youngs_modulus = E;
 
-    const auto unit = dealii::unit_symmetric_tensor<3>();
-    material.stiffness =
-      material.lame_lambda * outer_product(unit, unit) +
-      2. * material.shear_modulus * dealii::identity_tensor<3>();
+    const auto unit    = dealii::unit_symmetric_tensor<3>();
+    material.stiffness = material.lame_lambda * outer_product(unit, unit) +
+                         2. * material.shear_modulus * dealii::identity_tensor<3>();
     return material;
   }
 
-
-
-  Material
-  Material::orthotropic(const std::array<double, 9> &E1_to_G23)
+  Material Material::orthotropic(const std::array<double, 9> &E1_to_G23)
   {
     const double *const E  = &E1_to_G23[0];
     const double *const nu = &E1_to_G23[3];
@@ -205,8 +179,7 @@ namespace stiction
       {
         root(a) = std::sqrt(E[a]);
         for (unsigned int b = a + 1; b < 3; ++b, ++pair)
-          compliance(a, b) = compliance(b, a) =
-            -nu[pair] * std::sqrt(E[b] / E[a]);
+          compliance(a, b) = compliance(b, a) = -nu[pair] * std::sqrt(E[b] / E[a]);
       }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(compliance);
     if (!(eigen.eigenvalues()(0) > 1e-10))
@@ -233,19 +206,14 @@ namespace stiction
     return material;
   }
 
-
-
-  dealii::SymmetricTensor<2, 3>
-  Material::stress(const dealii::SymmetricTensor<2, 3> &strain) const
+  dealii::SymmetricTensor<2, 3> Material::stress(
+    const dealii::SymmetricTensor<2, 3> &strain) const
   {
     if (is_isotropic)
-      return lame_lambda * trace(strain) *
-               dealii::unit_symmetric_tensor<3, double>() +
+      return lame_lambda * trace(strain) * dealii::unit_symmetric_tensor<3, double>() +
              2. * shear_modulus * strain;
     return stiffness * strain;
   }
-
-
 
   Materials::Materials(const Body &body, const Parameters &parameters)
     : have_mean_dilatation_(parameters.has_mean_dilatation())
@@ -257,30 +225,26 @@ namespace stiction
     if (common.youngs_modulus && common.poisson_ratio)
       {
         for (const material_id id : ids)
-          by_id_[id] =
-            Material::isotropic(*common.youngs_modulus, *common.poisson_ratio);
+          by_id_[id] = Material::isotropic(*common.youngs_modulus, *common.poisson_ratio);
         without_stiffness.clear();
       }
 
-    const MaterialList materials(parameters,
-                                 "Material/Materials",
+    const MaterialList materials(parameters, "Material/Materials",
                                  parameters.material.materials,
                                  "'material : isotropic; E; nu' or 'material : "
                                  "orthotropic; E1; E2; E3; nu12; nu13; nu23; "
                                  "G12; G13; G23'");
     materials.for_each(
-      body,
-      [&](const material_id id, const std::string &name, const auto &words) {
+      body, [&](const material_id id, const std::string &name, const auto &words) {
         by_id_[id] = read_material(materials, name, words);
         without_stiffness.erase(id);
       });
     const auto require_all = [&](const std::set<material_id> &without,
-                                 const std::string &entry,
-                                 const std::string &list,
+                                 const std::string &entry, const std::string &list,
                                  const std::string &line) {
       if (!without.empty())
-        throw InputError(parameters.source.describe_missing(entry) + ", and '" +
-                         list + "' says nothing of material " +
+        throw InputError(parameters.source.describe_missing(entry) + ", and '" + list +
+                         "' says nothing of material " +
                          body.material_names().describe(*without.begin()) +
                          ", write into the section 'Material' " + line +
                          ", or the material into '" + list + "'.");
@@ -298,94 +262,65 @@ namespace stiction
         without_density.clear();
       }
 
-    const MaterialList densities(parameters,
-                                 "Material/Densities",
-                                 parameters.material.densities,
-                                 "'material : density'");
+    const MaterialList densities(parameters, "Material/Densities",
+                                 parameters.material.densities, "'material : density'");
     densities.for_each(
-      body,
-      [&](const material_id id, const std::string &name, const auto &words) {
+      body, [&](const material_id id, const std::string &name, const auto &words) {
         if (words.size() != 1)
-          densities.refuse("material " + name + " must read " +
-                           densities.form());
+          densities.refuse("material " + name + " must read " + densities.form());
         const double density = densities.number(words[0]);
         if (density != 0. && !is_sane(density))
-          densities.refuse("the density of material " + name + " is " +
-                           words[0] +
+          densities.refuse("the density of material " + name + " is " + words[0] +
                            ", must be 0 or a number > 0, from 1e-30 to "
                            "1e30");
         by_id_.at(id).density = density;
         without_density.erase(id);
       });
     if (!parameters.boundary.gravity.empty())
-      require_all(without_density,
-                  "Material/Density",
-                  "Densities",
+      require_all(without_density, "Material/Density", "Densities",
                   "such as 'set Density = 7850', of which 'Boundary "
                   "conditions/Gravity' makes weight");
   }
 
-
-
-  bool
-  Materials::are_simple() const
+  bool Materials::are_simple() const
   {
     return !have_mean_dilatation_ &&
-           std::all_of(by_id_.begin(), by_id_.end(), [](const auto &entry) {
-             return entry.second.is_isotropic;
-           });
+           std::all_of(by_id_.begin(), by_id_.end(),
+                       [](const auto &entry) { return entry.second.is_isotropic; });
   }
 
-
-
-  void
-  Materials::assign(HexahedralCell &cell, const double unit) const
+  void Materials::assign(HexahedralCell &cell, const double unit) const
   {
     const Material &material = of(cell.material_id);
     cell.lame_lambda         = material.lame_lambda / unit;
     cell.shear_modulus       = material.shear_modulus / unit;
   }
 
-
-
-  double
-  Materials::smallest_youngs_modulus() const
+  double Materials::smallest_youngs_modulus() const
   {
-    return std::min_element(by_id_.begin(),
-                            by_id_.end(),
+    return std::min_element(by_id_.begin(), by_id_.end(),
                             [](const auto &a, const auto &b) {
-                              return a.second.youngs_modulus <
-                                     b.second.youngs_modulus;
+                              return a.second.youngs_modulus < b.second.youngs_modulus;
                             })
       ->second.youngs_modulus;
   }
 
-
-
-  double
-  Materials::largest_youngs_modulus() const
+  double Materials::largest_youngs_modulus() const
   {
     return largest(by_id_, &Material::youngs_modulus);
   }
 
-
-
-  double
-  Materials::largest_shear_modulus() const
+  double Materials::largest_shear_modulus() const
   {
     return largest(by_id_, &Material::shear_modulus);
   }
 
-
-
-  void
-  assign_material_ids(Body &body, const Parameters &parameters)
+  void assign_material_ids(Body &body, const Parameters &parameters)
   {
     if (trim(parameters.material.material_ids).empty())
       return;
     const std::string entry = "Material/Material ids";
-    const ParsedFunction formula(parameters.material.material_ids,
-                                 1,
+    const ParsedFunction formula(parameters.material.material_ids, 1,
                                  parameters.source.locate(entry),
                                  parameters.boundary.time);
     // every rank knows the coarse mesh
@@ -394,9 +329,8 @@ namespace stiction
       if (!(id >= 0. && id <= 1000. && id == std::floor(id)))
         {
           std::ostringstream message;
-          message << parameters.source.describe(entry) << ", gives " << id
-                  << " at (" << centre
-                  << "), must be an integer from 0 to 1000.";
+          message << parameters.source.describe(entry) << ", gives " << id << " at ("
+                  << centre << "), must be an integer from 0 to 1000.";
           throw InputError(message.str());
         }
       return static_cast<material_id>(id);

@@ -23,8 +23,7 @@ namespace stiction
   namespace
   {
     // Where an unknown of a cell near this rank is, and along which axis.
-    std::string
-    place_of(const Body &body, const types::global_dof_index dof)
+    std::string place_of(const Body &body, const types::global_dof_index dof)
     {
       const FiniteElement<3> &fe = body.dof_handler().get_fe();
       std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
@@ -39,8 +38,8 @@ namespace stiction
             std::ostringstream place;
             place << "along "
                   << "xyz"[fe.system_to_component_index(i).first] << " at ("
-                  << body.mapping().transform_unit_to_real_cell(
-                       cell, fe.unit_support_point(i))
+                  << body.mapping().transform_unit_to_real_cell(cell,
+                                                                fe.unit_support_point(i))
                   << ")";
             return place.str();
           }
@@ -48,22 +47,14 @@ namespace stiction
     }
   } // namespace
 
-
-
   PrescribedDisplacement::PrescribedDisplacement(const Body &body,
                                                  const Parameters &parameters)
     : body_(body)
-    , location_(
-        parameters.source.locate("Boundary conditions/Prescribed displacement"))
-    , functions_(
-        parse_boundary_functions(parameters.boundary.prescribed_displacement,
-                                 location_,
-                                 body.boundary_names(),
-                                 3,
-                                 true,
-                                 parameters.boundary.time))
-    , points_location_(
-        parameters.source.locate("Boundary conditions/Prescribed points"))
+    , location_(parameters.source.locate("Boundary conditions/Prescribed displacement"))
+    , functions_(parse_boundary_functions(parameters.boundary.prescribed_displacement,
+                                          location_, body.boundary_names(), 3, true,
+                                          parameters.boundary.time))
+    , points_location_(parameters.source.locate("Boundary conditions/Prescribed points"))
   {
     const std::string &text = parameters.boundary.prescribed_points;
     if (Utilities::trim(text).empty())
@@ -76,30 +67,26 @@ namespace stiction
                            ", must read 'x; y; z : ux; uy; uz', several "
                            "separated by '|'.");
         const std::string place = Utilities::trim(part.substr(0, colon));
-        const ParsedFunction position(
-          place, 3, points_location_, parameters.boundary.time);
+        const ParsedFunction position(place, 3, points_location_,
+                                      parameters.boundary.time);
         PrescribedPoint point;
         for (unsigned int c = 0; c < 3; ++c)
           {
             point.position[c] = position.value(Point<3>(), c);
-            if (position.value(Point<3>(0.37, 0.61, 0.83), c) !=
-                point.position[c])
+            if (position.value(Point<3>(0.37, 0.61, 0.83), c) != point.position[c])
               throw InputError(points_location_ + " = " + place +
                                ", the place of a node must not depend on x, "
                                "y, z.");
           }
-        point.displacement = parse_components(part.substr(colon + 1),
-                                              points_location_,
-                                              "the point (" + place + ")",
-                                              parameters.boundary.time);
+        point.displacement =
+          parse_components(part.substr(colon + 1), points_location_,
+                           "the point (" + place + ")", parameters.boundary.time);
         points_.push_back(std::move(point));
       }
   }
 
-
-
-  std::vector<std::pair<std::string, std::string>>
-  PrescribedDisplacement::description() const
+  std::vector<std::pair<std::string, std::string>> PrescribedDisplacement::description()
+    const
   {
     const auto describe = [](const BoundaryFunction &displacement) {
       const auto formulas =
@@ -123,17 +110,14 @@ namespace stiction
     for (const PrescribedPoint &point : points_)
       {
         std::ostringstream place;
-        place << "node (" << point.position[0] << ", " << point.position[1]
-              << ", " << point.position[2] << ')';
+        place << "node (" << point.position[0] << ", " << point.position[1] << ", "
+              << point.position[2] << ')';
         all.emplace_back(place.str(), describe(point.displacement));
       }
     return all;
   }
 
-
-
-  std::string
-  PrescribedDisplacement::components(const types::boundary_id boundary) const
+  std::string PrescribedDisplacement::components(const types::boundary_id boundary) const
   {
     std::string text;
     const auto condition = functions_.find(boundary);
@@ -143,37 +127,26 @@ namespace stiction
     return text;
   }
 
-
-
-  bool
-  PrescribedDisplacement::holds_completely(
-    const types::boundary_id boundary) const
+  bool PrescribedDisplacement::holds_completely(const types::boundary_id boundary) const
   {
     const auto condition = functions_.find(boundary);
     return condition != functions_.end() &&
            condition->second.components.n_selected_components() == 3;
   }
 
-
-
-  void
-  PrescribedDisplacement::add_to(AffineConstraints<double> &constraints) const
+  void PrescribedDisplacement::add_to(AffineConstraints<double> &constraints) const
   {
     // Cells of other ranks around the own ones are looked at, too, so that a
     // rank sees all boundaries around its nodes.
-    std::map<types::boundary_id, std::map<types::global_dof_index, double>>
-      values;
+    std::map<types::boundary_id, std::map<types::global_dof_index, double>> values;
     double largest = 0.;
     throw_on_all_ranks(body_.communicator(), [&]() {
       for (const auto &condition : functions_)
         {
           auto &here = values[condition.first];
-          VectorTools::interpolate_boundary_values(body_.mapping(),
-                                                   body_.dof_handler(),
-                                                   condition.first,
-                                                   *condition.second.function,
-                                                   here,
-                                                   condition.second.components);
+          VectorTools::interpolate_boundary_values(
+            body_.mapping(), body_.dof_handler(), condition.first,
+            *condition.second.function, here, condition.second.components);
           for (const auto &value : here)
             largest = std::max(largest, std::abs(value.second));
         }
@@ -205,20 +178,15 @@ namespace stiction
     });
 
     for (const auto &dof : first)
-      if (constraints.can_store_line(dof.first) &&
-          !constraints.is_constrained(dof.first))
+      if (constraints.can_store_line(dof.first) && !constraints.is_constrained(dof.first))
         {
           constraints.add_line(dof.first);
-          constraints.set_inhomogeneity(dof.first,
-                                        values.at(dof.second).at(dof.first));
+          constraints.set_inhomogeneity(dof.first, values.at(dof.second).at(dof.first));
         }
     add_points_to(constraints);
   }
 
-
-
-  std::set<types::boundary_id>
-  PrescribedDisplacement::boundaries() const
+  std::set<types::boundary_id> PrescribedDisplacement::boundaries() const
   {
     std::set<types::boundary_id> ids;
     for (const auto &condition : functions_)
@@ -226,25 +194,19 @@ namespace stiction
     return ids;
   }
 
-
-
-  std::map<types::global_dof_index, types::boundary_id>
-  PrescribedDisplacement::supporting_boundaries() const
+  std::map<types::global_dof_index, types::boundary_id> PrescribedDisplacement::
+    supporting_boundaries() const
   {
     std::map<types::global_dof_index, types::boundary_id> boundary_of;
     for (const auto &condition : functions_) // in the order of their ids
-      for (const auto dof :
-           DoFTools::extract_boundary_dofs(body_.dof_handler(),
-                                           condition.second.components,
-                                           {condition.first}))
+      for (const auto dof : DoFTools::extract_boundary_dofs(
+             body_.dof_handler(), condition.second.components, {condition.first}))
         boundary_of.emplace(dof, condition.first);
     return boundary_of;
   }
 
-
-
-  std::vector<PrescribedDisplacement::SupportedNode>
-  PrescribedDisplacement::supported_nodes() const
+  std::vector<PrescribedDisplacement::SupportedNode> PrescribedDisplacement::
+    supported_nodes() const
   {
     std::vector<SupportedNode> nodes;
     for (const PrescribedPoint &point : points_)
@@ -252,10 +214,8 @@ namespace stiction
     return nodes;
   }
 
-
-
-  PrescribedDisplacement::SupportedNode
-  PrescribedDisplacement::node_of(const PrescribedPoint &point) const
+  PrescribedDisplacement::SupportedNode PrescribedDisplacement::node_of(
+    const PrescribedPoint &point) const
   {
     const auto corners = body_.bounding_box().get_boundary_points();
     const double near  = 1e-6 * corners.first.distance(corners.second);
@@ -284,19 +244,15 @@ namespace stiction
       throw InputError(message.str());
     });
     // what is nearest is one node, known to its owner
-    nearest.first_dof = Utilities::MPI::max(is_here ? nearest.first_dof : 0,
-                                            body_.communicator());
+    nearest.first_dof =
+      Utilities::MPI::max(is_here ? nearest.first_dof : 0, body_.communicator());
     for (unsigned int c = 0; c < 3; ++c)
-      nearest.position[c] = Utilities::MPI::sum(
-        is_here ? nearest.position[c] : 0., body_.communicator());
+      nearest.position[c] =
+        Utilities::MPI::sum(is_here ? nearest.position[c] : 0., body_.communicator());
     return nearest;
   }
 
-
-
-  void
-  PrescribedDisplacement::add_points_to(
-    AffineConstraints<double> &constraints) const
+  void PrescribedDisplacement::add_points_to(AffineConstraints<double> &constraints) const
   {
     for (const PrescribedPoint &point : points_)
       {
@@ -317,8 +273,7 @@ namespace stiction
               if (!node.components[c] || !constraints.can_store_line(dof))
                 continue;
               // at the node, where those of the boundaries are taken
-              const double value =
-                point.displacement.function->value(node.position, c);
+              const double value = point.displacement.function->value(node.position, c);
               if (!constraints.is_constrained(dof))
                 {
                   constraints.add_line(dof);
@@ -328,8 +283,8 @@ namespace stiction
                        1e-10 * std::abs(value))
                 {
                   message << "prescribes " << value << " along "
-                          << "xyz"[c] << " at (" << point.position
-                          << "), where " << constraints.get_inhomogeneity(dof)
+                          << "xyz"[c] << " at (" << point.position << "), where "
+                          << constraints.get_inhomogeneity(dof)
                           << " is prescribed already, must be the same or "
                              "'free'.";
                   throw InputError(message.str());
@@ -339,17 +294,12 @@ namespace stiction
       }
   }
 
-
-
-  void
-  PrescribedDisplacement::require_support(
+  void PrescribedDisplacement::require_support(
     const AffineConstraints<double> &constraints) const
   {
-    const std::string free_motions =
-      free_rigid_body_motions(body_, constraints);
+    const std::string free_motions = free_rigid_body_motions(body_, constraints);
     if (!free_motions.empty())
-      throw InputError(location_ + ": the body is not held, free are " +
-                       free_motions +
+      throw InputError(location_ + ": the body is not held, free are " + free_motions +
                        "; prescribe the displacement of a boundary other than "
                        "the contact boundary.");
   }

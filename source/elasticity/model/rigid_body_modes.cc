@@ -11,8 +11,7 @@ namespace stiction
 {
   using namespace dealii;
 
-  std::vector<std::vector<double>>
-  rigid_body_modes(const Body &body)
+  std::vector<std::vector<double>> rigid_body_modes(const Body &body)
   {
     // the nodes are in the order of their unknowns
     std::vector<Point<3>> positions;
@@ -22,17 +21,14 @@ namespace stiction
     return rigid_body_modes(body, positions);
   }
 
-
-
-  std::vector<std::vector<double>>
-  rigid_body_modes(const Body &body, const std::vector<Point<3>> &positions)
+  std::vector<std::vector<double>> rigid_body_modes(
+    const Body &body, const std::vector<Point<3>> &positions)
   {
     const auto &corners   = body.bounding_box().get_boundary_points();
     const Point<3> centre = body.bounding_box().center();
     const double radius   = corners.first.distance(corners.second) / 2.;
 
-    std::vector<std::vector<double>> modes(
-      6, std::vector<double>(3 * positions.size()));
+    std::vector<std::vector<double>> modes(6, std::vector<double>(3 * positions.size()));
     for (std::size_t i = 0; i < positions.size(); ++i)
       {
         const Tensor<1, 3> x = (positions[i] - centre) / radius;
@@ -47,11 +43,8 @@ namespace stiction
     return modes;
   }
 
-
-
-  std::string
-  free_rigid_body_motions(const Body &body,
-                          const AffineConstraints<double> &constraints)
+  std::string free_rigid_body_motions(const Body &body,
+                                      const AffineConstraints<double> &constraints)
   {
     const auto modes      = rigid_body_modes(body);
     const IndexSet &owned = body.locally_owned_dofs();
@@ -70,24 +63,18 @@ namespace stiction
         ++k;
       }
     Utilities::MPI::sum(ArrayView<const double>(gram.data(), gram.size()),
-                        body.communicator(),
-                        ArrayView<double>(gram.data(), gram.size()));
+                        body.communicator(), ArrayView<double>(gram.data(), gram.size()));
 
     const Eigen::Map<const Eigen::Matrix<double, 6, 6>> matrix(gram.data());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(
-      matrix);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(matrix);
     const double scale = eigen.eigenvalues()(5);
 
-    static const std::array<const char *, 6> names = {{"translation along x",
-                                                       "translation along y",
-                                                       "translation along z",
-                                                       "rotation about x",
-                                                       "rotation about y",
-                                                       "rotation about z"}};
+    static const std::array<const char *, 6> names = {
+      {"translation along x", "translation along y", "translation along z",
+       "rotation about x", "rotation about y", "rotation about z"}};
 
     std::string text;
-    Eigen::Matrix<double, 6, 1> in_null_space =
-      Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::Matrix<double, 6, 1> in_null_space = Eigen::Matrix<double, 6, 1>::Zero();
     for (unsigned int e = 0; e < 6; ++e)
       if (eigen.eigenvalues()(e) <= 1e-10 * scale)
         in_null_space += eigen.eigenvectors().col(e).cwiseAbs2();

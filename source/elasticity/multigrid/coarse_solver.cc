@@ -36,8 +36,7 @@ namespace stiction
 
     using Indices = std::vector<types::global_dof_index>;
 
-    Indices
-    indices_of(const MeshLevel &level, const HexahedralCell &cell)
+    Indices indices_of(const MeshLevel &level, const HexahedralCell &cell)
     {
       Indices indices(24);
       for (unsigned int v = 0; v < 8; ++v)
@@ -47,14 +46,9 @@ namespace stiction
     }
   } // namespace
 
-
-
-  CoarseSolver::CoarseSolver(const LinearElasticity &elasticity,
-                             const MeshLevel &level,
-                             const LA::Vector &fixed,
-                             const Indices &supported_nodes,
-                             const NodalSupports &supports,
-                             const bool is_direct)
+  CoarseSolver::CoarseSolver(const LinearElasticity &elasticity, const MeshLevel &level,
+                             const LA::Vector &fixed, const Indices &supported_nodes,
+                             const NodalSupports &supports, const bool is_direct)
     : elasticity_(elasticity)
     , level_(level)
     , fixed_(std::make_unique<LA::Vector>(fixed))
@@ -71,21 +65,16 @@ namespace stiction
           support_of_[level.local_node(dof)] = i;
       }
     if (elasticity.stiffness().matrix() != nullptr) // then there is one level
-      assembled_ = std::make_unique<ConstrainedMatrix>(
-        *elasticity.stiffness().matrix(), fixed, supported_nodes);
+      assembled_ = std::make_unique<ConstrainedMatrix>(*elasticity.stiffness().matrix(),
+                                                       fixed, supported_nodes);
     else if (level_.n_dofs() > max_dense)
       make_pattern();
     set_supports(supports);
   }
 
-
-
   CoarseSolver::~CoarseSolver() = default;
 
-
-
-  void
-  CoarseSolver::make_pattern()
+  void CoarseSolver::make_pattern()
   {
     const IndexSet &owned = level_.partitioner()->locally_owned_range();
     IndexSet relevant     = owned;
@@ -97,16 +86,13 @@ namespace stiction
       for (const auto row : indices)
         pattern.add_entries(row, indices.begin(), indices.end());
     });
-    SparsityTools::distribute_sparsity_pattern(
-      pattern, owned, level_.communicator(), relevant);
+    SparsityTools::distribute_sparsity_pattern(pattern, owned, level_.communicator(),
+                                               relevant);
     matrix_ = std::make_unique<LA::SparseMatrix>();
     matrix_->reinit(owned, owned, pattern, level_.communicator());
   }
 
-
-
-  void
-  CoarseSolver::set_supports(const NodalSupports &supports)
+  void CoarseSolver::set_supports(const NodalSupports &supports)
   {
     direct_.reset(); // before the new one
     amg_.reset();
@@ -129,11 +115,8 @@ namespace stiction
     factorize(*matrix_, supports);
   }
 
-
-
-  void
-  CoarseSolver::factorize(const LA::SparseMatrix &matrix,
-                          const NodalSupports &supports)
+  void CoarseSolver::factorize(const LA::SparseMatrix &matrix,
+                               const NodalSupports &supports)
   {
     if (always_direct_ || level_.n_dofs() <= max_direct)
       direct_ = std::make_unique<MumpsFactorization>(matrix, 3);
@@ -141,10 +124,7 @@ namespace stiction
       amg_ = std::make_unique<AmgPreconditioner>(matrix, held_modes(supports));
   }
 
-
-
-  void
-  CoarseSolver::factorize_dense(const NodalSupports &supports)
+  void CoarseSolver::factorize_dense(const NodalSupports &supports)
   {
     const auto n           = static_cast<Eigen::Index>(level_.n_dofs());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
@@ -159,10 +139,7 @@ namespace stiction
     dense_ = std::make_unique<Eigen::LLT<Eigen::MatrixXd>>(matrix);
   }
 
-
-
-  void
-  CoarseSolver::assemble(const NodalSupports &supports, const Add &add) const
+  void CoarseSolver::assemble(const NodalSupports &supports, const Add &add) const
   {
     ElementStiffness element_stiffness;
     FullMatrix<double> held(24, 24);
@@ -176,9 +153,8 @@ namespace stiction
       for (unsigned int v = 0; v < 8; ++v)
         {
           const auto support = support_of_.find(cell.nodes[v]);
-          P[v]               = support == support_of_.end()
-                                 ? Eigen::Matrix3d::Identity()
-                                 : supports[support->second].projection;
+          P[v]               = support == support_of_.end() ? Eigen::Matrix3d::Identity()
+                                                            : supports[support->second].projection;
           for (unsigned int c = 0; c < 3; ++c)
             if (fixed_->local_element(3 * cell.nodes[v] + c) != 0.)
               {
@@ -197,8 +173,7 @@ namespace stiction
             block = (P[i] * block * P[j]).eval();
             // held directions keep a diagonal of the size of the others
             if (i == j)
-              block +=
-                free(3 * i, 3 * i) * (Eigen::Matrix3d::Identity() - P[i]);
+              block += free(3 * i, 3 * i) * (Eigen::Matrix3d::Identity() - P[i]);
             for (unsigned int a = 0; a < 3; ++a)
               for (unsigned int b = 0; b < 3; ++b)
                 held(3 * i + a, 3 * j + b) = block(a, b);
@@ -218,10 +193,8 @@ namespace stiction
       }
   }
 
-
-
-  std::vector<std::vector<double>>
-  CoarseSolver::held_modes(const NodalSupports &supports) const
+  std::vector<std::vector<double>> CoarseSolver::held_modes(
+    const NodalSupports &supports) const
   {
     std::vector<std::vector<double>> modes;
     std::vector<Point<3>> positions(level_.n_owned_nodes());
@@ -252,10 +225,7 @@ namespace stiction
     return modes;
   }
 
-
-
-  void
-  CoarseSolver::vmult(LA::Vector &dst, const LA::Vector &src) const
+  void CoarseSolver::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
     if (amg_)
       {
@@ -265,13 +235,11 @@ namespace stiction
     if (dense_)
       {
         const IndexSet owned = src.locally_owned_elements();
-        Eigen::VectorXd x =
-          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(src.size()));
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(src.size()));
         for (const auto i : owned)
           x(i) = src(i);
         Utilities::MPI::sum(ArrayView<const double>(x.data(), x.size()),
-                            level_.communicator(),
-                            ArrayView<double>(x.data(), x.size()));
+                            level_.communicator(), ArrayView<double>(x.data(), x.size()));
         dense_->solveInPlace(x);
         for (const auto i : owned)
           dst(i) = x(i);

@@ -20,8 +20,7 @@ namespace stiction
       std::vector<unsigned int> coarse_vertices;
     };
 
-    std::vector<FineNode>
-    fine_nodes_of_a_cell()
+    std::vector<FineNode> fine_nodes_of_a_cell()
     {
       std::vector<FineNode> nodes(27);
       for (unsigned int i = 0; i < 27; ++i)
@@ -48,11 +47,9 @@ namespace stiction
 
     // fine += P coarse
     template<typename Rows, typename Number>
-    void
-    gather(const Rows &rows, Number *fine, const Number *coarse)
+    void gather(const Rows &rows, Number *fine, const Number *coarse)
     {
-      constexpr std::size_t n =
-        std::tuple_size<typename Rows::value_type>() - 1;
+      constexpr std::size_t n = std::tuple_size<typename Rows::value_type>() - 1;
       constexpr Number weight = Number(1.) / n;
       for (const auto &row : rows)
         {
@@ -66,11 +63,9 @@ namespace stiction
     }
 
     template<typename Rows, typename Number>
-    void
-    scatter(const Rows &rows, Number *coarse, const Number *fine)
+    void scatter(const Rows &rows, Number *coarse, const Number *fine)
     {
-      constexpr std::size_t n =
-        std::tuple_size<typename Rows::value_type>() - 1;
+      constexpr std::size_t n = std::tuple_size<typename Rows::value_type>() - 1;
       constexpr Number weight = Number(1.) / n;
       for (const auto &row : rows)
         {
@@ -84,30 +79,22 @@ namespace stiction
     }
   } // namespace
 
-
-
-  LevelTransfer::LevelTransfer(const Body &body,
-                               const unsigned int fine_level,
-                               const MeshLevel &coarse,
-                               const MeshLevel &fine)
+  LevelTransfer::LevelTransfer(const Body &body, const unsigned int fine_level,
+                               const MeshLevel &coarse, const MeshLevel &fine)
     : coarse_(coarse)
     , fine_(fine)
   {
     const DoFHandler<3> &dof_handler = body.dof_handler();
     const auto nodes                 = fine_nodes_of_a_cell();
-    const unsigned int rank =
-      Utilities::MPI::this_mpi_process(body.communicator());
+    const unsigned int rank = Utilities::MPI::this_mpi_process(body.communicator());
 
     const auto for_each_node = [&](const auto &visit) {
-      for (const auto &cell :
-           dof_handler.mg_cell_iterators_on_level(fine_level - 1))
+      for (const auto &cell : dof_handler.mg_cell_iterators_on_level(fine_level - 1))
         if (cell->is_locally_owned_on_level() && cell->has_children())
           for (const FineNode &node : nodes)
-            visit(cell,
-                  node,
-                  fine.local_node(
-                    cell->child(node.child)
-                      ->mg_vertex_dof_index(fine_level, node.vertex, 0)));
+            visit(cell, node,
+                  fine.local_node(cell->child(node.child)
+                                    ->mg_vertex_dof_index(fine_level, node.vertex, 0)));
     };
 
     // Several ranks see a fine node between their coarse cells: the first of
@@ -118,62 +105,52 @@ namespace stiction
         auto first_rank = fine.zero_vector<double>();
         for (unsigned int i = 0; i < 3 * fine.n_local_nodes(); ++i)
           first_rank.local_element(i) = std::numeric_limits<double>::max();
-        for_each_node(
-          [&](const auto &, const FineNode &, const unsigned int i) {
-            first_rank.local_element(3 * i) = rank;
-          });
+        for_each_node([&](const auto &, const FineNode &, const unsigned int i) {
+          first_rank.local_element(3 * i) = rank;
+        });
         first_rank.compress(VectorOperation::min);
         first_rank.update_ghost_values();
         for (unsigned int i = 0; i < fine.n_local_nodes(); ++i)
           is_mine[i] = first_rank.local_element(3 * i) == rank;
       }
 
-    const auto add = [&](auto &rows,
-                         const auto &cell,
-                         const FineNode &node,
+    const auto add = [&](auto &rows, const auto &cell, const FineNode &node,
                          const unsigned int fine_node) {
       auto &row = rows.emplace_back();
       row[0]    = fine_node;
       for (unsigned int k = 0; k < node.coarse_vertices.size(); ++k)
-        row[k + 1] = coarse.local_node(cell->mg_vertex_dof_index(
-          fine_level - 1, node.coarse_vertices[k], 0));
+        row[k + 1] = coarse.local_node(
+          cell->mg_vertex_dof_index(fine_level - 1, node.coarse_vertices[k], 0));
     };
-    for_each_node(
-      [&](const auto &cell, const FineNode &node, const unsigned int i) {
-        if (!is_mine[i])
-          return;
-        is_mine[i] = false; // only once
-        switch (node.coarse_vertices.size())
-          {
-            case 1:
-              return add(vertices_, cell, node, i);
-            case 2:
-              return add(edges_, cell, node, i);
-            case 4:
-              return add(faces_, cell, node, i);
-            default:
-              return add(cells_, cell, node, i);
-          }
-      });
+    for_each_node([&](const auto &cell, const FineNode &node, const unsigned int i) {
+      if (!is_mine[i])
+        return;
+      is_mine[i] = false; // only once
+      switch (node.coarse_vertices.size())
+        {
+          case 1:
+            return add(vertices_, cell, node, i);
+          case 2:
+            return add(edges_, cell, node, i);
+          case 4:
+            return add(faces_, cell, node, i);
+          default:
+            return add(cells_, cell, node, i);
+        }
+    });
   }
 
-
-
   template<typename Number>
-  void
-  LevelTransfer::prolongate(LA::VectorOf<Number> &fine,
-                            const LA::VectorOf<Number> &coarse) const
+  void LevelTransfer::prolongate(LA::VectorOf<Number> &fine,
+                                 const LA::VectorOf<Number> &coarse) const
   {
     fine = Number(0.);
     prolongate_add(fine, coarse);
   }
 
-
-
   template<typename Number>
-  void
-  LevelTransfer::prolongate_add(LA::VectorOf<Number> &fine,
-                                const LA::VectorOf<Number> &coarse) const
+  void LevelTransfer::prolongate_add(LA::VectorOf<Number> &fine,
+                                     const LA::VectorOf<Number> &coarse) const
   {
     // the ghosts of the fine vector are zero, and take what goes to others
     coarse.update_ghost_values();
@@ -185,12 +162,9 @@ namespace stiction
     fine.compress(VectorOperation::add);
   }
 
-
-
   template<typename Number>
-  void
-  LevelTransfer::restrict_to(LA::VectorOf<Number> &coarse,
-                             const LA::VectorOf<Number> &fine) const
+  void LevelTransfer::restrict_to(LA::VectorOf<Number> &coarse,
+                                  const LA::VectorOf<Number> &fine) const
   {
     fine.update_ghost_values();
     coarse = Number(0.);
@@ -202,12 +176,9 @@ namespace stiction
     coarse.compress(VectorOperation::add);
   }
 
-
-
   template<typename Number>
-  void
-  LevelTransfer::inject(LA::VectorOf<Number> &coarse,
-                        const LA::VectorOf<Number> &fine) const
+  void LevelTransfer::inject(LA::VectorOf<Number> &coarse,
+                             const LA::VectorOf<Number> &fine) const
   {
     fine.update_ghost_values();
     coarse = Number(0.);
@@ -216,12 +187,9 @@ namespace stiction
     coarse.compress(VectorOperation::add);
   }
 
-
-
-  void
-  LevelTransfer::for_each_row(
-    const std::function<void(unsigned int, const unsigned int *, unsigned int)>
-      &callback) const
+  void LevelTransfer::for_each_row(
+    const std::function<void(unsigned int, const unsigned int *, unsigned int)> &callback)
+    const
   {
     const auto visit = [&](const auto &rows) {
       for (const auto &row : rows)
@@ -233,27 +201,18 @@ namespace stiction
     visit(cells_);
   }
 
-
-
-  template void
-  LevelTransfer::prolongate(LA::VectorOf<float> &,
-                            const LA::VectorOf<float> &) const;
-  template void
-  LevelTransfer::prolongate(LA::VectorOf<double> &,
-                            const LA::VectorOf<double> &) const;
-  template void
-  LevelTransfer::prolongate_add(LA::VectorOf<float> &,
-                                const LA::VectorOf<float> &) const;
-  template void
-  LevelTransfer::restrict_to(LA::VectorOf<float> &,
-                             const LA::VectorOf<float> &) const;
-  template void
-  LevelTransfer::restrict_to(LA::VectorOf<double> &,
-                             const LA::VectorOf<double> &) const;
-  template void
-  LevelTransfer::inject(LA::VectorOf<float> &,
-                        const LA::VectorOf<float> &) const;
-  template void
-  LevelTransfer::inject(LA::VectorOf<double> &,
-                        const LA::VectorOf<double> &) const;
+  template void LevelTransfer::prolongate(LA::VectorOf<float> &,
+                                          const LA::VectorOf<float> &) const;
+  template void LevelTransfer::prolongate(LA::VectorOf<double> &,
+                                          const LA::VectorOf<double> &) const;
+  template void LevelTransfer::prolongate_add(LA::VectorOf<float> &,
+                                              const LA::VectorOf<float> &) const;
+  template void LevelTransfer::restrict_to(LA::VectorOf<float> &,
+                                           const LA::VectorOf<float> &) const;
+  template void LevelTransfer::restrict_to(LA::VectorOf<double> &,
+                                           const LA::VectorOf<double> &) const;
+  template void LevelTransfer::inject(LA::VectorOf<float> &,
+                                      const LA::VectorOf<float> &) const;
+  template void LevelTransfer::inject(LA::VectorOf<double> &,
+                                      const LA::VectorOf<double> &) const;
 } // namespace stiction

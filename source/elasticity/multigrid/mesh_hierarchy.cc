@@ -5,8 +5,7 @@
 
 namespace stiction
 {
-  MeshHierarchy::MeshHierarchy(const Body &body,
-                               const MeshLevel &mesh,
+  MeshHierarchy::MeshHierarchy(const Body &body, const MeshLevel &mesh,
                                const bool levels_in_use)
     : mesh_(mesh)
   {

@@ -27,8 +27,7 @@ namespace stiction
     constexpr types::global_dof_index max_factorized = 100000;
 
     template<typename To, typename From>
-    void
-    copy(To &to, const From &from, const double factor = 1.)
+    void copy(To &to, const From &from, const double factor = 1.)
     {
       for (unsigned int k = 0; k < from.locally_owned_size(); ++k)
         to.local_element(k) =
@@ -36,15 +35,13 @@ namespace stiction
     }
 
     // The scale of numbers of this size that costs them no digit.
-    double
-    power_of_two(const double size)
+    double power_of_two(const double size)
     {
       return size > 0. ? std::ldexp(1., std::ilogb(size)) : 1.;
     }
     // Whether a solver made for one serves the other: the same directions are
     // held, and the springs differ by little.
-    bool
-    are_alike(const NodalSupports &a, const NodalSupports &b)
+    bool are_alike(const NodalSupports &a, const NodalSupports &b)
     {
       constexpr double little = 0.1;
       for (std::size_t i = 0; i < a.size(); ++i)
@@ -56,17 +53,13 @@ namespace stiction
     }
   } // namespace
 
-
-
   // The coarsest level, in double precision and true units like its solver.
   struct Multigrid::Coarse
   {
-    Coarse(const LinearElasticity &elasticity,
-           const MeshLevel &mesh,
+    Coarse(const LinearElasticity &elasticity, const MeshLevel &mesh,
            const LA::Vector &fixed,
            const std::vector<types::global_dof_index> &first_dofs,
-           const NodalSupports &supports,
-           const bool is_direct)
+           const NodalSupports &supports, const bool is_direct)
       : solver(elasticity, mesh, fixed, first_dofs, supports, is_direct)
       , fixed(fixed)
       , b(fixed)
@@ -79,8 +72,7 @@ namespace stiction
           nodes.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
     }
 
-    void
-    set_supports(const NodalSupports &new_supports)
+    void set_supports(const NodalSupports &new_supports)
     {
       if (are_alike(supports, new_supports))
         return;
@@ -88,8 +80,7 @@ namespace stiction
       solver.set_supports(supports);
     }
 
-    void
-    project(LA::Vector &v) const
+    void project(LA::Vector &v) const
     {
       for (unsigned int k = 0; k < v.locally_owned_size(); ++k)
         if (fixed.local_element(k) != 0.)
@@ -102,8 +93,7 @@ namespace stiction
     }
 
     // x for b
-    void
-    solve()
+    void solve()
     {
       project(b);
       solver.vmult(x, b);
@@ -117,10 +107,7 @@ namespace stiction
     NodalSupports supports;
   };
 
-
-
-  Multigrid::Multigrid(const LinearElasticity &elasticity,
-                       const MeshHierarchy &hierarchy,
+  Multigrid::Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
                        const DofSubsetHierarchy &supported_nodes)
     : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
@@ -134,42 +121,29 @@ namespace stiction
     float eigenvalue = 0.f;
     for (unsigned int l = 1; l < hierarchy.n_levels(); ++l)
       {
-        levels_[l - 1] = std::make_unique<Level>(elasticity,
-                                                 hierarchy.level(l),
-                                                 unit_,
-                                                 fixed_on(l),
-                                                 supported_nodes.first_dofs(l));
+        levels_[l - 1] =
+          std::make_unique<Level>(elasticity, hierarchy.level(l), unit_, fixed_on(l),
+                                  supported_nodes.first_dofs(l));
         if (l == 1 || hierarchy.level(l).n_dofs() <= max_estimated)
           eigenvalue = levels_[l - 1]->estimate_largest_eigenvalue();
         levels_[l - 1]->set_largest_eigenvalue(eigenvalue);
       }
-    coarse_[0] = make_coarse(
-      0, NodalSupports(supported_nodes.first_dofs(0).size()), false);
+    coarse_[0] =
+      make_coarse(0, NodalSupports(supported_nodes.first_dofs(0).size()), false);
   }
-
-
 
   Multigrid::~Multigrid() = default;
 
-
-
-  std::unique_ptr<Multigrid::Coarse>
-  Multigrid::make_coarse(const unsigned int level,
-                         const NodalSupports &supports,
-                         const bool is_direct) const
+  std::unique_ptr<Multigrid::Coarse> Multigrid::make_coarse(const unsigned int level,
+                                                            const NodalSupports &supports,
+                                                            const bool is_direct) const
   {
-    return std::make_unique<Coarse>(elasticity_,
-                                    hierarchy_.level(level),
-                                    fixed_on(level),
-                                    supported_nodes_.first_dofs(level),
-                                    supports,
+    return std::make_unique<Coarse>(elasticity_, hierarchy_.level(level), fixed_on(level),
+                                    supported_nodes_.first_dofs(level), supports,
                                     is_direct);
   }
 
-
-
-  LA::Vector
-  Multigrid::fixed_on(const unsigned int level) const
+  LA::Vector Multigrid::fixed_on(const unsigned int level) const
   {
     LA::Vector fixed = elasticity_.zero_vector();
     for (const auto dof : fixed.locally_owned_elements())
@@ -184,18 +158,12 @@ namespace stiction
     return fixed;
   }
 
-
-
-  bool
-  Multigrid::is_direct(const unsigned int level) const
+  bool Multigrid::is_direct(const unsigned int level) const
   {
     return coarse_[level] && coarse_[level]->solver.is_direct();
   }
 
-
-
-  bool
-  Multigrid::factorize(const unsigned int level)
+  bool Multigrid::factorize(const unsigned int level)
   {
     if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized)
       return false;
@@ -203,11 +171,7 @@ namespace stiction
     return true;
   }
 
-
-
-  void
-  Multigrid::set_supports(const unsigned int level,
-                          const NodalSupports &supports)
+  void Multigrid::set_supports(const unsigned int level, const NodalSupports &supports)
   {
     auto &coarse_solver = coarse_[level];
     if (is_factorized_[level] && !is_direct(level))
@@ -224,22 +188,16 @@ namespace stiction
       coarse[j].projection = supports[on_finer[j]].projection;
     const auto &prolongation = supported_nodes_.prolongation(level);
     for (Eigen::Index j = 0; j < prolongation.outerSize(); ++j)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(prolongation, j);
-           entry;
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(prolongation, j); entry;
            ++entry)
         coarse[j].spring += entry.value() * supports[entry.row()].spring;
     for (NodalConstraint &support : coarse)
-      support.spring =
-        (support.projection * support.spring * support.projection).eval();
+      support.spring = (support.projection * support.spring * support.projection).eval();
     set_supports(level - 1, coarse);
   }
 
-
-
-  double
-  Multigrid::vmult(const unsigned int level,
-                   LA::VectorOf<float> &dst,
-                   const LA::Vector &src)
+  double Multigrid::vmult(const unsigned int level, LA::VectorOf<float> &dst,
+                          const LA::Vector &src)
   {
     const double scale = power_of_two(src.linfty_norm());
     if (coarse_[level])
@@ -260,10 +218,7 @@ namespace stiction
     return scale / unit_;
   }
 
-
-
-  void
-  Multigrid::cycle(const unsigned int level)
+  void Multigrid::cycle(const unsigned int level)
   {
     Level &fine = *levels_[level - 1];
     fine.smooth_from_zero(fine.x, fine.b);

@@ -21,39 +21,28 @@ namespace stiction
     // Products of the unknowns in a smoothing.
     constexpr unsigned int smoother_degree = 2;
 
-    Eigen::Map<Eigen::Vector3f>
-    at(Vector &v, const unsigned int node)
+    Eigen::Map<Eigen::Vector3f> at(Vector &v, const unsigned int node)
     {
       return Eigen::Map<Eigen::Vector3f>(v.begin() + 3 * std::size_t(node));
     }
-    Eigen::Map<const Eigen::Vector3f>
-    at(const Vector &v, const unsigned int node)
+    Eigen::Map<const Eigen::Vector3f> at(const Vector &v, const unsigned int node)
     {
-      return Eigen::Map<const Eigen::Vector3f>(v.begin() +
-                                               3 * std::size_t(node));
+      return Eigen::Map<const Eigen::Vector3f>(v.begin() + 3 * std::size_t(node));
     }
 
     // The inverse of P A P + S within the range of P. In double precision, as
     // springs may be stiff.
-    Eigen::Matrix3f
-    inverse_in_range(const Eigen::Matrix3d &P,
-                     const Eigen::Matrix3d &A,
-                     const Eigen::Matrix3d &S)
+    Eigen::Matrix3f inverse_in_range(const Eigen::Matrix3d &P, const Eigen::Matrix3d &A,
+                                     const Eigen::Matrix3d &S)
     {
-      const Eigen::Matrix3d held =
-        (A.trace() / 3.) * (Eigen::Matrix3d::Identity() - P);
+      const Eigen::Matrix3d held = (A.trace() / 3.) * (Eigen::Matrix3d::Identity() - P);
       return (P * (P * A * P + S + held).inverse() * P).cast<float>();
     }
   } // namespace
 
-
-
-  Multigrid::Level::Level(
-    const LinearElasticity &elasticity,
-    const MeshLevel &mesh,
-    const double unit,
-    const LA::Vector &fixed,
-    const std::vector<dealii::types::global_dof_index> &first_dofs)
+  Multigrid::Level::Level(const LinearElasticity &elasticity, const MeshLevel &mesh,
+                          const double unit, const LA::Vector &fixed,
+                          const std::vector<dealii::types::global_dof_index> &first_dofs)
     : x(mesh.zero_vector<float>())
     , b(mesh.zero_vector<float>())
     , unit_(unit)
@@ -79,26 +68,21 @@ namespace stiction
           Node node;
           node.local   = mesh.local_node(first_dofs[i]);
           node.in_list = i;
-          node.block =
-            Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(
-              &blocks[9 * std::size_t(node.local)]);
+          node.block   = Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(
+            &blocks[9 * std::size_t(node.local)]);
           nodes_.push_back(node);
         }
     set_supports(NodalSupports(first_dofs.size()));
     largest_eigenvalue_ = 0.f;
   }
 
-
-
-  float
-  Multigrid::Level::estimate_largest_eigenvalue()
+  float Multigrid::Level::estimate_largest_eigenvalue()
   {
     // conjugate gradients are a Lanczos process
     struct FreeOperator
     {
       const Level &level;
-      void
-      vmult(Vector &dst, const Vector &src) const
+      void vmult(Vector &dst, const Vector &src) const
       {
         level.K_.vmult(dst, src);
         level.project(dst);
@@ -126,26 +110,20 @@ namespace stiction
     return static_cast<float>(1.1 * largest);
   }
 
-
-
-  void
-  Multigrid::Level::set_supports(const NodalSupports &supports)
+  void Multigrid::Level::set_supports(const NodalSupports &supports)
   {
     for (Node &node : nodes_)
       {
-        node.projection = supports[node.in_list].projection.cast<float>();
+        node.projection              = supports[node.in_list].projection.cast<float>();
         const Eigen::Matrix3d spring = supports[node.in_list].spring / unit_;
         node.spring                  = spring.cast<float>();
-        node.inverse                 = inverse_in_range(
-          supports[node.in_list].projection, node.block.cast<double>(), spring);
+        node.inverse                 = inverse_in_range(supports[node.in_list].projection,
+                                                        node.block.cast<double>(), spring);
         at(inverse_diagonal_, node.local).setZero();
       }
   }
 
-
-
-  void
-  Multigrid::Level::project(Vector &v) const
+  void Multigrid::Level::project(Vector &v) const
   {
     for (const unsigned int k : fixed_)
       v.local_element(k) = 0.f;
@@ -153,25 +131,19 @@ namespace stiction
       at(v, node.local) = (node.projection * at(v, node.local)).eval();
   }
 
-
-
   template<Multigrid::Level::Known known>
-  void
-  Multigrid::Level::smoothing_step(Vector &x,
-                                   const Vector &b,
-                                   const unsigned int k)
+  void Multigrid::Level::smoothing_step(Vector &x, const Vector &b, const unsigned int k)
   {
     const auto j     = static_cast<float>(k);
     const float keep = (2.f * j - 1.f) / (2.f * j + 3.f);
-    const float take =
-      (8.f * j + 4.f) / ((2.f * j + 3.f) * largest_eigenvalue_);
+    const float take = (8.f * j + 4.f) / ((2.f * j + 3.f) * largest_eigenvalue_);
 
     for (Node &node : nodes_)
       {
         Eigen::Vector3f r = at(b, node.local);
         if (known != Known::nothing)
-          r -= node.projection * at(product_, node.local) +
-               node.spring * at(x, node.local);
+          r -=
+            node.projection * at(product_, node.local) + node.spring * at(x, node.local);
         node.step = take * (node.inverse * r);
       }
 
@@ -203,29 +175,20 @@ namespace stiction
       }
   }
 
-
-
-  void
-  Multigrid::Level::smooth(Vector &x, const Vector &b)
+  void Multigrid::Level::smooth(Vector &x, const Vector &b)
   {
     K_.vmult(product_, x);
     smoothing_step<Known::no_direction>(x, b, 0);
     smooth_on(x, b);
   }
 
-
-
-  void
-  Multigrid::Level::smooth_from_zero(Vector &x, const Vector &b)
+  void Multigrid::Level::smooth_from_zero(Vector &x, const Vector &b)
   {
     smoothing_step<Known::nothing>(x, b, 0);
     smooth_on(x, b);
   }
 
-
-
-  void
-  Multigrid::Level::smooth_on(Vector &x, const Vector &b)
+  void Multigrid::Level::smooth_on(Vector &x, const Vector &b)
   {
     for (unsigned int k = 1; k < smoother_degree; ++k)
       {
@@ -234,10 +197,7 @@ namespace stiction
       }
   }
 
-
-
-  void
-  Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const
+  void Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const
   {
     K_.vmult(r, x);
     const std::size_t n    = x.locally_owned_size();

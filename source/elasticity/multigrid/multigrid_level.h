@@ -23,45 +23,29 @@ namespace stiction
     /// @param unit of the stiffness, N/m: single precision has a small range.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold.
-    Level(const LinearElasticity &elasticity,
-          const MeshLevel &mesh,
-          double unit,
+    Level(const LinearElasticity &elasticity, const MeshLevel &mesh, double unit,
           const LA::Vector &fixed,
           const std::vector<dealii::types::global_dof_index> &first_dofs);
 
-    void
-    set_supports(const NodalSupports &supports);
+    void set_supports(const NodalSupports &supports);
 
     /// Sets to zero what v has in held directions.
-    void
-    project(Vector &v) const;
+    void project(Vector &v) const;
 
     /// Improves x as a solution of A x = b, or makes one from nothing.
-    void
-    smooth(Vector &x, const Vector &b);
-    void
-    smooth_from_zero(Vector &x, const Vector &b);
+    void smooth(Vector &x, const Vector &b);
+    void smooth_from_zero(Vector &x, const Vector &b);
 
     /// r = b − A x, held directions left out.
-    void
-    residual(Vector &r, const Vector &x, const Vector &b) const;
+    void residual(Vector &r, const Vector &x, const Vector &b) const;
 
     /// λmax of D⁻¹ K, D the diagonal, without supports. Collective.
-    float
-    estimate_largest_eigenvalue();
+    float estimate_largest_eigenvalue();
 
-    void
-    set_largest_eigenvalue(const float value)
-    {
-      largest_eigenvalue_ = value;
-    }
+    void set_largest_eigenvalue(const float value) { largest_eigenvalue_ = value; }
 
     /// A vector for others to use between smoothings.
-    Vector &
-    scratch()
-    {
-      return direction_;
-    }
+    Vector &scratch() { return direction_; }
 
     Vector x, b;
 
@@ -93,12 +77,10 @@ namespace stiction
     /// Step k of the polynomial: direction = keep × direction +
     /// take × D⁻¹ (b − Ax), x += direction, with Kx in product_.
     template<Known known>
-    void
-    smoothing_step(Vector &x, const Vector &b, unsigned int k);
+    void smoothing_step(Vector &x, const Vector &b, unsigned int k);
 
     /// The steps after the first one.
-    void
-    smooth_on(Vector &x, const Vector &b);
+    void smooth_on(Vector &x, const Vector &b);
 
     const double unit_;
     StiffnessOperator<float> K_;

@@ -14,14 +14,12 @@
 
 namespace stiction
 {
-  AmgSolver::AmgSolver(const LinearElasticity &elasticity,
-                       const double relative_residual)
+  AmgSolver::AmgSolver(const LinearElasticity &elasticity, const double relative_residual)
     : StiffnessSolver(elasticity)
     , relative_residual_(relative_residual)
   {
-    std::vector<std::vector<double>> modes =
-      rigid_body_modes(elasticity.body());
-    std::size_t k = 0;
+    std::vector<std::vector<double>> modes = rigid_body_modes(elasticity.body());
+    std::size_t k                          = 0;
     for (const auto dof : elasticity.body().locally_owned_dofs())
       {
         // a fixed unknown takes part in no motion
@@ -30,18 +28,12 @@ namespace stiction
             mode[k] = 0.;
         ++k;
       }
-    amg_ = std::make_unique<AmgPreconditioner>(
-      elasticity.constrained_stiffness(), modes);
+    amg_ = std::make_unique<AmgPreconditioner>(elasticity.constrained_stiffness(), modes);
   }
-
-
 
   AmgSolver::~AmgSolver() = default;
 
-
-
-  unsigned int
-  AmgSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int AmgSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     dealii::SolverControl control(1000, relative_residual_ * src.l2_norm());
     dealii::SolverCG<LA::Vector> cg(control);

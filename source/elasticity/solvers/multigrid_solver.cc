@@ -10,7 +10,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
 
-
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,8 +26,7 @@ namespace stiction
       const StiffnessOperator<double> &K;
       const std::vector<unsigned int> &fixed;
 
-      void
-      vmult(LA::Vector &dst, const LA::Vector &src) const
+      void vmult(LA::Vector &dst, const LA::Vector &src) const
       {
         K.vmult(dst, src); // src is zero there
         for (const unsigned int k : fixed)
@@ -42,8 +40,7 @@ namespace stiction
       const unsigned int level;
       mutable LA::VectorOf<float> scratch;
 
-      void
-      vmult(LA::Vector &dst, const LA::Vector &src) const
+      void vmult(LA::Vector &dst, const LA::Vector &src) const
       {
         const double factor = multigrid.vmult(level, scratch, src);
         for (unsigned int k = 0; k < dst.locally_owned_size(); ++k)
@@ -51,8 +48,6 @@ namespace stiction
       }
     };
   } // namespace
-
-
 
   struct MultigridSolver::Levels
   {
@@ -68,8 +63,6 @@ namespace stiction
     Multigrid multigrid;
   };
 
-
-
   MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
                                    const double relative_residual)
     : StiffnessSolver(elasticity)
@@ -79,8 +72,6 @@ namespace stiction
     , relative_residual_(relative_residual)
   {
   }
-
-
 
   MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
                                    StiffnessPreconditioner &preconditioner,
@@ -93,14 +84,9 @@ namespace stiction
   {
   }
 
-
-
   MultigridSolver::~MultigridSolver() = default;
 
-
-
-  unsigned int
-  MultigridSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int MultigridSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     // prescribed unknowns stand in src multiplied with the diagonal entry
     std::vector<unsigned int> fixed;
@@ -115,27 +101,22 @@ namespace stiction
     LA::Vector b = src;
     for (const unsigned int k : fixed)
       b.local_element(k) = 0.;
-    is_moved = dealii::Utilities::MPI::max(is_moved ? 1 : 0,
-                                           src.get_mpi_communicator()) == 1;
+    is_moved =
+      dealii::Utilities::MPI::max(is_moved ? 1 : 0, src.get_mpi_communicator()) == 1;
     if (is_moved)
       {
         const LA::Vector diagonal = elasticity_.stiffness_diagonal();
         for (const unsigned int k : fixed)
-          prescribed.local_element(k) =
-            src.local_element(k) / diagonal.local_element(k);
+          prescribed.local_element(k) = src.local_element(k) / diagonal.local_element(k);
       }
 
-    dealii::SolverControl control(max_iterations,
-                                  relative_residual_ * b.l2_norm());
+    dealii::SolverControl control(max_iterations, relative_residual_ * b.l2_norm());
     dealii::SolverCG<LA::Vector> cg(control);
     dst = 0.;
     try
       {
-        cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed},
-                 dst,
-                 b,
-                 Preconditioner{*preconditioner_,
-                                level_,
+        cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed}, dst, b,
+                 Preconditioner{*preconditioner_, level_,
                                 elasticity_.mesh().zero_vector<float>()});
       }
     catch (const dealii::SolverControl::NoConvergence &failure)

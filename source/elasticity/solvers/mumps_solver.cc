@@ -21,20 +21,15 @@ namespace stiction
     constexpr unsigned int dofs_per_node = 3;
 
     // A large matrix goes out in pieces: an MPI count is an int.
-    void
-    broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
+    void broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
     {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-        MPI_Bcast(matrix.col(j).data(),
-                  static_cast<int>(matrix.rows()),
-                  MPI_DOUBLE,
-                  0,
+        MPI_Bcast(matrix.col(j).data(), static_cast<int>(matrix.rows()), MPI_DOUBLE, 0,
                   communicator);
     }
 
     // Whether an unknown is neither prescribed nor in the trace. Collective.
-    bool
-    has_interior(const LinearElasticity &elasticity, const DofSubset &trace)
+    bool has_interior(const LinearElasticity &elasticity, const DofSubset &trace)
     {
       dealii::IndexSet interior = elasticity.body().locally_owned_dofs();
       dealii::IndexSet taken(interior.size());
@@ -49,21 +44,14 @@ namespace stiction
     }
   } // namespace
 
-
-
   MumpsSolver::MumpsSolver(const LinearElasticity &elasticity)
     : StiffnessSolver(elasticity)
   {
   }
 
-
-
   MumpsSolver::~MumpsSolver() = default;
 
-
-
-  Eigen::MatrixXd
-  MumpsSolver::compliance(const DofSubset &trace)
+  Eigen::MatrixXd MumpsSolver::compliance(const DofSubset &trace)
   {
     // With nothing but prescribed unknowns to eliminate MUMPS aborts on several
     // ranks; such a body is one cell thick.
@@ -90,10 +78,7 @@ namespace stiction
     return C;
   }
 
-
-
-  unsigned int
-  MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
+  unsigned int MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     if (!factorization_)
       factorization_ = std::make_unique<MumpsFactorization>(
@@ -107,8 +92,7 @@ namespace stiction
         factorization_->condense(x, condensed);
         if (factorization_->is_host())
           dense_cholesky::solve(factorization_->schur_complement().data(),
-                                static_cast<int>(condensed.size()),
-                                condensed.data());
+                                static_cast<int>(condensed.size()), condensed.data());
         factorization_->expand(x, condensed);
       }
     else

@@ -14,12 +14,9 @@ namespace stiction
   {
   }
 
-
-
-  std::unique_ptr<StiffnessSolver>
-  StiffnessSolver::create(const std::string &type,
-                          const LinearElasticity &elasticity,
-                          const double relative_residual)
+  std::unique_ptr<StiffnessSolver> StiffnessSolver::create(
+    const std::string &type, const LinearElasticity &elasticity,
+    const double relative_residual)
   {
     if (type == "amg")
       return std::make_unique<AmgSolver>(elasticity, relative_residual);
@@ -28,19 +25,13 @@ namespace stiction
     return std::make_unique<MumpsSolver>(elasticity);
   }
 
-
-
-  void
-  StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
+  void StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
   {
     n_iterations_ += do_solve(dst, src);
     ++n_solves_;
   }
 
-
-
-  Eigen::MatrixXd
-  StiffnessSolver::compliance(const DofSubset &trace)
+  Eigen::MatrixXd StiffnessSolver::compliance(const DofSubset &trace)
   {
     Eigen::MatrixXd C(trace.size(), trace.size());
     LA::Vector unit_force   = elasticity_.zero_vector();

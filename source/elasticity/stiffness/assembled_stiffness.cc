@@ -13,25 +13,22 @@ namespace stiction
 {
   using namespace dealii;
 
-  std::unique_ptr<LA::SparseMatrix>
-  assemble_stiffness(const Body &body, const MaterialOfCell &material)
+  std::unique_ptr<LA::SparseMatrix> assemble_stiffness(const Body &body,
+                                                       const MaterialOfCell &material)
   {
     const DoFHandler<3> &dof_handler = body.dof_handler();
     const IndexSet &owned            = body.locally_owned_dofs();
     const IndexSet &relevant         = body.locally_relevant_dofs();
 
     DynamicSparsityPattern pattern(relevant);
-    DoFTools::make_sparsity_pattern(
-      dof_handler, pattern, body.hanging_nodes(), false);
-    SparsityTools::distribute_sparsity_pattern(
-      pattern, owned, body.communicator(), relevant);
+    DoFTools::make_sparsity_pattern(dof_handler, pattern, body.hanging_nodes(), false);
+    SparsityTools::distribute_sparsity_pattern(pattern, owned, body.communicator(),
+                                               relevant);
     auto matrix = std::make_unique<LA::SparseMatrix>();
     matrix->reinit(owned, owned, pattern, body.communicator());
 
-    GeneralElementStiffness element_stiffness(body.mapping(),
-                                              dof_handler.get_fe());
-    std::vector<types::global_dof_index> indices(
-      dof_handler.get_fe().n_dofs_per_cell());
+    GeneralElementStiffness element_stiffness(body.mapping(), dof_handler.get_fe());
+    std::vector<types::global_dof_index> indices(dof_handler.get_fe().n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {

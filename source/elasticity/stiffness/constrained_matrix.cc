@@ -26,16 +26,14 @@ namespace stiction
       int *columns    = nullptr; // local
     };
 
-    Row
-    row_view(const Epetra_CrsMatrix &matrix, const int i)
+    Row row_view(const Epetra_CrsMatrix &matrix, const int i)
     {
       Row row;
       matrix.ExtractMyRowView(i, row.n_entries, row.entries, row.columns);
       return row;
     }
 
-    double
-    diagonal_entry(const Epetra_CrsMatrix &matrix, const int i)
+    double diagonal_entry(const Epetra_CrsMatrix &matrix, const int i)
     {
       const Row row = row_view(matrix, i);
       for (int k = 0; k < row.n_entries; ++k)
@@ -45,11 +43,8 @@ namespace stiction
     }
   } // namespace
 
-
-
   ConstrainedMatrix::ConstrainedMatrix(
-    const LA::SparseMatrix &stiffness,
-    const LA::Vector &fixed,
+    const LA::SparseMatrix &stiffness, const LA::Vector &fixed,
     const std::vector<types::global_dof_index> &supported_nodes)
     : stiffness_(stiffness)
     , matrix_(std::make_unique<LA::SparseMatrix>())
@@ -74,22 +69,14 @@ namespace stiction
     set_supports(NodalSupports(supported_nodes.size()));
   }
 
-
-
   ConstrainedMatrix::~ConstrainedMatrix() = default;
 
-
-
-  std::unique_ptr<LA::SparseMatrix>
-  ConstrainedMatrix::release()
+  std::unique_ptr<LA::SparseMatrix> ConstrainedMatrix::release()
   {
     return std::move(matrix_);
   }
 
-
-
-  void
-  ConstrainedMatrix::find_nodes(const LA::Vector &fixed)
+  void ConstrainedMatrix::find_nodes(const LA::Vector &fixed)
   {
     // columns reach beyond the ghosts that vectors have: the matrix joins what
     // cells of other ranks and hanging nodes on them couple
@@ -120,11 +107,8 @@ namespace stiction
       }
   }
 
-
-
-  Eigen::Matrix3d
-  ConstrainedMatrix::projection(const Node &node,
-                                 const NodalSupports &supports) const
+  Eigen::Matrix3d ConstrainedMatrix::projection(const Node &node,
+                                                const NodalSupports &supports) const
   {
     const auto support = support_of_.find(node.first_dof);
     Eigen::Matrix3d P  = support == support_of_.end()
@@ -139,10 +123,7 @@ namespace stiction
     return P;
   }
 
-
-
-  void
-  ConstrainedMatrix::set_supports(const NodalSupports &supports)
+  void ConstrainedMatrix::set_supports(const NodalSupports &supports)
   {
     matrix_->copy_from(stiffness_);
     const Epetra_CrsMatrix &K = matrix_->trilinos_matrix();

@@ -15,8 +15,7 @@ namespace stiction
 
     // The gradients of the trilinear functions on the unit cube at Gauss point
     // q.
-    Gradients
-    reference_gradients(const unsigned int q)
+    Gradients reference_gradients(const unsigned int q)
     {
       const double half_distance = 0.5 / std::sqrt(3.);
       Gradients gradients;
@@ -27,20 +26,16 @@ namespace stiction
             for (unsigned int e = 0; e < 3; ++e)
               {
                 const bool is_far = v >> e & 1;
-                const double x =
-                  0.5 + ((q >> e & 1) ? half_distance : -half_distance);
-                gradients[v][d] *=
-                  e == d ? (is_far ? 1. : -1.) : (is_far ? x : 1. - x);
+                const double x    = 0.5 + ((q >> e & 1) ? half_distance : -half_distance);
+                gradients[v][d] *= e == d ? (is_far ? 1. : -1.) : (is_far ? x : 1. - x);
               }
           }
       return gradients;
     }
   } // namespace
 
-
-
-  const dealii::FullMatrix<double> &
-  ElementStiffness::operator()(const HexahedralCell &cell)
+  const dealii::FullMatrix<double> &ElementStiffness::operator()(
+    const HexahedralCell &cell)
   {
     if (!is_translation(cell))
       integrate(cell);
@@ -49,10 +44,7 @@ namespace stiction
     return matrix_;
   }
 
-
-
-  bool
-  ElementStiffness::is_translation(const HexahedralCell &cell) const
+  bool ElementStiffness::is_translation(const HexahedralCell &cell) const
   {
     if (!has_last_ || cell.lame_lambda != last_.lame_lambda ||
         cell.shear_modulus != last_.shear_modulus)
@@ -69,10 +61,7 @@ namespace stiction
     return change <= 1e-12 * size;
   }
 
-
-
-  void
-  ElementStiffness::integrate(const HexahedralCell &cell)
+  void ElementStiffness::integrate(const HexahedralCell &cell)
   {
     static const std::array<Gradients, 8> reference = []() {
       std::array<Gradients, 8> all;
@@ -104,9 +93,9 @@ namespace stiction
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
                   matrix_(3 * i + a, 3 * j + b) +=
-                    weight * (cell.lame_lambda * g[i][a] * g[j][b] +
-                              cell.shear_modulus *
-                                (g[i][b] * g[j][a] + (a == b ? product : 0.)));
+                    weight *
+                    (cell.lame_lambda * g[i][a] * g[j][b] +
+                     cell.shear_modulus * (g[i][b] * g[j][a] + (a == b ? product : 0.)));
             }
       }
   }

@@ -13,35 +13,28 @@ namespace stiction
   namespace
   {
     // Voigt's order of the components of a symmetric tensor.
-    constexpr unsigned int n_strains = 6;
-    constexpr std::array<std::pair<unsigned int, unsigned int>, n_strains>
-      voigt = {{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+    constexpr unsigned int n_strains                                             = 6;
+    constexpr std::array<std::pair<unsigned int, unsigned int>, n_strains> voigt = {
+      {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
 
-    Eigen::Matrix<double, n_strains, n_strains>
-    voigt_matrix(const SymmetricTensor<4, 3> &stiffness)
+    Eigen::Matrix<double, n_strains, n_strains> voigt_matrix(
+      const SymmetricTensor<4, 3> &stiffness)
     {
       Eigen::Matrix<double, n_strains, n_strains> C;
       for (unsigned int a = 0; a < n_strains; ++a)
         for (unsigned int b = 0; b < n_strains; ++b)
-          C(a, b) = stiffness[voigt[a].first][voigt[a].second][voigt[b].first]
-                             [voigt[b].second];
+          C(a, b) =
+            stiffness[voigt[a].first][voigt[a].second][voigt[b].first][voigt[b].second];
       return C;
     }
   } // namespace
 
-
-
   GeneralElementStiffness::GeneralElementStiffness(const Mapping<3> &mapping,
                                                    const FiniteElement<3> &fe)
-    : values_(
-        std::make_unique<FEValues<3>>(mapping,
-                                      fe,
-                                      QGauss<3>(fe.degree + 1),
-                                      update_gradients | update_JxW_values))
+    : values_(std::make_unique<FEValues<3>>(mapping, fe, QGauss<3>(fe.degree + 1),
+                                            update_gradients | update_JxW_values))
     , at_nodes_(std::make_unique<FEValues<3>>(
-        mapping,
-        fe.base_element(0),
-        fe.base_element(0).get_unit_support_points(),
+        mapping, fe.base_element(0), fe.base_element(0).get_unit_support_points(),
         update_quadrature_points))
     , strains_(n_strains * values_->n_quadrature_points, fe.n_dofs_per_cell())
     , stresses_(strains_.rows(), strains_.cols())
@@ -49,16 +42,10 @@ namespace stiction
   {
   }
 
-
-
   GeneralElementStiffness::~GeneralElementStiffness() = default;
 
-
-
-  const FullMatrix<double> &
-  GeneralElementStiffness::operator()(
-    const DoFHandler<3>::active_cell_iterator &cell,
-    const CellMaterial &material)
+  const FullMatrix<double> &GeneralElementStiffness::operator()(
+    const DoFHandler<3>::active_cell_iterator &cell, const CellMaterial &material)
   {
     const std::vector<Point<3>> nodes = places_of_nodes(cell);
     if (!is_translation(nodes, material))
@@ -72,10 +59,7 @@ namespace stiction
     return matrix_;
   }
 
-
-
-  std::vector<Point<3>>
-  GeneralElementStiffness::places_of_nodes(
+  std::vector<Point<3>> GeneralElementStiffness::places_of_nodes(
     const DoFHandler<3>::active_cell_iterator &cell)
   {
     if (values_->get_fe().degree > 1)
@@ -89,11 +73,8 @@ namespace stiction
     return vertices;
   }
 
-
-
-  bool
-  GeneralElementStiffness::is_translation(const std::vector<Point<3>> &nodes,
-                                          const CellMaterial &material) const
+  bool GeneralElementStiffness::is_translation(const std::vector<Point<3>> &nodes,
+                                               const CellMaterial &material) const
   {
     if (!has_last_ || material.stiffness != last_material_.stiffness ||
         material.mean_dilatation != last_material_.mean_dilatation)
@@ -103,16 +84,12 @@ namespace stiction
       {
         const Tensor<1, 3> edge = nodes[v] - nodes[0];
         size                    = std::max(size, edge.norm());
-        change =
-          std::max(change, (edge - (last_nodes_[v] - last_nodes_[0])).norm());
+        change = std::max(change, (edge - (last_nodes_[v] - last_nodes_[0])).norm());
       }
     return change <= 1e-12 * size;
   }
 
-
-
-  void
-  GeneralElementStiffness::fill_strains(const unsigned int q)
+  void GeneralElementStiffness::fill_strains(const unsigned int q)
   {
     const FiniteElement<3> &fe = values_->get_fe();
     for (const unsigned int j : values_->dof_indices())
@@ -129,10 +106,7 @@ namespace stiction
       }
   }
 
-
-
-  void
-  GeneralElementStiffness::integrate(const CellMaterial &material)
+  void GeneralElementStiffness::integrate(const CellMaterial &material)
   {
     const unsigned int n_points = values_->n_quadrature_points;
     double volume               = 0.;
@@ -140,8 +114,7 @@ namespace stiction
     for (unsigned int q = 0; q < n_points; ++q)
       {
         fill_strains(q);
-        mean += values_->JxW(q) *
-                strains_.middleRows<3>(n_strains * q).colwise().sum();
+        mean += values_->JxW(q) * strains_.middleRows<3>(n_strains * q).colwise().sum();
         volume += values_->JxW(q);
       }
     mean /= volume;
@@ -157,8 +130,7 @@ namespace stiction
               (mean - B.topRows<3>().colwise().sum()) / 3.;
             B.topRows<3>().rowwise() += correction;
           }
-        stresses_.middleRows<n_strains>(n_strains * q) =
-          values_->JxW(q) * C * B;
+        stresses_.middleRows<n_strains>(n_strains * q) = values_->JxW(q) * C * B;
       }
 
     const Eigen::MatrixXd K = strains_.transpose() * stresses_;

@@ -23,16 +23,13 @@ namespace stiction
 {
   using namespace dealii;
 
-  LinearElasticity::LinearElasticity(const Body &body,
-                                     const Parameters &parameters)
+  LinearElasticity::LinearElasticity(const Body &body, const Parameters &parameters)
     : body_(body)
     , materials_(std::make_unique<Materials>(body, parameters))
-    , prescribed_displacement_(
-        std::make_unique<PrescribedDisplacement>(body, parameters))
+    , prescribed_displacement_(std::make_unique<PrescribedDisplacement>(body, parameters))
     , mesh_(std::make_unique<MeshLevel>(body))
   {
-    loads_ =
-      std::make_unique<Loads>(body, *prescribed_displacement_, parameters);
+    loads_ = std::make_unique<Loads>(body, *prescribed_displacement_, parameters);
     make_constraints();
     make_stiffness();
     load_ = std::make_unique<LA::Vector>(zero_vector());
@@ -42,41 +39,27 @@ namespace stiction
       constrain_stiffness();
   }
 
-
-
   LinearElasticity::~LinearElasticity() = default;
 
-
-
-  bool
-  LinearElasticity::is_hanging(const types::global_dof_index dof) const
+  bool LinearElasticity::is_hanging(const types::global_dof_index dof) const
   {
     return body_.is_hanging(dof);
   }
 
-
-
-  void
-  LinearElasticity::distribute(LA::Vector &u) const
+  void LinearElasticity::distribute(LA::Vector &u) const
   {
     if (body_.n_hanging_nodes() > 0)
       body_.hanging_nodes().distribute(u);
   }
 
-
-
-  const LA::SparseMatrix &
-  LinearElasticity::constrained_stiffness() const
+  const LA::SparseMatrix &LinearElasticity::constrained_stiffness() const
   {
     if (!constrained_stiffness_)
       throw std::logic_error("the stiffness matrix was not assembled");
     return *constrained_stiffness_;
   }
 
-
-
-  LA::Vector
-  LinearElasticity::stiffness_diagonal() const
+  LA::Vector LinearElasticity::stiffness_diagonal() const
   {
     LA::Vector diagonal              = zero_vector();
     const std::vector<double> blocks = stiffness_->diagonal_blocks();
@@ -86,44 +69,29 @@ namespace stiction
     return diagonal;
   }
 
-
-
-  const LA::Vector &
-  LinearElasticity::constrained_load() const
+  const LA::Vector &LinearElasticity::constrained_load() const
   {
     return *constrained_load_;
   }
 
-
-
-  const LA::Vector &
-  LinearElasticity::load() const
+  const LA::Vector &LinearElasticity::load() const
   {
     return *load_;
   }
 
-
-
-  LA::Vector
-  LinearElasticity::zero_vector() const
+  LA::Vector LinearElasticity::zero_vector() const
   {
     return mesh_->zero_vector<double>();
   }
 
-
-
-  LA::Vector
-  LinearElasticity::internal_force(const LA::Vector &u) const
+  LA::Vector LinearElasticity::internal_force(const LA::Vector &u) const
   {
     LA::Vector force = zero_vector();
     stiffness_->vmult(force, u);
     return force;
   }
 
-
-
-  void
-  LinearElasticity::make_constraints()
+  void LinearElasticity::make_constraints()
   {
     constraints_.reinit(body_.locally_relevant_dofs());
     constraints_.merge(body_.hanging_nodes());
@@ -131,10 +99,7 @@ namespace stiction
     constraints_.close();
   }
 
-
-
-  void
-  LinearElasticity::constrain_load()
+  void LinearElasticity::constrain_load()
   {
     LA::Vector prescribed = zero_vector();
     bool is_moved         = false;
@@ -154,14 +119,10 @@ namespace stiction
         (*constrained_load_)(dof) = diagonal(dof) * prescribed(dof);
   }
 
-
-
-  void
-  LinearElasticity::make_stiffness()
+  void LinearElasticity::make_stiffness()
   {
     if (body_.has_geometric_levels() && materials_->are_simple())
-      stiffness_ =
-        std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
+      stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
     else
       stiffness_ = std::make_unique<StiffnessOperator<double>>(
         *mesh_, assemble_stiffness(body_, [&](const auto &cell) {
@@ -170,10 +131,7 @@ namespace stiction
         }));
   }
 
-
-
-  void
-  LinearElasticity::constrain_stiffness()
+  void LinearElasticity::constrain_stiffness()
   {
     if (stiffness_->matrix() == nullptr)
       {
@@ -188,10 +146,7 @@ namespace stiction
       ConstrainedMatrix(*stiffness_->matrix(), fixed, {}).release();
   }
 
-
-
-  void
-  LinearElasticity::assemble_simple_stiffness()
+  void LinearElasticity::assemble_simple_stiffness()
   {
     const DoFHandler<3> &dof_handler = body_.dof_handler();
     const IndexSet &owned            = body_.locally_owned_dofs();
@@ -211,16 +166,13 @@ namespace stiction
       for (unsigned int v = 0; v < 8; ++v)
         for (unsigned int c = 0; c < 3; ++c)
           indices[3 * v + c] = mesh_->first_dof(cell.nodes[v]) + c;
-      constraints_.distribute_local_to_global(
-        element_stiffness(cell), indices, *constrained_stiffness_);
+      constraints_.distribute_local_to_global(element_stiffness(cell), indices,
+                                              *constrained_stiffness_);
     });
     constrained_stiffness_->compress(VectorOperation::add);
   }
 
-
-
-  void
-  LinearElasticity::require_support() const
+  void LinearElasticity::require_support() const
   {
     prescribed_displacement_->require_support(constraints_);
   }

@@ -13,10 +13,8 @@ namespace stiction
   namespace
   {
     template<typename Number>
-    CellStiffness<Number>
-    make_cells(const MeshLevel &level,
-               const Materials &materials,
-               const double unit)
+    CellStiffness<Number> make_cells(const MeshLevel &level, const Materials &materials,
+                                     const double unit)
     {
       CellStiffness<Number> cells;
       level.for_each_cell([&](HexahedralCell cell) {
@@ -28,8 +26,7 @@ namespace stiction
     }
 
     template<typename Number>
-    std::vector<Number>
-    blocks_of_matrix(const LA::SparseMatrix &matrix)
+    std::vector<Number> blocks_of_matrix(const LA::SparseMatrix &matrix)
     {
       const auto owned = matrix.local_range();
       std::vector<Number> blocks;
@@ -40,8 +37,6 @@ namespace stiction
     }
   } // namespace
 
-
-
   template<typename Number>
   StiffnessOperator<Number>::StiffnessOperator(const MeshLevel &level,
                                                const Materials &materials,
@@ -51,27 +46,19 @@ namespace stiction
   {
   }
 
-
-
   template<typename Number>
   StiffnessOperator<Number>::StiffnessOperator(
-    const MeshLevel &level,
-    std::unique_ptr<const LA::SparseMatrix> matrix)
+    const MeshLevel &level, std::unique_ptr<const LA::SparseMatrix> matrix)
     : level_(level)
     , matrix_(std::move(matrix))
   {
   }
 
-
-
   template<typename Number>
   StiffnessOperator<Number>::~StiffnessOperator() = default;
 
-
-
   template<typename Number>
-  void
-  StiffnessOperator<Number>::vmult(Vector &dst, const Vector &src) const
+  void StiffnessOperator<Number>::vmult(Vector &dst, const Vector &src) const
   {
     if constexpr (std::is_same_v<Number, double>)
       if (matrix_)
@@ -86,16 +73,12 @@ namespace stiction
     dst.compress(dealii::VectorOperation::add);
   }
 
-
-
   template<typename Number>
-  std::vector<Number>
-  StiffnessOperator<Number>::diagonal_blocks() const
+  std::vector<Number> StiffnessOperator<Number>::diagonal_blocks() const
   {
     if (matrix_)
       return blocks_of_matrix<Number>(*matrix_);
-    std::vector<Number> local(9 *
-                              static_cast<std::size_t>(level_.n_local_nodes()));
+    std::vector<Number> local(9 * static_cast<std::size_t>(level_.n_local_nodes()));
     cells_.add_diagonal_blocks(local.data());
 
     // row by row through vectors, which know how to add up shares
@@ -115,8 +98,6 @@ namespace stiction
     local.resize(9 * n_owned);
     return local;
   }
-
-
 
   template class StiffnessOperator<float>;
   template class StiffnessOperator<double>;

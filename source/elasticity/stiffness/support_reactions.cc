@@ -13,8 +13,7 @@ namespace stiction
   using namespace dealii;
 
   SupportReactions::SupportReactions(const LinearElasticity &elasticity,
-                                     const LA::Vector &u,
-                                     const LA::Vector &contact_force)
+                                     const LA::Vector &u, const LA::Vector &contact_force)
     : nodal_(std::make_unique<LA::Vector>(elasticity.internal_force(u)))
   {
     const Body &body = elasticity.body();
@@ -24,9 +23,8 @@ namespace stiction
       if (!elasticity.is_prescribed(dof))
         (*nodal_)(dof) = 0.;
 
-    const PrescribedDisplacement &supports =
-      elasticity.prescribed_displacement();
-    auto boundary_of = supports.supporting_boundaries();
+    const PrescribedDisplacement &supports = elasticity.prescribed_displacement();
+    auto boundary_of                       = supports.supporting_boundaries();
     std::set<types::global_dof_index> at_points;
     for (const auto &node : supports.supported_nodes())
       {
@@ -60,14 +58,10 @@ namespace stiction
         }
     for (auto &sum : boundaries_)
       {
-        sum.second.force =
-          Utilities::MPI::sum(sum.second.force, body.communicator());
-        sum.second.moment =
-          Utilities::MPI::sum(sum.second.moment, body.communicator());
+        sum.second.force  = Utilities::MPI::sum(sum.second.force, body.communicator());
+        sum.second.moment = Utilities::MPI::sum(sum.second.moment, body.communicator());
       }
   }
-
-
 
   SupportReactions::~SupportReactions() = default;
 } // namespace stiction

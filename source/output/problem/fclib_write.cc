@@ -21,8 +21,7 @@ namespace stiction
 
     // HDF5 in memory fails for one reason.
     template<typename Result>
-    Result
-    checked(const Result result)
+    Result checked(const Result result)
     {
       if (result < 0)
         throw std::bad_alloc();
@@ -39,121 +38,81 @@ namespace stiction
       {
       }
 
-      void
-      add_group(const std::string &name)
+      void add_group(const std::string &name)
       {
         const Handle created(
-          checked(H5Gcreate2(
-            file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
+          checked(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
           H5Gclose);
       }
 
       // Entries to be written by parts; chunk = 0: not compressed.
-      Handle
-      add_dataset(const std::string &name,
-                  const hid_t type,
-                  const std::vector<hsize_t> &size,
-                  const hsize_t chunk = 0)
+      Handle add_dataset(const std::string &name, const hid_t type,
+                         const std::vector<hsize_t> &size, const hsize_t chunk = 0)
       {
         const Handle space(
-          checked(H5Screate_simple(
-            static_cast<int>(size.size()), size.data(), nullptr)),
+          checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr)),
           H5Sclose);
-        const Handle properties(checked(H5Pcreate(H5P_DATASET_CREATE)),
-                                H5Pclose);
+        const Handle properties(checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
         if (chunk > 0 && H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0)
           {
             checked(H5Pset_chunk(properties, 1, &chunk));
             checked(H5Pset_deflate(properties, 4));
           }
-        return {checked(H5Dcreate2(file_,
-                                   name.c_str(),
-                                   type,
-                                   space,
-                                   H5P_DEFAULT,
-                                   properties,
-                                   H5P_DEFAULT)),
+        return {checked(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
+                                   properties, H5P_DEFAULT)),
                 H5Dclose};
       }
 
       template<typename Number>
-      static void
-      write_part(const hid_t dataset,
-                 const hsize_t begin,
-                 const std::vector<Number> &values)
+      static void write_part(const hid_t dataset, const hsize_t begin,
+                             const std::vector<Number> &values)
       {
         const hsize_t size = values.size();
         const Handle file_space(checked(H5Dget_space(dataset)), H5Sclose);
-        const Handle memory_space(checked(H5Screate_simple(1, &size, nullptr)),
-                                  H5Sclose);
-        checked(H5Sselect_hyperslab(
-          file_space, H5S_SELECT_SET, &begin, nullptr, &size, nullptr));
-        checked(H5Dwrite(dataset,
-                         std::is_same<Number, int>::value ? H5T_NATIVE_INT
-                                                          : H5T_NATIVE_DOUBLE,
-                         memory_space,
-                         file_space,
-                         H5P_DEFAULT,
-                         values.data()));
+        const Handle memory_space(checked(H5Screate_simple(1, &size, nullptr)), H5Sclose);
+        checked(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, &begin, nullptr, &size,
+                                    nullptr));
+        checked(H5Dwrite(
+          dataset, std::is_same<Number, int>::value ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE,
+          memory_space, file_space, H5P_DEFAULT, values.data()));
       }
 
-      void
-      add(const std::string &name, const std::vector<int> &values)
+      void add(const std::string &name, const std::vector<int> &values)
       {
-        write_part(
-          add_dataset(name, H5T_STD_I32LE, {values.size()}), 0, values);
+        write_part(add_dataset(name, H5T_STD_I32LE, {values.size()}), 0, values);
       }
 
-      void
-      add(const std::string &name, const Eigen::VectorXd &values)
+      void add(const std::string &name, const Eigen::VectorXd &values)
       {
         write_part(
-          add_dataset(
-            name, H5T_IEEE_F64LE, {static_cast<hsize_t>(values.size())}),
-          0,
+          add_dataset(name, H5T_IEEE_F64LE, {static_cast<hsize_t>(values.size())}), 0,
           std::vector<double>(values.data(), values.data() + values.size()));
       }
 
       // Row by row.
-      void
-      add(const std::string &name, const Eigen::MatrixXd &values)
+      void add(const std::string &name, const Eigen::MatrixXd &values)
       {
-        const Eigen::
-          Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-            by_rows = values;
-        const Handle dataset =
-          add_dataset(name,
-                      H5T_IEEE_F64LE,
-                      {static_cast<hsize_t>(values.rows()),
-                       static_cast<hsize_t>(values.cols())});
-        checked(H5Dwrite(dataset,
-                         H5T_NATIVE_DOUBLE,
-                         H5S_ALL,
-                         H5S_ALL,
-                         H5P_DEFAULT,
+        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
+          by_rows            = values;
+        const Handle dataset = add_dataset(
+          name, H5T_IEEE_F64LE,
+          {static_cast<hsize_t>(values.rows()), static_cast<hsize_t>(values.cols())});
+        checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                          by_rows.data()));
       }
 
-      void
-      add(const std::string &name, const std::string &text)
+      void add(const std::string &name, const std::string &text)
       {
         const Handle type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
         checked(H5Tset_size(type, text.size() + 1));
         const Handle space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
-        const Handle dataset(checked(H5Dcreate2(file_,
-                                                name.c_str(),
-                                                type,
-                                                space,
-                                                H5P_DEFAULT,
-                                                H5P_DEFAULT,
-                                                H5P_DEFAULT)),
+        const Handle dataset(checked(H5Dcreate2(file_, name.c_str(), type, space,
+                                                H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
                              H5Dclose);
-        checked(
-          H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
+        checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
       }
 
-      void
-      write(std::ostream &out) const
+      void write(std::ostream &out) const
       {
         checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
         std::vector<char> bytes(checked(H5Fget_file_image(file_, nullptr, 0)));
@@ -162,25 +121,19 @@ namespace stiction
       }
 
     private:
-      static hid_t
-      create(const std::size_t expected_size)
+      static hid_t create(const std::size_t expected_size)
       {
         // room is made by so many bytes at a time: few times, little too much
-        const std::size_t step =
-          std::max<std::size_t>(expected_size / 8, 1 << 20);
+        const std::size_t step = std::max<std::size_t>(expected_size / 8, 1 << 20);
         const Handle access(checked(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
         checked(H5Pset_fapl_core(access, step, false));
-        return checked(
-          H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access));
+        return checked(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access));
       }
 
       const Handle file_;
     };
 
-
-
-    Eigen::VectorXd
-    interleaved(const Eigen::VectorXd &blocks)
+    Eigen::VectorXd interleaved(const Eigen::VectorXd &blocks)
     {
       const Index n = blocks.size();
       Eigen::VectorXd result(n);
@@ -192,8 +145,7 @@ namespace stiction
     // By columns: the most compact of FCLIB's three kinds for a matrix without
     // zeros, and the one kind its merit function multiplies with. The row
     // indices 0, 1, ..., n-1, 0, 1, ... are worth nothing once compressed.
-    void
-    add_matrix(Image &image, const Eigen::MatrixXd &Q)
+    void add_matrix(Image &image, const Eigen::MatrixXd &Q)
     {
       const auto n     = static_cast<int>(Q.rows());
       const int n_all  = n * n;
@@ -209,23 +161,17 @@ namespace stiction
         begin[j] = j * n;
       image.add(matrix + "/p", begin);
 
-      const int n_columns =
-        std::min(n, std::max(1, static_cast<int>(batch) / n));
-      const Handle rows =
-        image.add_dataset(matrix + "/i",
-                          H5T_STD_I32LE,
-                          {count},
-                          static_cast<hsize_t>(n_columns) * n);
-      const Handle values =
-        image.add_dataset(matrix + "/x", H5T_IEEE_F64LE, {count});
+      const int n_columns = std::min(n, std::max(1, static_cast<int>(batch) / n));
+      const Handle rows   = image.add_dataset(matrix + "/i", H5T_STD_I32LE, {count},
+                                              static_cast<hsize_t>(n_columns) * n);
+      const Handle values = image.add_dataset(matrix + "/x", H5T_IEEE_F64LE, {count});
       std::vector<int> i;
       std::vector<double> x;
       for (int first = 0; first < n; first += n_columns)
         {
           i.clear();
           x.clear();
-          for (int column = first; column < std::min(first + n_columns, n);
-               ++column)
+          for (int column = first; column < std::min(first + n_columns, n); ++column)
             for (int row = 0; row < n; ++row)
               {
                 const Index a = in_blocks(row, n);
@@ -239,16 +185,14 @@ namespace stiction
         }
     }
 
-    void
-    add_description(Image &image, const bool is_coulomb)
+    void add_description(Image &image, const bool is_coulomb)
     {
       image.add_group(group + "/info");
       image.add(group + "/info/title",
-                std::string(is_coulomb
-                              ? "Elastic body with Coulomb friction"
-                              : "Elastic body with GIVEN friction: the slip "
-                                "bound is given_slip_bound, mu = 0 is a "
-                                "placeholder"));
+                std::string(is_coulomb ? "Elastic body with Coulomb friction"
+                                       : "Elastic body with GIVEN friction: the slip "
+                                         "bound is given_slip_bound, mu = 0 is a "
+                                         "placeholder"));
       image.add(
         group + "/info/description",
         "Static contact of a linear elastic body, condensed to its contact "
@@ -257,27 +201,20 @@ namespace stiction
         "(remaining gap, -slip), r = force on the obstacle, compression "
         "positive; components (normal, t1, t2) node by node. Other datasets "
         "beside FCLIB's, as far as known: areas and positions of the nodes." +
-          std::string(
-            is_coulomb
-              ? ""
-              : " FCLIB has no given friction: the condition is |r_t| <= "
-                "given_slip_bound at each node, whatever r_n; solved with mu "
-                "it is another problem."));
+          std::string(is_coulomb
+                        ? ""
+                        : " FCLIB has no given friction: the condition is |r_t| <= "
+                          "given_slip_bound at each node, whatever r_n; solved with mu "
+                          "it is another problem."));
       image.add(group + "/info/math_info",
-                std::string(is_coulomb
-                              ? "W is symmetric positive definite"
-                              : "W is symmetric positive definite; convex, "
-                                "the solution is unique"));
+                std::string(is_coulomb ? "W is symmetric positive definite"
+                                       : "W is symmetric positive definite; convex, "
+                                         "the solution is unique"));
     }
   } // namespace
 
-
-
-  void
-  write_fclib(const std::string &path,
-              const DualProblem &problem,
-              const Eigen::VectorXd &lambda,
-              const Eigen::VectorXd &gradient)
+  void write_fclib(const std::string &path, const DualProblem &problem,
+                   const Eigen::VectorXd &lambda, const Eigen::VectorXd &gradient)
   {
     problem_check::require_writable(problem, lambda, gradient, path);
     const Index n = problem.h.size();
@@ -294,9 +231,9 @@ namespace stiction
     add_matrix(image, problem.Q);
     image.add_group(group + "/vectors");
     image.add(group + "/vectors/q", Eigen::VectorXd(-interleaved(problem.h)));
-    image.add(group + "/vectors/mu",
-              is_coulomb ? problem.slip_bound.data()
-                         : Eigen::VectorXd(Eigen::VectorXd::Zero(n / 3)));
+    image.add(group + "/vectors/mu", is_coulomb
+                                       ? problem.slip_bound.data()
+                                       : Eigen::VectorXd(Eigen::VectorXd::Zero(n / 3)));
     if (!is_coulomb)
       image.add(given_bound, problem.slip_bound.data());
     if (problem.areas.size() > 0)

@@ -28,11 +28,8 @@ namespace stiction
     // ------------------------------------------------------------- writing
 
     // Column by column, of a symmetric matrix the lower triangle.
-    void
-    write(const std::string &name,
-          const Eigen::MatrixXd &matrix,
-          const bool is_symmetric,
-          const std::vector<std::string> &comments)
+    void write(const std::string &name, const Eigen::MatrixXd &matrix,
+               const bool is_symmetric, const std::vector<std::string> &comments)
     {
       write_file(name, [&](std::ostream &out) {
         out << "%%MatrixMarket matrix array real "
@@ -51,8 +48,7 @@ namespace stiction
       });
     }
 
-    void
-    remove(const std::string &name)
+    void remove(const std::string &name)
     {
       std::error_code error;
       fs::remove(name, error);
@@ -61,8 +57,6 @@ namespace stiction
                                 "belong to this problem, must be in a "
                                 "directory with the permission to write.");
     }
-
-
 
     // ------------------------------------------------------------- reading
 
@@ -82,8 +76,7 @@ namespace stiction
       }
 
       // Goes to the next word; false at the end of the file.
-      bool
-      next()
+      bool next()
       {
         for (;;)
           {
@@ -105,41 +98,34 @@ namespace stiction
               }
             while (!text_.empty() && text_[0] == '%');
           }
-        end_ =
-          std::min(text_.find_first_of(" \t\r\v\f", position_), text_.size());
+        end_ = std::min(text_.find_first_of(" \t\r\v\f", position_), text_.size());
         return true;
       }
 
-      void
-      require_next(const std::string &what)
+      void require_next(const std::string &what)
       {
         if (!next())
-          throw InputError(place() + ": the file ends, must hold " + what +
-                           ".");
+          throw InputError(place() + ": the file ends, must hold " + what + ".");
       }
 
       // The word as a number.
-      double
-      number(const Allowed allowed) const
+      double number(const Allowed allowed) const
       {
         char *end          = nullptr;
         const double value = std::strtod(text_.c_str() + position_, &end);
         if (end != text_.c_str() + end_)
           fail("must be a number");
-        problem_check::require(
-          value, allowed, [&]() { return place() + ": the entry"; });
+        problem_check::require(value, allowed, [&]() { return place() + ": the entry"; });
         if (is_integer_ && value != std::floor(value))
           fail("must be an integer, as the first line says");
         return value;
       }
 
       // The word as a size or an index.
-      Index
-      integer(const Index least, const Index most, const char *what) const
+      Index integer(const Index least, const Index most, const char *what) const
       {
         char *end             = nullptr;
-        const long long value = std::strtoll(text_.c_str() + position_,
-                                             &end,
+        const long long value = std::strtoll(text_.c_str() + position_, &end,
                                              10); // too large: the largest
         if (end != text_.c_str() + end_ || value < least || value > most)
           fail("must be " + std::string(what) + ", an integer from " +
@@ -147,52 +133,32 @@ namespace stiction
         return value;
       }
 
-      [[noreturn]] void
-      fail(const std::string &must) const
+      [[noreturn]] void fail(const std::string &must) const
       {
         constexpr std::size_t at_most = 40;
-        std::string word = text_.substr(position_, end_ - position_);
+        std::string word              = text_.substr(position_, end_ - position_);
         if (word.size() > at_most)
           word = word.substr(0, at_most) + "...";
-        throw InputError(place() + ": '" + word + "' is not allowed, " + must +
-                         ".");
+        throw InputError(place() + ": '" + word + "' is not allowed, " + must + ".");
       }
 
-      std::string
-      place() const
-      {
-        return path_ + ", line " + std::to_string(line_);
-      }
+      std::string place() const { return path_ + ", line " + std::to_string(line_); }
 
-      std::size_t
-      line() const
-      {
-        return line_;
-      }
+      std::size_t line() const { return line_; }
 
-      bool
-      is_coordinate() const
-      {
-        return is_coordinate_;
-      }
+      bool is_coordinate() const { return is_coordinate_; }
 
-      bool
-      is_symmetric() const
-      {
-        return is_symmetric_;
-      }
+      bool is_symmetric() const { return is_symmetric_; }
 
     private:
-      static std::string
-      lower_case(std::string text)
+      static std::string lower_case(std::string text)
       {
         for (char &c : text)
           c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         return text;
       }
 
-      void
-      read_banner()
+      void read_banner()
       {
         const std::string banner = "%%matrixmarket";
         const std::string rule =
@@ -204,8 +170,7 @@ namespace stiction
         std::string begin(banner.size(), ' ');
         if (!in_.read(&begin[0], static_cast<std::streamsize>(begin.size())) ||
             lower_case(begin) != banner)
-          throw InputError(place() + ": is no Matrix Market file, " + rule +
-                           ".");
+          throw InputError(place() + ": is no Matrix Market file, " + rule + ".");
         std::getline(in_, text_);
         std::istringstream words(lower_case(text_));
         std::string object, format, field, symmetry, more;
@@ -216,8 +181,8 @@ namespace stiction
         if (object != "matrix" || !(is_coordinate_ || format == "array") ||
             !(is_integer_ || field == "real" || field == "double") ||
             !(is_symmetric_ || symmetry == "general") || !more.empty())
-          throw InputError(place() + ": another kind of Matrix Market file, " +
-                           rule + ".");
+          throw InputError(place() + ": another kind of Matrix Market file, " + rule +
+                           ".");
         text_.clear();
       }
 
@@ -229,8 +194,6 @@ namespace stiction
       std::size_t position_ = 0, end_ = 0; // of the word in the line
     };
 
-
-
     // A matrix and where its diagonal stands in the file.
     struct File
     {
@@ -239,12 +202,8 @@ namespace stiction
     };
 
     // A matrix of n_rows × n_columns; 0 × 0: square, of an order 3, 6, 9, ...
-    File
-    read(const std::string &path,
-         const Index n_rows,
-         const Index n_columns,
-         const Allowed allowed,
-         const std::string &meaning)
+    File read(const std::string &path, const Index n_rows, const Index n_columns,
+              const Allowed allowed, const std::string &meaning)
     {
       constexpr Index largest_size = 1 << 30;
 
@@ -252,11 +211,9 @@ namespace stiction
       words.require_next("the size of the matrix");
       const Index rows = words.integer(1, largest_size, "the number of rows");
       words.require_next("the number of columns");
-      const Index columns =
-        words.integer(1, largest_size, "the number of columns");
-      const std::string size =
-        std::to_string(rows) + " x " + std::to_string(columns);
-      const bool is_Q = n_rows == 0;
+      const Index columns    = words.integer(1, largest_size, "the number of columns");
+      const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
+      const bool is_Q        = n_rows == 0;
       if (is_Q ? rows != columns || rows % 3 != 0
                : rows != n_rows || columns != n_columns)
         throw InputError(
@@ -265,17 +222,15 @@ namespace stiction
                 : std::to_string(n_rows) + " x " + std::to_string(n_columns)) +
           ", " + meaning + ".");
       if (words.is_symmetric() && rows != columns)
-        throw InputError(words.place() + ": the matrix is symmetric and " +
-                         size + ", must be square or general.");
+        throw InputError(words.place() + ": the matrix is symmetric and " + size +
+                         ", must be square or general.");
 
-      const Index full =
-        words.is_symmetric() ? rows * (rows + 1) / 2 : rows * columns;
-      Index n_entries = full;
+      const Index full = words.is_symmetric() ? rows * (rows + 1) / 2 : rows * columns;
+      Index n_entries  = full;
       if (words.is_coordinate())
         {
           words.require_next("the number of entries");
-          n_entries = words.integer(is_Q ? rows : 0,
-                                    largest_size * largest_size,
+          n_entries = words.integer(is_Q ? rows : 0, largest_size * largest_size,
                                     is_Q ? "the number of entries, with all "
                                            "of the diagonal"
                                          : "the number of entries");
@@ -303,8 +258,7 @@ namespace stiction
           const auto require_next = [&]() {
             if (!words.next())
               throw InputError(words.place() + ": the file ends after " +
-                               std::to_string(k) + " of " +
-                               std::to_string(n_entries) +
+                               std::to_string(k) + " of " + std::to_string(n_entries) +
                                " entries, must hold all of them.");
           };
           require_next();
@@ -312,11 +266,9 @@ namespace stiction
             {
               i = words.integer(1, rows, "a row") - 1;
               require_next();
-              j = words.integer(1,
-                                words.is_symmetric() ? i + 1 : columns,
-                                words.is_symmetric()
-                                  ? "a column up to the diagonal"
-                                  : "a column") -
+              j = words.integer(1, words.is_symmetric() ? i + 1 : columns,
+                                words.is_symmetric() ? "a column up to the diagonal"
+                                                     : "a column") -
                   1;
               require_next();
             }
@@ -337,19 +289,15 @@ namespace stiction
             }
         }
       if (words.next())
-        words.fail("must be the end of the file after " +
-                   std::to_string(n_entries) + " entries");
+        words.fail("must be the end of the file after " + std::to_string(n_entries) +
+                   " entries");
       return file;
     }
 
-    Eigen::VectorXd
-    read_vector(const std::string &path,
-                const Index size,
-                const Allowed allowed,
-                const std::string &meaning)
+    Eigen::VectorXd read_vector(const std::string &path, const Index size,
+                                const Allowed allowed, const std::string &meaning)
     {
-      const Eigen::VectorXd vector =
-        read(path, size, 1, allowed, meaning).matrix;
+      const Eigen::VectorXd vector = read(path, size, 1, allowed, meaning).matrix;
       // entries that coordinates left out are 0
       problem_check::require_all(vector, allowed, [&](const Index i) {
         return path + ": entry " + std::to_string(i + 1);
@@ -358,13 +306,8 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  write_matrix_market(const std::string &directory,
-                      const DualProblem &problem,
-                      const Eigen::VectorXd &lambda,
-                      const Eigen::VectorXd &gradient)
+  void write_matrix_market(const std::string &directory, const DualProblem &problem,
+                           const Eigen::VectorXd &lambda, const Eigen::VectorXd &gradient)
   {
     problem_check::require_writable(problem, lambda, gradient, directory);
     const std::string in = directory + "/";
@@ -373,35 +316,26 @@ namespace stiction
     const std::string lengths =
       "Lengths and forces are in the units of the parameter file.";
 
-    write(in + "Q.mtx",
-          problem.Q,
-          true,
+    write(in + "Q.mtx", problem.Q, true,
           {"Q = B K^-1 B^T (m/N): how far the m contact nodes of an elastic "
            "body",
-           "move under forces at them. Symmetric positive definite, order 3m.",
-           blocks,
-           lengths,
-           "Stored: lower triangle, column by column."});
-    write(in + "h.mtx",
-          problem.h,
-          false,
+           "move under forces at them. Symmetric positive definite, order 3m.", blocks,
+           lengths, "Stored: lower triangle, column by column."});
+    write(in + "h.mtx", problem.h, false,
           {"h = B K^-1 f - (gap; 0; 0) (m), length 3m. " + blocks,
            "With contact forces lambda (N, compression positive),",
            "Q lambda - h = (remaining gap; -slip; -slip)."});
 
     const bool is_coulomb = problem.slip_bound.is_coulomb();
-    write(
-      in + (is_coulomb ? coulomb_name : given_name),
-      problem.slip_bound.data(),
-      false,
-      is_coulomb
-        ? std::vector<std::string>{"Coulomb friction: coefficient F of each of "
-                                   "the m contact nodes,",
-                                   "|(lambda_t1, lambda_t2)| <= F lambda_nu."}
-        : std::vector<std::string>{
-            "Given friction: slip bound g (N) of each of the m contact "
-            "nodes,",
-            "|(lambda_t1, lambda_t2)| <= g, whatever lambda_nu."});
+    write(in + (is_coulomb ? coulomb_name : given_name), problem.slip_bound.data(), false,
+          is_coulomb
+            ? std::vector<std::string>{"Coulomb friction: coefficient F of each of "
+                                       "the m contact nodes,",
+                                       "|(lambda_t1, lambda_t2)| <= F lambda_nu."}
+            : std::vector<std::string>{
+                "Given friction: slip bound g (N) of each of the m contact "
+                "nodes,",
+                "|(lambda_t1, lambda_t2)| <= g, whatever lambda_nu."});
     remove(in + (is_coulomb ? given_name : coulomb_name));
 
     const auto write_if_known = [&](const std::string &name,
@@ -412,49 +346,38 @@ namespace stiction
       else
         remove(in + name);
     };
-    write_if_known("areas.mtx",
-                   problem.areas,
+    write_if_known("areas.mtx", problem.areas,
                    {"Area (m^2) of each of the m contact nodes; pressure = "
                     "lambda_nu / area."});
-    write_if_known("nodes.mtx",
-                   problem.positions,
+    write_if_known("nodes.mtx", problem.positions,
                    {"Positions (m) of the m contact nodes, columns x, y, z.",
                     "Stored: column by column."});
-    write_if_known(
-      "lambda.mtx", lambda, {"The solution lambda (N), length 3m. " + blocks});
-    write_if_known("gradient.mtx",
-                   gradient,
+    write_if_known("lambda.mtx", lambda,
+                   {"The solution lambda (N), length 3m. " + blocks});
+    write_if_known("gradient.mtx", gradient,
                    {"Q lambda - h (m) of the solution, length 3m: (remaining "
                     "gap; -slip; -slip).",
                     blocks});
   }
 
-
-
-  DualProblem
-  read_matrix_market(const std::string &path, const bool symmetric_part)
+  DualProblem read_matrix_market(const std::string &path, const bool symmetric_part)
   {
     std::error_code error;
-    const bool is_directory = fs::is_directory(path, error);
-    const std::string Q_name =
-      is_directory ? (fs::path(path) / "Q.mtx").string() : path;
+    const bool is_directory  = fs::is_directory(path, error);
+    const std::string Q_name = is_directory ? (fs::path(path) / "Q.mtx").string() : path;
     const fs::path directory = fs::path(Q_name).parent_path();
-    const auto in            = [&](const char *name) {
-      return (directory / name).string();
-    };
+    const auto in = [&](const char *name) { return (directory / name).string(); };
 
     // What is quick to see before what is slow to read.
     const bool is_coulomb = fs::exists(in(coulomb_name), error);
     const bool is_given   = fs::exists(in(given_name), error);
     if (fs::exists(Q_name, error) && is_coulomb == is_given)
-      throw InputError((directory.empty() ? "." : directory.string()) +
-                       ": holds " + (is_coulomb ? "both " : "neither ") +
-                       coulomb_name + (is_coulomb ? " and " : " nor ") +
-                       given_name +
+      throw InputError((directory.empty() ? "." : directory.string()) + ": holds " +
+                       (is_coulomb ? "both " : "neither ") + coulomb_name +
+                       (is_coulomb ? " and " : " nor ") + given_name +
                        ", must hold one of them: Coulomb or given friction.");
 
-    File Q =
-      read(Q_name, 0, 0, Allowed::number, "three rows for each contact node");
+    File Q = read(Q_name, 0, 0, Allowed::number, "three rows for each contact node");
     DualProblem problem;
     problem.asymmetry = problem_check::make_symmetric(
       Q.matrix, symmetric_part, [&](const Index i, const Index j) {
@@ -468,20 +391,16 @@ namespace stiction
     const Index m              = Q.matrix.rows() / 3;
     const std::string per_node = "one row for each contact node";
 
-    problem.h =
-      read_vector(in("h.mtx"), 3 * m, Allowed::number, "as many rows as Q.mtx");
+    problem.h = read_vector(in("h.mtx"), 3 * m, Allowed::number, "as many rows as Q.mtx");
     problem.slip_bound =
-      is_coulomb
-        ? qp::SlipBound::coulomb(
-            read_vector(in(coulomb_name), m, Allowed::not_negative, per_node))
-        : qp::SlipBound::given(
-            read_vector(in(given_name), m, Allowed::not_negative, per_node));
+      is_coulomb ? qp::SlipBound::coulomb(
+                     read_vector(in(coulomb_name), m, Allowed::not_negative, per_node))
+                 : qp::SlipBound::given(
+                     read_vector(in(given_name), m, Allowed::not_negative, per_node));
     if (fs::exists(in("areas.mtx"), error))
-      problem.areas =
-        read_vector(in("areas.mtx"), m, Allowed::positive, per_node);
+      problem.areas = read_vector(in("areas.mtx"), m, Allowed::positive, per_node);
     if (fs::exists(in("nodes.mtx"), error))
-      problem.positions =
-        read(in("nodes.mtx"), m, 3, Allowed::number, per_node).matrix;
+      problem.positions = read(in("nodes.mtx"), m, 3, Allowed::number, per_node).matrix;
     problem.Q = std::move(Q.matrix);
     return problem;
   }

@@ -9,26 +9,20 @@
 
 namespace stiction::problem_check
 {
-  std::string
-  text(const double value)
+  std::string text(const double value)
   {
     char buffer[32];
     std::snprintf(buffer, sizeof(buffer), "%.10g", value);
     return buffer;
   }
 
-
-
-  void
-  require(const double value,
-          const Allowed allowed,
-          const std::function<std::string()> &place)
+  void require(const double value, const Allowed allowed,
+               const std::function<std::string()> &place)
   {
     // written so that NaN fails
     const bool in_range = std::abs(value) <= largest;
-    if (in_range &&
-        (allowed == Allowed::number ||
-         (allowed == Allowed::not_negative ? value >= 0. : value > 0.)))
+    if (in_range && (allowed == Allowed::number ||
+                     (allowed == Allowed::not_negative ? value >= 0. : value > 0.)))
       return;
 
     throw InputError(place() + " is " + text(value) + ", must be a number" +
@@ -38,38 +32,27 @@ namespace stiction::problem_check
                      " to 1e100.");
   }
 
-
-
-  void
-  require_all(const Eigen::VectorXd &values,
-              const Allowed allowed,
-              const std::function<std::string(Eigen::Index)> &place)
+  void require_all(const Eigen::VectorXd &values, const Allowed allowed,
+                   const std::function<std::string(Eigen::Index)> &place)
   {
     for (Eigen::Index i = 0; i < values.size(); ++i)
       require(values(i), allowed, [&]() { return place(i); });
   }
 
-
-
-  void
-  require_memory(const double order, const std::string &place)
+  void require_memory(const double order, const std::string &place)
   {
     // never more than Q itself; what a solver needs besides, it asks for
     const double needed    = sizeof(double) * order * order;
     const double available = available_memory(MPI_COMM_SELF);
     if (needed > available)
-      throw InputError(
-        place + " is a matrix of order " + text(order) + ", which takes " +
-        text(std::ceil(needed / 1e9)) + " GB of memory, must fit into the " +
-        text(std::floor(available / 1e9)) + " GB of this machine.");
+      throw InputError(place + " is a matrix of order " + text(order) + ", which takes " +
+                       text(std::ceil(needed / 1e9)) +
+                       " GB of memory, must fit into the " +
+                       text(std::floor(available / 1e9)) + " GB of this machine.");
   }
 
-
-
-  double
-  make_symmetric(
-    Eigen::MatrixXd &Q,
-    const bool symmetric_part,
+  double make_symmetric(
+    Eigen::MatrixXd &Q, const bool symmetric_part,
     const std::function<std::string(Eigen::Index, Eigen::Index)> &place)
   {
     const Eigen::Index n = Q.rows();
@@ -82,8 +65,7 @@ namespace stiction::problem_check
     for (Eigen::Index j = 0; j < n; ++j)
       for (Eigen::Index i = j + 1; i < n; ++i)
         {
-          const double difference =
-            std::abs(Q(i, j) - Q(j, i)) / (scale(i) * scale(j));
+          const double difference = std::abs(Q(i, j) - Q(j, i)) / (scale(i) * scale(j));
           if (!(difference <= worst))
             {
               worst  = difference;
@@ -93,8 +75,7 @@ namespace stiction::problem_check
         }
     if (!(worst <= symmetry || symmetric_part))
       throw InputError(place(row, column) + " is " + text(Q(row, column)) +
-                       ", the entry across the diagonal " +
-                       text(Q(column, row)) +
+                       ", the entry across the diagonal " + text(Q(column, row)) +
                        ", must be equal, the matrix being symmetric, to 1e-8 "
                        "of the diagonal; of all pairs these differ most, by " +
                        text(worst) +
@@ -106,21 +87,15 @@ namespace stiction::problem_check
     return worst;
   }
 
-
-
-  void
-  require_writable(const DualProblem &problem,
-                   const Eigen::VectorXd &lambda,
-                   const Eigen::VectorXd &gradient,
-                   const std::string &place)
+  void require_writable(const DualProblem &problem, const Eigen::VectorXd &lambda,
+                        const Eigen::VectorXd &gradient, const std::string &place)
   {
     const Eigen::Index m = problem.slip_bound.n_nodes();
     if (m == 0)
       throw InputError(place + ": cannot be written, there must be at least "
                                "one contact node.");
 
-    const auto is_empty_or = [](const Eigen::Index size,
-                                const Eigen::Index needed) {
+    const auto is_empty_or = [](const Eigen::Index size, const Eigen::Index needed) {
       return size == 0 || size == needed;
     };
     if (problem.Q.rows() != 3 * m || problem.Q.cols() != 3 * m ||

@@ -49,51 +49,44 @@ namespace stiction
       n_all_rows             = 40
     };
 
-    std::vector<Field>
-    body_fields(const OutputParameters &parameters, const bool has_indicator)
+    std::vector<Field> body_fields(const OutputParameters &parameters,
+                                   const bool has_indicator)
     {
       const Units units         = Units::named(parameters.units);
       std::vector<Field> fields = {{"displacement", 3, units.length},
                                    {"stress", 9, units.stress},
                                    {"von_Mises_stress", 1, units.stress}};
       if (parameters.has_all_fields())
-        fields.insert(fields.end(),
-                      {{"strain", 9, ""},
-                       {"principal_stresses", 3, units.stress},
-                       {"stress_averaged", 9, units.stress},
-                       {"von_Mises_stress_averaged", 1, units.stress},
-                       {"reaction", 3, units.force},
-                       {"material_id", 1, ""},
-                       {"body_id", 1, ""}});
+        fields.insert(fields.end(), {{"strain", 9, ""},
+                                     {"principal_stresses", 3, units.stress},
+                                     {"stress_averaged", 9, units.stress},
+                                     {"von_Mises_stress_averaged", 1, units.stress},
+                                     {"reaction", 3, units.force},
+                                     {"material_id", 1, ""},
+                                     {"body_id", 1, ""}});
       if (has_indicator)
         fields.push_back({"error_indicator", 1, ""});
       return fields;
     }
 
-    double
-    von_mises(const SymmetricTensor<2, 3> &stress)
+    double von_mises(const SymmetricTensor<2, 3> &stress)
     {
       return std::sqrt(1.5) * deviator(stress).norm();
     }
 
-    LA::Vector
-    with_ghosts(const Body &body)
+    LA::Vector with_ghosts(const Body &body)
     {
-      return LA::Vector(body.locally_owned_dofs(),
-                        body.locally_relevant_dofs(),
+      return LA::Vector(body.locally_owned_dofs(), body.locally_relevant_dofs(),
                         body.communicator());
     }
 
-    LA::Vector
-    with_ghosts(const Body &body, const LA::Vector &v)
+    LA::Vector with_ghosts(const Body &body, const LA::Vector &v)
     {
       LA::Vector copy = with_ghosts(body);
       copy            = v;
       copy.update_ghost_values();
       return copy;
     }
-
-
 
     // Strains at the nodes of a cell. Derivatives along the edges of the
     // reference cell need only the nodes on the same line, and those of the
@@ -112,16 +105,14 @@ namespace stiction
         for (unsigned int k = 0; k < n_; ++k)
           for (unsigned int p = 0; p < n_; ++p)
             {
-              Polynomials::LagrangeEquidistant(n_ - 1, k).value(
-                p / (n_ - 1.), value_and_derivative);
+              Polynomials::LagrangeEquidistant(n_ - 1, k).value(p / (n_ - 1.),
+                                                                value_and_derivative);
               derivative_(p, k) = value_and_derivative[1];
             }
         if (mean_dilatation)
-          mean_ =
-            std::make_unique<FEValues<3>>(body.mapping(),
-                                          body.dof_handler().get_fe(),
-                                          QGauss<3>(n_),
-                                          update_gradients | update_JxW_values);
+          mean_ = std::make_unique<FEValues<3>>(
+            body.mapping(), body.dof_handler().get_fe(), QGauss<3>(n_),
+            update_gradients | update_JxW_values);
       }
 
       // Of the displacement u: those that the stiffness matrix is made with,
@@ -129,24 +120,21 @@ namespace stiction
       // the order of a table.
       //
       // @param places, displacements at the nodes, in the same order.
-      const std::vector<SymmetricTensor<2, 3>> &
-      operator()(const Cell &cell,
-                 const std::vector<Point<3>> &places,
-                 const std::vector<Tensor<1, 3>> &displacements,
-                 const LA::Vector &u)
+      const std::vector<SymmetricTensor<2, 3>> &operator()(
+        const Cell &cell, const std::vector<Point<3>> &places,
+        const std::vector<Tensor<1, 3>> &displacements, const LA::Vector &u)
       {
         for (unsigned int p = 0; p < n_points_; ++p)
           {
             const Tensor<2, 3> to_places = derivatives(places, p);
-            strains_[p]                  = symmetrize(
-              Tensor<2, 3>(derivatives(displacements, p) * invert(to_places)));
+            strains_[p] =
+              symmetrize(Tensor<2, 3>(derivatives(displacements, p) * invert(to_places)));
           }
         if (mean_)
           {
             const double mean = mean_dilatation(cell, u);
             for (auto &strain : strains_)
-              strain +=
-                (mean - trace(strain)) / 3. * unit_symmetric_tensor<3>();
+              strain += (mean - trace(strain)) / 3. * unit_symmetric_tensor<3>();
           }
         return strains_;
       }
@@ -154,8 +142,7 @@ namespace stiction
     private:
       // d f_a/d ξ_b at a node.
       template<typename Values>
-      Tensor<2, 3>
-      derivatives(const std::vector<Values> &f, const unsigned int p) const
+      Tensor<2, 3> derivatives(const std::vector<Values> &f, const unsigned int p) const
       {
         Tensor<2, 3> result;
         unsigned int step = 1;
@@ -170,13 +157,11 @@ namespace stiction
         return result;
       }
 
-      double
-      mean_dilatation(const Cell &cell, const LA::Vector &u)
+      double mean_dilatation(const Cell &cell, const LA::Vector &u)
       {
         mean_->reinit(cell);
         std::vector<double> divergences(mean_->n_quadrature_points);
-        (*mean_)[FEValuesExtractors::Vector(0)].get_function_divergences(
-          u, divergences);
+        (*mean_)[FEValuesExtractors::Vector(0)].get_function_divergences(u, divergences);
         double sum = 0., volume = 0.;
         for (const unsigned int q : mean_->quadrature_point_indices())
           {
@@ -192,40 +177,32 @@ namespace stiction
       std::unique_ptr<FEValues<3>> mean_; // if dilatations are means
     };
 
-
-
     // The body, one patch a cell.
     class BodyOutput : public FieldOutput<3>
     {
     public:
-      BodyOutput(const LinearElasticity &elasticity,
-                 const OutputParameters &parameters,
+      BodyOutput(const LinearElasticity &elasticity, const OutputParameters &parameters,
                  const bool has_indicator)
         : FieldOutput<3>(body_fields(parameters, has_indicator))
         , elasticity_(elasticity)
         , body_(elasticity.body())
         , first_dof_(make_first_dofs())
-        , at_nodes_(
-            body_.mapping(),
-            body_.dof_handler().get_fe(),
-            QIterated<3>(QTrapezoid<1>(), body_.dof_handler().get_fe().degree),
-            update_quadrature_points)
+        , at_nodes_(body_.mapping(), body_.dof_handler().get_fe(),
+                    QIterated<3>(QTrapezoid<1>(), body_.dof_handler().get_fe().degree),
+                    update_quadrature_points)
       {
       }
 
-      void
-      add_cells(const LA::Vector &u, const bool has_all_fields)
+      void add_cells(const LA::Vector &u, const bool has_all_fields)
       {
-        NodalStrains strains(body_,
-                             elasticity_.materials().have_mean_dilatation());
+        NodalStrains strains(body_, elasticity_.materials().have_mean_dilatation());
         for (const auto &cell : body_.dof_handler().active_cell_iterators())
           if (cell->is_locally_owned())
             add_cell(cell, u, strains, has_all_fields);
       }
 
       // Of a nodal vector field.
-      void
-      add_vector(const unsigned int row, const LA::Vector &v)
+      void add_vector(const unsigned int row, const LA::Vector &v)
       {
         for_each_patch([&](const Cell &, const auto &dofs, Patch &patch) {
           for (unsigned int p = 0; p < dofs.size(); ++p)
@@ -234,21 +211,18 @@ namespace stiction
         });
       }
 
-      void
-      add_ids()
+      void add_ids()
       {
         for_each_patch([&](const Cell &cell, const auto &dofs, Patch &patch) {
           for (unsigned int p = 0; p < dofs.size(); ++p)
             {
-              patch.data(material_row, p) =
-                static_cast<float>(cell->material_id());
-              patch.data(body_row, p) = 0.f; // there is one body
+              patch.data(material_row, p) = static_cast<float>(cell->material_id());
+              patch.data(body_row, p)     = 0.f; // there is one body
             }
         });
       }
 
-      void
-      add_indicators(const Vector<double> &indicators)
+      void add_indicators(const Vector<double> &indicators)
       {
         for_each_patch([&](const Cell &cell, const auto &dofs, Patch &patch) {
           for (unsigned int p = 0; p < dofs.size(); ++p)
@@ -257,15 +231,13 @@ namespace stiction
         });
       }
 
-      void
-      add_averaged_stress();
+      void add_averaged_stress();
 
     private:
       // Of the nodes of a cell in the order of a table, their place among the
       // unknowns of the cell: those of vertices come first there, then those
       // of edges, of faces and of the inside.
-      std::vector<unsigned int>
-      make_first_dofs() const
+      std::vector<unsigned int> make_first_dofs() const
       {
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();
         std::vector<unsigned int> first;
@@ -275,10 +247,8 @@ namespace stiction
         return first;
       }
 
-      void
-      get_first_dofs(const Cell &cell,
-                     std::vector<types::global_dof_index> &of_cell,
-                     std::vector<types::global_dof_index> &of_nodes) const
+      void get_first_dofs(const Cell &cell, std::vector<types::global_dof_index> &of_cell,
+                          std::vector<types::global_dof_index> &of_nodes) const
       {
         of_cell.resize(3 * first_dof_.size());
         of_nodes.resize(first_dof_.size());
@@ -289,8 +259,7 @@ namespace stiction
 
       // Calls f(cell, first unknowns of its nodes, patch).
       template<typename Function>
-      void
-      for_each_patch(const Function &f)
+      void for_each_patch(const Function &f)
       {
         std::vector<types::global_dof_index> of_cell, of_nodes;
         auto patch = patches_.begin();
@@ -302,11 +271,8 @@ namespace stiction
             }
       }
 
-      void
-      add_cell(const Cell &cell,
-               const LA::Vector &u,
-               NodalStrains &nodal_strains,
-               bool has_all_fields);
+      void add_cell(const Cell &cell, const LA::Vector &u, NodalStrains &nodal_strains,
+                    bool has_all_fields);
 
       const LinearElasticity &elasticity_;
       const Body &body_;
@@ -317,26 +283,16 @@ namespace stiction
       std::vector<Tensor<1, 3>> displacements_;
     };
 
-
-
-    void
-    set_tensor(Table<2, float> &data,
-               const unsigned int row,
-               const unsigned int p,
-               const SymmetricTensor<2, 3> &t)
+    void set_tensor(Table<2, float> &data, const unsigned int row, const unsigned int p,
+                    const SymmetricTensor<2, 3> &t)
     {
       for (unsigned int a = 0; a < 3; ++a)
         for (unsigned int b = 0; b < 3; ++b)
           data(row + 3 * a + b, p) = static_cast<float>(t[a][b]);
     }
 
-
-
-    void
-    BodyOutput::add_cell(const Cell &cell,
-                         const LA::Vector &u,
-                         NodalStrains &nodal_strains,
-                         const bool has_all_fields)
+    void BodyOutput::add_cell(const Cell &cell, const LA::Vector &u,
+                              NodalStrains &nodal_strains, const bool has_all_fields)
     {
       const FiniteElement<3> &fe  = body_.dof_handler().get_fe();
       const unsigned int n_points = first_dof_.size();
@@ -360,8 +316,7 @@ namespace stiction
       displacements_.resize(n_points);
       for (unsigned int p = 0; p < n_points; ++p)
         {
-          places_[p] =
-            has_places ? at_nodes_.quadrature_point(p) : cell->vertex(p);
+          places_[p] = has_places ? at_nodes_.quadrature_point(p) : cell->vertex(p);
           for (unsigned int c = 0; c < 3; ++c)
             {
               displacements_[p][c] = u(of_nodes_[p] + c);
@@ -372,9 +327,8 @@ namespace stiction
             }
         }
 
-      const Material &material =
-        elasticity_.materials().of(cell->material_id());
-      const auto &strains = nodal_strains(cell, places_, displacements_, u);
+      const Material &material = elasticity_.materials().of(cell->material_id());
+      const auto &strains      = nodal_strains(cell, places_, displacements_, u);
       for (unsigned int p = 0; p < n_points; ++p)
         {
           const SymmetricTensor<2, 3> stress = material.stress(strains[p]);
@@ -389,13 +343,10 @@ namespace stiction
         }
     }
 
-
-
     // At each node the mean of the stresses that the cells around it have
     // there, weighted by their volumes: of the cells of the same material, for
     // stress jumps where materials meet. Hanging nodes follow the others.
-    void
-    BodyOutput::add_averaged_stress()
+    void BodyOutput::add_averaged_stress()
     {
       // six components of the stress and the volume
       std::array<LA::Vector, 3> sums;
@@ -448,8 +399,8 @@ namespace stiction
                 else
                   for (const auto &master :
                        *body_.hanging_nodes().get_constraint_entries(dofs[p]))
-                    stress += master.second * stress_at(master.first) /
-                              sums[2](master.first);
+                    stress +=
+                      master.second * stress_at(master.first) / sums[2](master.first);
                 set_tensor(patch.data, averaged_row, p, stress);
                 patch.data(averaged_von_mises_row, p) =
                   static_cast<float>(von_mises(stress));
@@ -459,14 +410,9 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  write_solution(const LinearElasticity &elasticity,
-                 const LA::Vector &u,
-                 const LA::Vector &reaction,
-                 const Vector<double> &error_indicators,
-                 const OutputParameters &parameters)
+  void write_solution(const LinearElasticity &elasticity, const LA::Vector &u,
+                      const LA::Vector &reaction, const Vector<double> &error_indicators,
+                      const OutputParameters &parameters)
   {
     const Body &body     = elasticity.body();
     const bool has_error = error_indicators.size() > 0;

@@ -45,8 +45,7 @@ namespace stiction
       n_contact_rows        = tangential_row + 3
     };
 
-    std::vector<Field>
-    contact_fields(const Units &units)
+    std::vector<Field> contact_fields(const Units &units)
     {
       return {{"pressure", 1, units.stress},
               {"traction", 3, units.stress},
@@ -62,18 +61,13 @@ namespace stiction
               {"tangential_traction", 3, units.stress}};
     }
 
-
-
     // One patch a face.
     class ContactOutput : public FieldOutput<2>
     {
     public:
-      ContactOutput(const LinearElasticity &elasticity,
-                    const LA::Vector &u,
-                    const ContactSurface &surface,
-                    const Certificate &certificate,
-                    const std::vector<NodeStatus> &statuses,
-                    const Units &units)
+      ContactOutput(const LinearElasticity &elasticity, const LA::Vector &u,
+                    const ContactSurface &surface, const Certificate &certificate,
+                    const std::vector<NodeStatus> &statuses, const Units &units)
         : FieldOutput<2>(contact_fields(units))
         , body_(elasticity.body())
         , surface_(surface)
@@ -83,19 +77,16 @@ namespace stiction
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();
         // points of a patch are in the order of a table, unknowns first those
         // of the vertices, then those of the edges
-        const auto order =
-          FETools::lexicographic_to_hierarchic_numbering<2>(fe.degree);
+        const auto order = FETools::lexicographic_to_hierarchic_numbering<2>(fe.degree);
         std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
-        FEFaceValues<3> places(body_.mapping(),
-                               fe,
+        FEFaceValues<3> places(body_.mapping(), fe,
                                QIterated<2>(QTrapezoid<1>(), fe.degree),
                                update_quadrature_points);
         for (const auto &cell : body_.dof_handler().active_cell_iterators())
           if (cell->is_locally_owned())
             for (const unsigned int f : cell->face_indices())
               if (const auto face = cell->face(f);
-                  face->at_boundary() &&
-                  surface.is_contact_boundary(face->boundary_id()))
+                  face->at_boundary() && surface.is_contact_boundary(face->boundary_id()))
                 {
                   face->get_dof_indices(dofs);
                   Patch patch;
@@ -129,18 +120,15 @@ namespace stiction
 
       // At a node of the boundary, interpolated if it hangs; its status is
       // then that of the first node it follows.
-      Values
-      values_at(const types::global_dof_index first_dof) const
+      Values values_at(const types::global_dof_index first_dof) const
       {
         if (!body_.is_hanging(first_dof))
           return values_at_node(surface_.node_of(first_dof));
         Values sum{};
-        const auto &masters =
-          *body_.hanging_nodes().get_constraint_entries(first_dof);
+        const auto &masters = *body_.hanging_nodes().get_constraint_entries(first_dof);
         for (auto master = masters.rbegin(); master != masters.rend(); ++master)
           {
-            const Values values =
-              values_at_node(surface_.node_of(master->first));
+            const Values values = values_at_node(surface_.node_of(master->first));
             for (unsigned int k = 0; k < n_contact_rows; ++k)
               sum[k] += master->second * values[k];
             for (const auto row : {normal_status_row, tangential_status_row})
@@ -154,8 +142,7 @@ namespace stiction
         return sum;
       }
 
-      Values
-      values_at_node(const Eigen::Index i) const
+      Values values_at_node(const Eigen::Index i) const
       {
         Values values{};
         if (i < 0) // clamped or facing away: not a contact node
@@ -168,18 +155,16 @@ namespace stiction
         const auto &lambda      = certificate_.lambda();
         const auto &r           = certificate_.gradient();
 
-        const Eigen::Vector3d force =
-          node.force_to_cartesian(at_node(lambda, i));
+        const Eigen::Vector3d force = node.force_to_cartesian(at_node(lambda, i));
         const Eigen::Vector3d slip_vector =
           node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
-        values[pressure_row]      = lambda(i) / node.area;
-        values[gap_row]           = r(i);
-        values[area_row]          = node.area;
-        values[slip_bound_row]    = certificate_.slip_bound()(i) / node.area;
-        values[normal_status_row] = static_cast<double>(statuses_[i].normal);
-        values[tangential_status_row] =
-          static_cast<double>(statuses_[i].tangential);
+        values[pressure_row]          = lambda(i) / node.area;
+        values[gap_row]               = r(i);
+        values[area_row]              = node.area;
+        values[slip_bound_row]        = certificate_.slip_bound()(i) / node.area;
+        values[normal_status_row]     = static_cast<double>(statuses_[i].normal);
+        values[tangential_status_row] = static_cast<double>(statuses_[i].tangential);
         for (unsigned int c = 0; c < 3; ++c)
           {
             values[traction_row + c] = -force[c] / node.area;
@@ -198,27 +183,17 @@ namespace stiction
     };
   } // namespace
 
-
-
-  void
-  write_contact(const LinearElasticity &elasticity,
-                const LA::Vector &u,
-                const ContactSurface &surface,
-                const Certificate &certificate,
-                const std::vector<NodeStatus> &statuses,
-                const OutputParameters &parameters)
+  void write_contact(const LinearElasticity &elasticity, const LA::Vector &u,
+                     const ContactSurface &surface, const Certificate &certificate,
+                     const std::vector<NodeStatus> &statuses,
+                     const OutputParameters &parameters)
   {
     const Body &body = elasticity.body();
-    LA::Vector with_ghosts(body.locally_owned_dofs(),
-                           body.locally_relevant_dofs(),
+    LA::Vector with_ghosts(body.locally_owned_dofs(), body.locally_relevant_dofs(),
                            body.communicator());
     with_ghosts = u;
     with_ghosts.update_ghost_values();
-    ContactOutput out(elasticity,
-                      with_ghosts,
-                      surface,
-                      certificate,
-                      statuses,
+    ContactOutput out(elasticity, with_ghosts, surface, certificate, statuses,
                       Units::named(parameters.units));
     out.write(parameters.directory, "contact", body.communicator());
   }

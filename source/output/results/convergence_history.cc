@@ -7,10 +7,8 @@
 
 namespace stiction
 {
-  ConvergenceHistory::ConvergenceHistory(Log &log,
-                                         const std::string &step_name,
-                                         const bool on_levels,
-                                         const bool print,
+  ConvergenceHistory::ConvergenceHistory(Log &log, const std::string &step_name,
+                                         const bool on_levels, const bool print,
                                          const bool has_meshes)
     : log_(log)
     , on_levels_(on_levels)
@@ -20,63 +18,35 @@ namespace stiction
   {
   }
 
-
-
-  void
-  ConvergenceHistory::begin_mesh()
+  void ConvergenceHistory::begin_mesh()
   {
     ++mesh_;
     has_header_ = false;
   }
 
-
-
-  void
-  ConvergenceHistory::print_header()
+  void ConvergenceHistory::print_header()
   {
     if (on_levels_)
-      log_.line(format("  %-12s %10s %10s %13s %12s",
-                       step_name_.c_str(),
-                       "unknowns",
-                       "iterations",
-                       "residual",
-                       "contraction"));
+      log_.line(format("  %-12s %10s %10s %13s %12s", step_name_.c_str(), "unknowns",
+                       "iterations", "residual", "contraction"));
     else
-      log_.line(format("  %-12s %10s %9s %13s %13s %12s",
-                       step_name_.c_str(),
-                       "iterations",
-                       "products",
-                       "kkt residual",
-                       "change",
+      log_.line(format("  %-12s %10s %9s %13s %13s %12s", step_name_.c_str(),
+                       "iterations", "products", "kkt residual", "change",
                        "contraction"));
   }
 
-
-
-  void
-  ConvergenceHistory::print_row(const ContactStep &step)
+  void ConvergenceHistory::print_row(const ContactStep &step)
   {
     if (on_levels_)
-      log_.line(format("  %-12u %10lu %10u %13.3e %12.3f",
-                       step.step,
-                       step.unknowns,
-                       step.iterations,
-                       step.residual,
-                       step.contraction));
+      log_.line(format("  %-12u %10lu %10u %13.3e %12.3f", step.step, step.unknowns,
+                       step.iterations, step.residual, step.contraction));
     else
-      log_.line(format("  %-12u %10u %9.1f %13.3e %13.3e %12.3f",
-                       step.step,
-                       step.iterations,
-                       step.multiplications,
-                       step.residual,
-                       step.change,
+      log_.line(format("  %-12u %10u %9.1f %13.3e %13.3e %12.3f", step.step,
+                       step.iterations, step.multiplications, step.residual, step.change,
                        step.contraction));
   }
 
-
-
-  void
-  ConvergenceHistory::add(const ContactStep &step)
+  void ConvergenceHistory::add(const ContactStep &step)
   {
     if (print_ && !has_header_)
       print_header();
@@ -99,10 +69,7 @@ namespace stiction
     table_.add_value("normal_force", step.normal_force);
   }
 
-
-
-  void
-  ConvergenceHistory::write(std::ostream &out) const
+  void ConvergenceHistory::write(std::ostream &out) const
   {
     // TableHandler separates by blanks; its rows are rewritten with commas
     dealii::TableHandler table       = table_;
@@ -118,8 +85,7 @@ namespace stiction
     std::stringstream text;
     if (has_rows_)
       table.write_text(
-        text,
-        dealii::TableHandler::simple_table_with_separate_column_description);
+        text, dealii::TableHandler::simple_table_with_separate_column_description);
 
     out << (has_meshes_ ? "mesh," : "")
         << (on_levels_ ? "step,unknowns,iterations,kkt_residual,"

@@ -18,11 +18,8 @@ namespace stiction
   {
   }
 
-
-
   template<int dim>
-  unsigned int
-  FieldOutput<dim>::n_rows() const
+  unsigned int FieldOutput<dim>::n_rows() const
   {
     unsigned int n = 0;
     for (const Field &field : fields_)
@@ -30,11 +27,8 @@ namespace stiction
     return n;
   }
 
-
-
   template<int dim>
-  std::vector<std::string>
-  FieldOutput<dim>::get_dataset_names() const
+  std::vector<std::string> FieldOutput<dim>::get_dataset_names() const
   {
     std::vector<std::string> names;
     for (const Field &field : fields_)
@@ -42,30 +36,20 @@ namespace stiction
     return names;
   }
 
-
-
   template<int dim>
-  std::vector<
-    std::tuple<unsigned int,
-               unsigned int,
-               std::string,
-               DataComponentInterpretation::DataComponentInterpretation>>
+  std::vector<std::tuple<unsigned int, unsigned int, std::string,
+                         DataComponentInterpretation::DataComponentInterpretation>>
   FieldOutput<dim>::get_nonscalar_data_ranges() const
   {
-    std::vector<
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>>
+    std::vector<std::tuple<unsigned int, unsigned int, std::string,
+                           DataComponentInterpretation::DataComponentInterpretation>>
       ranges;
     unsigned int row = 0;
     for (const Field &field : fields_)
       {
         if (field.n_components > 1)
           ranges.emplace_back(
-            row,
-            row + field.n_components - 1,
-            field.name,
+            row, row + field.n_components - 1, field.name,
             field.n_components == 3
               ? DataComponentInterpretation::component_is_part_of_vector
               : DataComponentInterpretation::component_is_part_of_tensor);
@@ -74,13 +58,9 @@ namespace stiction
     return ranges;
   }
 
-
-
   template<int dim>
-  void
-  FieldOutput<dim>::write(const std::string &directory,
-                          const std::string &name,
-                          MPI_Comm communicator)
+  void FieldOutput<dim>::write(const std::string &directory, const std::string &name,
+                               MPI_Comm communicator)
   {
     DataOutBase::VtkFlags flags;
     // the default takes three times as long for a tenth less
@@ -108,16 +88,13 @@ namespace stiction
       if (rank != 0)
         return;
 
-      write_file(directory + "/" + name + ".pvtu", [&](std::ostream &file) {
-        this->write_pvtu_record(file, pieces);
-      });
+      write_file(directory + "/" + name + ".pvtu",
+                 [&](std::ostream &file) { this->write_pvtu_record(file, pieces); });
       write_file(directory + "/" + name + ".pvd", [&](std::ostream &file) {
         DataOutBase::write_pvd_record(file, {{0., name + ".pvtu"}});
       });
     });
   }
-
-
 
   template class FieldOutput<2>;
   template class FieldOutput<3>;

@@ -17,16 +17,12 @@ namespace stiction
   namespace
   {
     // One rank after the other adds its rows below the header.
-    void
-    write_rows(const std::string &name,
-               const std::string &header,
-               MPI_Comm communicator,
-               const std::function<void(std::ostream &)> &write)
+    void write_rows(const std::string &name, const std::string &header,
+                    MPI_Comm communicator,
+                    const std::function<void(std::ostream &)> &write)
     {
-      const unsigned int n = dealii::Utilities::MPI::n_mpi_processes(
-                           communicator),
-                         rank = dealii::Utilities::MPI::this_mpi_process(
-                           communicator);
+      const unsigned int n    = dealii::Utilities::MPI::n_mpi_processes(communicator),
+                         rank = dealii::Utilities::MPI::this_mpi_process(communicator);
       for (unsigned int r = 0; r < n; ++r)
         throw_on_all_ranks(communicator, [&]() {
           if (rank != r)
@@ -38,63 +34,47 @@ namespace stiction
           write(out);
           out.close();
           if (!out)
-            throw InputError(name +
-                             ": cannot be written, must be in a directory with "
-                             "space and with the permission to write.");
+            throw InputError(name + ": cannot be written, must be in a directory with "
+                                    "space and with the permission to write.");
         });
     }
 
     template<typename Vector>
-    void
-    write_three(std::ostream &out, const Vector &v)
+    void write_three(std::ostream &out, const Vector &v)
     {
       out << v[0] << ',' << v[1] << ',' << v[2] << ',';
     }
   } // namespace
 
-
-
-  void
-  write_nodal_displacement(const std::string &directory,
-                           const Body &body,
-                           const LA::Vector &u,
-                           const LA::Vector &reaction)
+  void write_nodal_displacement(const std::string &directory, const Body &body,
+                                const LA::Vector &u, const LA::Vector &reaction)
   {
     write_rows(directory + "/displacement.csv",
-               "x,y,z,u_x,u_y,u_z,reaction_x,reaction_y,reaction_z",
-               body.communicator(),
+               "x,y,z,u_x,u_y,u_z,reaction_x,reaction_y,reaction_z", body.communicator(),
                [&](std::ostream &out) {
                  for (const Body::Node &node : body.locally_owned_nodes())
                    {
                      write_three(out, node.position);
                      for (const auto dof : node.dofs)
                        out << u(dof) << ',';
-                     out << reaction(node.dofs[0]) << ','
-                         << reaction(node.dofs[1]) << ','
+                     out << reaction(node.dofs[0]) << ',' << reaction(node.dofs[1]) << ','
                          << reaction(node.dofs[2]) << '\n';
                    }
                });
   }
 
-
-
-  void
-  write_contact_nodes(const std::string &directory,
-                      const ContactSurface &surface,
-                      const Certificate &certificate,
-                      const std::vector<NodeStatus> &statuses,
-                      MPI_Comm communicator)
+  void write_contact_nodes(const std::string &directory, const ContactSurface &surface,
+                           const Certificate &certificate,
+                           const std::vector<NodeStatus> &statuses, MPI_Comm communicator)
   {
     // every rank knows all nodes
-    const bool is_first =
-      dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     write_rows(
       directory + "/contact.csv",
       "x,y,z,normal_x,normal_y,normal_z,area,boundary,force_x,force_y,force_z,"
       "normal_force,slip_bound,gap,slip_x,slip_y,slip_z,"
       "normal_status,tangential_status",
-      communicator,
-      [&](std::ostream &out) {
+      communicator, [&](std::ostream &out) {
         const Eigen::Index m     = surface.n_nodes();
         const Eigen::VectorXd &r = certificate.gradient();
         for (Eigen::Index i = 0; i < m && is_first; ++i)
@@ -102,18 +82,14 @@ namespace stiction
             const ContactNode &node = surface.nodes()[i];
             write_three(out, node.position);
             write_three(out, node.normal);
-            out << node.area << ',' << surface.boundaries()[node.boundary].id()
-                << ',';
-            write_three(
-              out,
-              (Eigen::Vector3d::Zero() -
-               node.force_to_cartesian(at_node(certificate.lambda(), i)))
-                .eval());
-            out << certificate.lambda()(i) << ',' << certificate.slip_bound()(i)
-                << ',' << r(i) << ',';
-            write_three(out,
-                        node.displacement_to_cartesian(
-                          {0., 0. - r(i + m), 0. - r(i + 2 * m)}));
+            out << node.area << ',' << surface.boundaries()[node.boundary].id() << ',';
+            write_three(out, (Eigen::Vector3d::Zero() -
+                              node.force_to_cartesian(at_node(certificate.lambda(), i)))
+                               .eval());
+            out << certificate.lambda()(i) << ',' << certificate.slip_bound()(i) << ','
+                << r(i) << ',';
+            write_three(out, node.displacement_to_cartesian(
+                               {0., 0. - r(i + m), 0. - r(i + 2 * m)}));
             out << static_cast<int>(statuses[i].normal) << ','
                 << static_cast<int>(statuses[i].tangential) << '\n';
           }

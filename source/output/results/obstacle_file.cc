@@ -40,8 +40,7 @@ namespace stiction
       std::vector<types::boundary_id> boundaries;
 
       template<typename Points>
-      void
-      add(const Points &points, const types::boundary_id boundary)
+      void add(const Points &points, const types::boundary_id boundary)
       {
         polygons.emplace_back();
         for (const Point<3> &p : points)
@@ -53,15 +52,12 @@ namespace stiction
       }
     };
 
-
-
     // From a node of this boundary to the foundation; nothing where it is no
     // contact node of it.
-    std::optional<Tensor<1, 3>>
-    way_to_foundation(const Body &body,
-                      const ContactSurface &surface,
-                      const types::boundary_id boundary,
-                      const types::global_dof_index first_dof)
+    std::optional<Tensor<1, 3>> way_to_foundation(const Body &body,
+                                                  const ContactSurface &surface,
+                                                  const types::boundary_id boundary,
+                                                  const types::global_dof_index first_dof)
     {
       if (body.is_hanging(first_dof))
         {
@@ -69,8 +65,7 @@ namespace stiction
           for (const auto &master :
                *body.hanging_nodes().get_constraint_entries(first_dof))
             {
-              const auto way =
-                way_to_foundation(body, surface, boundary, master.first);
+              const auto way = way_to_foundation(body, surface, boundary, master.first);
               if (!way)
                 return std::nullopt;
               sum += master.second * *way;
@@ -78,8 +73,7 @@ namespace stiction
           return sum;
         }
       const Eigen::Index i = surface.node_of(first_dof);
-      if (i < 0 ||
-          surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
+      if (i < 0 || surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
         return std::nullopt;
       // undone is what a partly held node makes of its normal and gap
       const ContactNode &node   = surface.nodes()[i];
@@ -88,15 +82,11 @@ namespace stiction
              node.gap_growth.norm() * normal;
     }
 
-
-
     // The faces of the contact boundaries with a foundation, moved to it; on
     // rank 0 those of all ranks. Corners that are no contact nodes are moved
     // like the others of their face. Collective.
-    void
-    add_foundations(const Body &body,
-                    const ContactSurface &surface,
-                    ObstacleFaces &faces)
+    void add_foundations(const Body &body, const ContactSurface &surface,
+                         ObstacleFaces &faces)
     {
       using Quadrilateral = std::array<double, 13>; // boundary, corners
       std::vector<Quadrilateral> mine;
@@ -113,9 +103,7 @@ namespace stiction
               unsigned int n = 0;
               for (unsigned int v = 0; v < 4; ++v)
                 {
-                  ways[v] = way_to_foundation(body,
-                                              surface,
-                                              face->boundary_id(),
+                  ways[v] = way_to_foundation(body, surface, face->boundary_id(),
                                               face->vertex_dof_index(v, 0));
                   mean += ways[v].value_or(Tensor<1, 3>());
                   n += ways[v] ? 1 : 0;
@@ -129,15 +117,13 @@ namespace stiction
               for (unsigned int k = 0; k < 4; ++k)
                 {
                   const unsigned int v = around[k];
-                  const Point<3> p =
-                    face->vertex(v) + ways[v].value_or(mean / n) +
-                    surface.obstacle_displacement(face->boundary_id());
+                  const Point<3> p     = face->vertex(v) + ways[v].value_or(mean / n) +
+                                     surface.obstacle_displacement(face->boundary_id());
                   std::copy_n(p.begin_raw(), 3, &corners[1 + 3 * k]);
                 }
               mine.push_back(corners);
             }
-      for (const auto &theirs :
-           Utilities::MPI::gather(body.communicator(), mine))
+      for (const auto &theirs : Utilities::MPI::gather(body.communicator(), mine))
         for (const Quadrilateral &corners : theirs)
           {
             std::array<Point<3>, 4> points;
@@ -147,14 +133,11 @@ namespace stiction
           }
     }
 
-
-
     // The distance from an obstacle as it is, moved and with its initial gap.
     class MovedObstacle
     {
     public:
-      MovedObstacle(const ContactBoundary &boundary,
-                    const Tensor<1, 3> &displacement)
+      MovedObstacle(const ContactBoundary &boundary, const Tensor<1, 3> &displacement)
         : boundary_(boundary)
         , displacement_(displacement)
       {
@@ -162,8 +145,7 @@ namespace stiction
 
       // ψ is a distance to first order, the gradient a unit vector. Nothing
       // where the user's formulas have no value or the gradient no direction.
-      std::optional<Obstacle::Value>
-      at(const Point<3> &p) const
+      std::optional<Obstacle::Value> at(const Point<3> &p) const
       {
         try
           {
@@ -184,8 +166,7 @@ namespace stiction
 
       // The point of the surface near another one, which is kept if there is
       // none within this reach.
-      Point<3>
-      nearest(const Point<3> &p, const double reach) const
+      Point<3> nearest(const Point<3> &p, const double reach) const
       {
         Point<3> x = p;
         for (unsigned int step = 0; step < 5; ++step)
@@ -205,12 +186,10 @@ namespace stiction
       const Tensor<1, 3> displacement_;
     };
 
-
-
     // Where to look for the surface of an obstacle: around the nodes of the
     // contact boundary, and where the nearest of them meets it.
-    BoundingBox<3>
-    neighbourhood(const ContactSurface &surface, const std::size_t boundary)
+    BoundingBox<3> neighbourhood(const ContactSurface &surface,
+                                 const std::size_t boundary)
     {
       std::vector<Point<3>> points;
       double smallest = std::numeric_limits<double>::max();
@@ -231,21 +210,15 @@ namespace stiction
       BoundingBox<3> box(points);
       const auto corners  = box.get_boundary_points();
       const double length = corners.first.distance(corners.second);
-      box.extend(length > 0.
-                   ? 0.2 * length
-                   : 0.2 * surface.boundaries()[boundary].body_size());
+      box.extend(length > 0. ? 0.2 * length
+                             : 0.2 * surface.boundaries()[boundary].body_size());
       return box;
     }
 
-
-
     // The cubes of a box that the surface of an obstacle cuts. At each corner
     // of those the distance is known.
-    void
-    make_cut_cubes(const MovedObstacle &obstacle,
-                   const BoundingBox<3> &box,
-                   const double longest,
-                   Triangulation<3> &cubes)
+    void make_cut_cubes(const MovedObstacle &obstacle, const BoundingBox<3> &box,
+                        const double longest, Triangulation<3> &cubes)
     {
       const Point<3> corner = box.get_boundary_points().first;
       std::array<std::size_t, 3> n;
@@ -253,9 +226,9 @@ namespace stiction
       for (unsigned int c = 0; c < 3; ++c)
         {
           // odd, so that planes through the middle cut the cells
-          n[c] = 2 * static_cast<std::size_t>(
-                       std::ceil(box.side_length(c) / longest * 20.)) +
-                 1;
+          n[c] =
+            2 * static_cast<std::size_t>(std::ceil(box.side_length(c) / longest * 20.)) +
+            1;
           widths[c].assign(n[c], box.side_length(c) / n[c]);
         }
 
@@ -265,8 +238,7 @@ namespace stiction
           for (std::size_t k = 0; k <= n[2]; ++k)
             {
               const auto value = obstacle.at(
-                corner +
-                Point<3>(i * widths[0][0], j * widths[1][0], k * widths[2][0]));
+                corner + Point<3>(i * widths[0][0], j * widths[1][0], k * widths[2][0]));
               distance(i, j, k) =
                 value ? value->psi : std::numeric_limits<double>::quiet_NaN();
             }
@@ -280,8 +252,7 @@ namespace stiction
               unsigned int below = 0, above = 0;
               for (unsigned int v = 0; v < 8; ++v)
                 {
-                  const double d =
-                    distance(i + (v & 1), j + (v >> 1 & 1), k + (v >> 2));
+                  const double d = distance(i + (v & 1), j + (v >> 1 & 1), k + (v >> 2));
                   below += d < 0. ? 1 : 0;
                   above += d >= 0. ? 1 : 0;
                 }
@@ -290,19 +261,13 @@ namespace stiction
               is_any_cut |= cut;
             }
       if (is_any_cut)
-        GridGenerator::subdivided_hyper_rectangle(
-          cubes, widths, corner, is_cut);
+        GridGenerator::subdivided_hyper_rectangle(cubes, widths, corner, is_cut);
     }
-
-
 
     // The zero set of the distance, by marching cubes, its vertices then moved
     // onto the surface.
-    void
-    add_zero_set(const MovedObstacle &obstacle,
-                 const BoundingBox<3> &box,
-                 const types::boundary_id boundary,
-                 ObstacleFaces &faces)
+    void add_zero_set(const MovedObstacle &obstacle, const BoundingBox<3> &box,
+                      const types::boundary_id boundary, ObstacleFaces &faces)
     {
       const double longest =
         std::max({box.side_length(0), box.side_length(1), box.side_length(2)});
@@ -319,13 +284,12 @@ namespace stiction
         for (const unsigned int v : cell->vertex_indices())
           {
             // rounding may carry a vertex out of where the formula has a value
-            const auto value = obstacle.at(cell->vertex(v));
+            const auto value                       = obstacle.at(cell->vertex(v));
             distance(cell->vertex_dof_index(v, 0)) = value ? value->psi : 0.;
           }
       std::vector<Point<3>> vertices;
       std::vector<CellData<2>> triangles;
-      GridTools::MarchingCubeAlgorithm<3, Vector<double>>(
-        StaticMappingQ1<3>::mapping, fe)
+      GridTools::MarchingCubeAlgorithm<3, Vector<double>>(StaticMappingQ1<3>::mapping, fe)
         .process(dof_handler, distance, 0., vertices, triangles);
       for (Point<3> &p : vertices)
         p = obstacle.nearest(p, longest / 40.);
@@ -338,14 +302,10 @@ namespace stiction
         }
     }
 
-
-
     // The triangles of an obstacle that is made of them.
-    void
-    add_triangles(const TriangulatedSurface &triangulated,
-                  const ContactBoundary &boundary,
-                  const Tensor<1, 3> &displacement,
-                  ObstacleFaces &faces)
+    void add_triangles(const TriangulatedSurface &triangulated,
+                       const ContactBoundary &boundary, const Tensor<1, 3> &displacement,
+                       ObstacleFaces &faces)
     {
       for (const auto &triangle : triangulated.triangles)
         {
@@ -368,17 +328,14 @@ namespace stiction
         }
     }
 
-
-
-    void
-    write_faces(std::ostream &file, const ObstacleFaces &faces)
+    void write_faces(std::ostream &file, const ObstacleFaces &faces)
     {
       file.precision(9);
       file << "<?xml version=\"1.0\"?>\n"
            << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
               "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
-           << "<Piece NumberOfPoints=\"" << faces.vertices.size()
-           << "\" NumberOfCells=\"" << faces.polygons.size() << "\">\n";
+           << "<Piece NumberOfPoints=\"" << faces.vertices.size() << "\" NumberOfCells=\""
+           << faces.polygons.size() << "\">\n";
       const auto begin = [&](const std::string &attributes) {
         file << "<DataArray " << attributes << " format=\"ascii\">\n";
       };
@@ -410,12 +367,8 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  write_obstacles(const std::string &directory,
-                  const LinearElasticity &elasticity,
-                  const ContactSurface &surface)
+  void write_obstacles(const std::string &directory, const LinearElasticity &elasticity,
+                       const ContactSurface &surface)
   {
     const Body &body = elasticity.body();
     ObstacleFaces faces;
@@ -426,17 +379,14 @@ namespace stiction
       for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
         {
           const ContactBoundary &boundary = surface.boundaries()[b];
-          const Tensor<1, 3> displacement =
-            surface.obstacle_displacement(boundary.id());
+          const Tensor<1, 3> displacement = surface.obstacle_displacement(boundary.id());
           if (boundary.obstacle() == nullptr)
             continue;
           if (const auto *triangles = boundary.obstacle()->triangles())
             add_triangles(*triangles, boundary, displacement, faces);
           else
-            add_zero_set(MovedObstacle(boundary, displacement),
-                         neighbourhood(surface, b),
-                         boundary.id(),
-                         faces);
+            add_zero_set(MovedObstacle(boundary, displacement), neighbourhood(surface, b),
+                         boundary.id(), faces);
         }
       write_file(directory + "/obstacle.vtu",
                  [&](std::ostream &file) { write_faces(file, faces); });

@@ -20,15 +20,13 @@ namespace stiction
 {
   namespace
   {
-    bool
-    is_first(MPI_Comm communicator)
+    bool is_first(MPI_Comm communicator)
     {
       return dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     }
 
     // Whether a file is one that a run writes at its end, by its name.
-    bool
-    is_ours(const std::string &name)
+    bool is_ours(const std::string &name)
     {
       static const std::regex names(
         "(solution|contact|obstacle)(\\.[0-9]{4,})?\\.(vtu|pvtu|pvd)"
@@ -37,23 +35,21 @@ namespace stiction
       return std::regex_match(name, names);
     }
 
-    void
-    remove_earlier_run(const std::string &directory)
+    void remove_earlier_run(const std::string &directory)
     {
       namespace fs = std::filesystem;
       std::error_code error; // what cannot be removed cannot be written either
       std::vector<fs::path> files;
       for (const auto &entry : fs::directory_iterator(directory, error))
-        if (entry.is_regular_file(error) &&
-            is_ours(entry.path().filename().string()))
+        if (entry.is_regular_file(error) && is_ours(entry.path().filename().string()))
           files.push_back(entry.path());
       for (const fs::path &file : files)
         fs::remove(file, error);
     }
 
     // Of all directories: in which, and the entry that says so.
-    std::vector<std::pair<std::string, std::string>>
-    directories(const Parameters &parameters)
+    std::vector<std::pair<std::string, std::string>> directories(
+      const Parameters &parameters)
     {
       std::vector<std::pair<std::string, std::string>> all;
       if (!parameters.output.export_directory.empty())
@@ -65,10 +61,7 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  require_writable_output(const Parameters &parameters, MPI_Comm communicator)
+  void require_writable_output(const Parameters &parameters, MPI_Comm communicator)
   {
     throw_on_all_ranks(communicator, [&]() {
       if (is_first(communicator))
@@ -77,12 +70,8 @@ namespace stiction
     });
   }
 
-
-
-  void
-  open_output_directory(const Parameters &parameters,
-                        Log &log,
-                        MPI_Comm communicator)
+  void open_output_directory(const Parameters &parameters, Log &log,
+                             MPI_Comm communicator)
   {
     const std::string &directory = parameters.output.directory;
     throw_on_all_ranks(communicator, [&]() {
@@ -93,9 +82,8 @@ namespace stiction
           std::error_code error;
           std::filesystem::create_directories(name, error);
           if (error)
-            throw InputError(entry +
-                             ", cannot be written to, must be a directory that "
-                             "exists or can be made.");
+            throw InputError(entry + ", cannot be written to, must be a directory that "
+                                     "exists or can be made.");
           require_writable(name + "/.", entry);
         }
       log.open_file(directory + "/log.txt"); // which overwrites it
@@ -105,12 +93,8 @@ namespace stiction
     });
   }
 
-
-
-  void
-  write_history(const ConvergenceHistory &history,
-                const std::string &directory,
-                MPI_Comm communicator)
+  void write_history(const ConvergenceHistory &history, const std::string &directory,
+                     MPI_Comm communicator)
   {
     throw_on_all_ranks(communicator, [&]() {
       if (is_first(communicator))
@@ -119,28 +103,20 @@ namespace stiction
     });
   }
 
-
-
-  void
-  write_summary(const nlohmann::json &summary,
-                const std::string &directory,
-                MPI_Comm communicator)
+  void write_summary(const nlohmann::json &summary, const std::string &directory,
+                     MPI_Comm communicator)
   {
     throw_on_all_ranks(communicator, [&]() {
       if (is_first(communicator))
         write_file(directory + "/summary.json", [&](std::ostream &out) {
           // paths may have any bytes
-          out << summary.dump(
-                   2, ' ', false, nlohmann::json::error_handler_t::replace)
+          out << summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
               << '\n';
         });
     });
   }
 
-
-
-  nlohmann::json
-  program_to_json(MPI_Comm communicator)
+  nlohmann::json program_to_json(MPI_Comm communicator)
   {
     return {{"name", "stiction"},
             {"version", STICTION_VERSION},
@@ -149,14 +125,11 @@ namespace stiction
             {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator)}};
   }
 
-
-
-  double
-  peak_memory(MPI_Comm communicator)
+  double peak_memory(MPI_Comm communicator)
   {
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
-    return dealii::Utilities::MPI::sum(
-      static_cast<double>(memory.VmHWM) / 1024., communicator);
+    return dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM) / 1024.,
+                                       communicator);
   }
 } // namespace stiction

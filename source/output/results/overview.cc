@@ -27,8 +27,7 @@ namespace stiction
 
   namespace
   {
-    void
-    print(Log &log, const TableHandler &table)
+    void print(Log &log, const TableHandler &table)
     {
       std::stringstream out;
       table.write_text(out, TableHandler::org_mode_table);
@@ -37,22 +36,19 @@ namespace stiction
         log.line("  " + line.substr(0, line.find_last_not_of(' ') + 1));
     }
 
-    std::string
-    number(const double value)
+    std::string number(const double value)
     {
       return format("%.4g", value);
     }
 
     // Components that are rounding, also of vectors of this size from which it
     // was computed, are zero.
-    std::string
-    vector(const Tensor<1, 3> &v, const double size = 0.)
+    std::string vector(const Tensor<1, 3> &v, const double size = 0.)
     {
       return format_vector("%.4g", {{v[0], v[1], v[2]}}, size);
     }
 
-    Tensor<1, 3>
-    sum_of_loads(const LinearElasticity &elasticity)
+    Tensor<1, 3> sum_of_loads(const LinearElasticity &elasticity)
     {
       const Body &body = elasticity.body();
       Tensor<1, 3> sum;
@@ -62,21 +58,18 @@ namespace stiction
       return Utilities::MPI::sum(sum, body.communicator());
     }
 
-    std::string
-    describe(const Material &material)
+    std::string describe(const Material &material)
     {
       const double lambda = material.lame_lambda, G = material.shear_modulus;
       return (material.is_isotropic
                 ? "isotropic, E = " + number(material.youngs_modulus) +
                     ", nu = " + number(lambda / (2. * (lambda + G)))
-                : "orthotropic, largest modulus " +
-                    number(material.youngs_modulus)) +
+                : "orthotropic, largest modulus " + number(material.youngs_modulus)) +
              (material.density > 0. ? ", density " + number(material.density)
                                     : std::string());
     }
 
-    void
-    print_size(Log &log, const Body &body, const Units &units)
+    void print_size(Log &log, const Body &body, const Units &units)
     {
       const auto corners = body.bounding_box().get_boundary_points();
       log.line("Body");
@@ -86,11 +79,8 @@ namespace stiction
                vector(corners.second));
     }
 
-    void
-    print_boundaries(Log &log,
-                     const LinearElasticity &elasticity,
-                     const ContactSurface &surface,
-                     const Units &units)
+    void print_boundaries(Log &log, const LinearElasticity &elasticity,
+                          const ContactSurface &surface, const Units &units)
     {
       const Body &body = elasticity.body();
       TableHandler table;
@@ -98,10 +88,8 @@ namespace stiction
         {
           const std::string held =
             elasticity.prescribed_displacement().components(boundary.first);
-          table.add_value("boundary",
-                          body.boundary_names().describe(boundary.first));
-          table.add_value(label("area", units.area),
-                          number(boundary.second.area));
+          table.add_value("boundary", body.boundary_names().describe(boundary.first));
+          table.add_value(label("area", units.area), number(boundary.second.area));
           table.add_value("prescribed", held.empty() ? "-" : held);
           table.add_value(label("resultant of its load", units.force),
                           boundary.second.force.norm() > 0.
@@ -109,20 +97,17 @@ namespace stiction
                             : std::string("-"));
           table.add_value(
             "contact",
-            std::string(surface.is_contact_boundary(boundary.first) ? "yes"
-                                                                    : "-"));
+            std::string(surface.is_contact_boundary(boundary.first) ? "yes" : "-"));
         }
       log.line("Boundaries");
       print(log, table);
 
-      log.line("  " +
-               label("all loads, those inside the body too", units.force) +
-               ": " + vector(sum_of_loads(elasticity)));
+      log.line("  " + label("all loads, those inside the body too", units.force) + ": " +
+               vector(sum_of_loads(elasticity)));
       log.line("  free rigid-body motions: none");
     }
 
-    void
-    print_contact(Log &log, const ContactSurface &surface, const Units &units)
+    void print_contact(Log &log, const ContactSurface &surface, const Units &units)
     {
       // where the parameter file puts the obstacles, not where the search for
       // the place of a pressed one begins
@@ -147,8 +132,7 @@ namespace stiction
           table.add_value("contact boundary", surface.boundaries()[b].name());
           table.add_value("nodes", n);
           table.add_value(label("their area", units.area), number(area));
-          table.add_value(label("smallest gap", units.length),
-                          number(smallest));
+          table.add_value(label("smallest gap", units.length), number(smallest));
           table.add_value(label("largest gap", units.length), number(largest));
           table.add_value("nodes with interference", n_inside);
           const Tensor<1, 3> &force = surface.boundaries()[b].force();
@@ -160,18 +144,13 @@ namespace stiction
     }
   } // namespace
 
-
-
-  void
-  print_applied(Log &log,
-                const LinearElasticity &elasticity,
-                const ContactSurface &surface)
+  void print_applied(Log &log, const LinearElasticity &elasticity,
+                     const ContactSurface &surface)
   {
-    const Body &body = elasticity.body();
-    const PrescribedDisplacement &support =
-      elasticity.prescribed_displacement();
-    const Loads &loads = elasticity.loads();
-    const auto line    = [&](const char *what, const std::string &text) {
+    const Body &body                      = elasticity.body();
+    const PrescribedDisplacement &support = elasticity.prescribed_displacement();
+    const Loads &loads                    = elasticity.loads();
+    const auto line = [&](const char *what, const std::string &text) {
       log.line(format("  %-10s ", what) + text);
     };
 
@@ -188,33 +167,24 @@ namespace stiction
         inside -= boundary.second.force;
         const std::string text = loads.description(boundary.first);
         if (!text.empty())
-          line("load",
-               body.boundary_names().name(boundary.first) + ": " + text +
-                 "; resultant " + vector(boundary.second.force));
+          line("load", body.boundary_names().name(boundary.first) + ": " + text +
+                         "; resultant " + vector(boundary.second.force));
       }
     if (!loads.description_inside().empty())
-      line("load",
-           "inside: " + loads.description_inside() + "; resultant " +
-             vector(inside, size));
+      line("load", "inside: " + loads.description_inside() + "; resultant " +
+                     vector(inside, size));
 
     for (const ContactBoundary &boundary : surface.boundaries())
       line("contact",
-           body.boundary_names().name(boundary.id()) + ": " +
-             boundary.description());
+           body.boundary_names().name(boundary.id()) + ": " + boundary.description());
 
     for (const auto id : body.material_names().ids())
-      line("material",
-           body.material_names().describe(id) + ": " +
-             describe(elasticity.materials().of(id)));
+      line("material", body.material_names().describe(id) + ": " +
+                         describe(elasticity.materials().of(id)));
   }
 
-
-
-  void
-  print_overview(Log &log,
-                 const LinearElasticity &elasticity,
-                 const ContactSurface &surface,
-                 const Parameters &parameters)
+  void print_overview(Log &log, const LinearElasticity &elasticity,
+                      const ContactSurface &surface, const Parameters &parameters)
   {
     const Body &body  = elasticity.body();
     const Units units = Units::named(parameters.output.units);
@@ -223,12 +193,9 @@ namespace stiction
     print_contact(log, surface, units);
 
     const double mesh = memory_for_mesh(
-      parameters,
-      static_cast<double>(body.triangulation().n_global_active_cells()));
-    const double dual =
-      memory_for_dual_operator(parameters,
-                               3. * static_cast<double>(surface.n_nodes()),
-                               body.communicator());
+      parameters, static_cast<double>(body.triangulation().n_global_active_cells()));
+    const double dual = memory_for_dual_operator(
+      parameters, 3. * static_cast<double>(surface.n_nodes()), body.communicator());
     log.line("Memory, estimated");
     log.line(format("  mesh and elastic solves  %.3g GB", mesh / 1e9));
     log.line(format("  dual operator            %.3g GB", dual / 1e9));

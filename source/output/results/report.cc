@@ -18,35 +18,30 @@ namespace stiction
   {
     using nlohmann::json;
 
-    std::string
-    vector_text(const json &v)
+    std::string vector_text(const json &v)
     {
       return format_vector("%.6g", v.get<std::array<double, 3>>());
     }
 
-    std::string
-    vector_line(const std::string &name, const json &v)
+    std::string vector_line(const std::string &name, const json &v)
     {
       return format("  %-24s ", name.c_str()) + vector_text(v);
     }
 
     // A force or moment in one line; what is rounding beside @p scale is zero.
-    std::string
-    resultant(const json &v, const double scale)
+    std::string resultant(const json &v, const double scale)
     {
       std::string text;
       for (const json &component : v)
         {
           const double value = component.get<double>();
-          text += format("%s%.6g",
-                         text.empty() ? "" : ", ",
+          text += format("%s%.6g", text.empty() ? "" : ", ",
                          std::abs(value) > 1e-9 * scale ? value : 0.);
         }
       return text;
     }
 
-    double
-    largest_component(const json &v)
+    double largest_component(const json &v)
     {
       double largest = 0.;
       for (const json &component : v)
@@ -55,13 +50,12 @@ namespace stiction
     }
 
     // What holds the body, with which force and moment about the origin.
-    void
-    print_supports(Log &log, const json &summary)
+    void print_supports(Log &log, const json &summary)
     {
       const json &reactions = summary["reactions"];
       const json &units     = summary["units"];
-      double force  = largest_component(summary["contact"]["force_on_body"]);
-      double moment = largest_component(summary["contact"]["moment"]);
+      double force          = largest_component(summary["contact"]["force_on_body"]);
+      double moment         = largest_component(summary["contact"]["moment"]);
       for (const json &boundary : reactions["boundaries"])
         {
           force  = std::max(force, largest_component(boundary["force"]));
@@ -75,21 +69,19 @@ namespace stiction
                label(" on the body, moment about the origin", units["moment"]));
       for (const json &boundary : reactions["boundaries"])
         {
-          log.line(format("  %-24s force  ",
-                          boundary["name"].get<std::string>().c_str()) +
-                   resultant(boundary["force"], force));
-          log.line(format("  %-24s moment ", "") +
-                   resultant(boundary["moment"], moment));
+          log.line(
+            format("  %-24s force  ", boundary["name"].get<std::string>().c_str()) +
+            resultant(boundary["force"], force));
+          log.line(format("  %-24s moment ", "") + resultant(boundary["moment"], moment));
         }
       for (const json &point : reactions["points"])
-        log.line(format("  %-24s force  ",
-                        ("point " + vector_text(point["at"])).c_str()) +
-                 resultant(point["force"], force));
+        log.line(
+          format("  %-24s force  ", ("point " + vector_text(point["at"])).c_str()) +
+          resultant(point["force"], force));
     }
 
     // "open 25, closed 155 (undecided 0)"
-    std::string
-    normal_counts(const json &contact)
+    std::string normal_counts(const json &contact)
     {
       return format("open %u, closed %u (undecided %u)",
                     contact["open"].get<unsigned int>(),
@@ -98,29 +90,25 @@ namespace stiction
     }
 
     // "slip 120, stick 35 (undecided 0)", nothing where no friction can act
-    std::string
-    tangential_counts(const json &contact)
+    std::string tangential_counts(const json &contact)
     {
-      const auto slip  = contact["slip"].get<unsigned int>(),
-                 stick = contact["stick"].get<unsigned int>(),
-                 undecided =
-                   contact["undecided_tangential"].get<unsigned int>();
+      const auto slip      = contact["slip"].get<unsigned int>(),
+                 stick     = contact["stick"].get<unsigned int>(),
+                 undecided = contact["undecided_tangential"].get<unsigned int>();
       return slip + stick + undecided == 0
                ? std::string()
-               : format(
-                   "slip %u, stick %u (undecided %u)", slip, stick, undecided);
+               : format("slip %u, stick %u (undecided %u)", slip, stick, undecided);
     }
 
     // The parts of several contact boundaries.
-    void
-    print_contact_boundaries(Log &log, const json &summary)
+    void print_contact_boundaries(Log &log, const json &summary)
     {
       const json &units   = summary["units"];
       const json &contact = summary["contact"];
       double force = 0., moment = 0.;
       for (const json &boundary : contact["boundaries"])
         {
-          force = std::max(force, largest_component(boundary["force_on_body"]));
+          force  = std::max(force, largest_component(boundary["force_on_body"]));
           moment = std::max(moment, largest_component(boundary["moment"]));
         }
       const auto line = [&](const std::string &name, const std::string &text) {
@@ -130,29 +118,25 @@ namespace stiction
         {
           const std::string friction = tangential_counts(boundary);
           log.line("  " + boundary["name"].get<std::string>() + ": " +
-                   normal_counts(boundary) +
-                   (friction.empty() ? "" : "; " + friction));
+                   normal_counts(boundary) + (friction.empty() ? "" : "; " + friction));
           line(label("force on the body", units["force"]),
                resultant(boundary["force_on_body"], force));
           line(label("tangential", units["force"]),
                resultant(boundary["tangential_force"], force));
-          line(label("moment", units["moment"]),
-               resultant(boundary["moment"], moment));
+          line(label("moment", units["moment"]), resultant(boundary["moment"], moment));
           line(label("largest pressure", units["stress"]),
                format("%.6g", boundary["max_pressure"].get<double>()));
         }
     }
 
-    std::string
-    number(const json &value)
+    std::string number(const json &value)
     {
       return value.is_null() ? std::string("not measured")
                              : format("%.4g", value.get<double>());
     }
 
     // the iterations that the method made, by name
-    std::string
-    iterations(const json &solver)
+    std::string iterations(const json &solver)
     {
       std::string all;
       for (const auto &count :
@@ -185,15 +169,11 @@ namespace stiction
     constexpr double worrying_contraction = 0.9;
   } // namespace
 
-
-
-  std::string
-  step_name(const ContactSolverParameters &parameters, const bool is_coulomb)
+  std::string step_name(const ContactSolverParameters &parameters, const bool is_coulomb)
   {
     const std::string &method = parameters.method;
     const bool has_products   = method == "mpgp" || method == "squares";
-    if (is_coulomb &&
-        (has_products || parameters.coulomb_iteration == "fixed point"))
+    if (is_coulomb && (has_products || parameters.coulomb_iteration == "fixed point"))
       return "Coulomb step";
     return method == "gauss seidel"                       ? "sweep"
            : method == "newton" || parameters.is_primal() ? "Newton step"
@@ -201,36 +181,27 @@ namespace stiction
                                                           : "iteration";
   }
 
-
-
-  std::string
-  explain(const ContactSolution &solution,
-          const ContactConditions &conditions,
-          const double tolerance)
+  std::string explain(const ContactSolution &solution,
+                      const ContactConditions &conditions, const double tolerance)
   {
     if (solution.converged)
       return {};
     const std::string out_of_reach = conditions.why_out_of_reach(tolerance);
-    return format("%s, the tolerance is %g; ",
-                  conditions.worst().c_str(),
-                  tolerance) +
+    return format("%s, the tolerance is %g; ", conditions.worst().c_str(), tolerance) +
            (solution.interrupted    ? "the answer is not certified"
             : !out_of_reach.empty() ? out_of_reach
                                     : solution.reason);
   }
 
-
-
-  std::string
-  describe_mesh_error(const json &mesh_error, const Parameters &parameters)
+  std::string describe_mesh_error(const json &mesh_error, const Parameters &parameters)
   {
     if (mesh_error.is_null())
       return {};
     const double error = mesh_error["relative_energy_error"].get<double>();
-    std::string text =
-      error < 1e-4 ? std::string("Mesh: estimated error below 0.01 %")
-      : error > 1. ? std::string("Mesh: estimated error above 100 %")
-                   : format("Mesh: estimated error %.2g %%", 100. * error);
+    std::string text   = error < 1e-4 ? std::string("Mesh: estimated error below 0.01 %")
+                         : error > 1.
+                           ? std::string("Mesh: estimated error above 100 %")
+                           : format("Mesh: estimated error %.2g %%", 100. * error);
     text += " of the energy norm";
     if (mesh_error["sampled"].get<bool>())
       text += format(" (from a sample of %llu cells)",
@@ -248,21 +219,14 @@ namespace stiction
                      : "; 'Refinement/Adaptive steps' lowers it.");
   }
 
-
-
-  void
-  print_report(Log &log,
-               const json &summary,
-               const double tolerance,
-               const std::string &reason,
-               const bool with_costs)
+  void print_report(Log &log, const json &summary, const double tolerance,
+                    const std::string &reason, const bool with_costs)
   {
     const json &contact = summary["contact"];
     log.line();
     log.line("Contact");
     log.line(format("  %-24s ", "nodes") + normal_counts(contact));
-    if (const std::string friction = tangential_counts(contact);
-        !friction.empty())
+    if (const std::string friction = tangential_counts(contact); !friction.empty())
       log.line(format("  %-24s ", "nodes with friction") + friction);
     if (contact.contains("force_on_body"))
       {
@@ -282,15 +246,13 @@ namespace stiction
         log.line(format("  %-24s %.6g",
                         label("largest displacement", units["length"]).c_str(),
                         summary["displacement"]["max"].get<double>()));
-        const auto energies = without_rounding(
-          {{summary["energy"]["strain"].get<double>(),
-            summary["energy"]["load_work"].get<double>(),
-            summary["energy"]["friction_dissipation"].get<double>()}});
+        const auto energies =
+          without_rounding({{summary["energy"]["strain"].get<double>(),
+                             summary["energy"]["load_work"].get<double>(),
+                             summary["energy"]["friction_dissipation"].get<double>()}});
         log.line(format("  %-24s strain %.6g, load %.6g, friction %.6g",
-                        label("energy", units["energy"]).c_str(),
-                        energies[0],
-                        energies[1],
-                        energies[2]));
+                        label("energy", units["energy"]).c_str(), energies[0],
+                        energies[1], energies[2]));
         if (contact["boundaries"].size() > 1)
           print_contact_boundaries(log, summary);
         print_supports(log, summary);
@@ -322,19 +284,14 @@ namespace stiction
         double value = figures[row.name].get<double>();
         if (value < rounding_of_figures)
           value = 0.;
-        log.line(format("  %-24s %9.2e  %-36s %s",
-                        row.name,
-                        value,
-                        row.meaning,
+        log.line(format("  %-24s %9.2e  %-36s %s", row.name, value, row.meaning,
                         !row.decides         ? ""
                         : value <= tolerance ? "ok"
                                              : "NOT REACHED"));
       }
-    if ((summary["solver"]["law"] == "coulomb" ||
-         summary["solver"]["law"] == "mixed") &&
+    if ((summary["solver"]["law"] == "coulomb" || summary["solver"]["law"] == "mixed") &&
         !figures["duality_gap"].is_null())
-      log.line(
-        "  (the duality gap is that of the last slip bound, held fixed)");
+      log.line("  (the duality gap is that of the last slip bound, held fixed)");
 
     if (with_costs)
       {
@@ -343,20 +300,15 @@ namespace stiction
         log.line("Cost");
         log.line("  " + format("%-24s ", "iterations") + iterations(solver));
         if (solver.contains("levels"))
-          log.line(
-            format("  %-24s %u Krylov iterations",
-                   "on coarser meshes",
-                   solver["coarse_krylov_iterations"].get<unsigned int>()));
+          log.line(format("  %-24s %u Krylov iterations", "on coarser meshes",
+                          solver["coarse_krylov_iterations"].get<unsigned int>()));
         else
-          log.line(format("  %-24s %lu",
-                          "products with Q",
+          log.line(format("  %-24s %lu", "products with Q",
                           solver["dual_multiplications"].get<unsigned long>()));
         if (solver.contains("stiffness_solves") && !solver.contains("levels"))
-          log.line(
-            format("  %-24s %u (%u Krylov iterations)",
-                   "solves with K",
-                   solver["stiffness_solves"].get<unsigned int>(),
-                   solver["stiffness_krylov_iterations"].get<unsigned int>()));
+          log.line(format("  %-24s %u (%u Krylov iterations)", "solves with K",
+                          solver["stiffness_solves"].get<unsigned int>(),
+                          solver["stiffness_krylov_iterations"].get<unsigned int>()));
         if (solver.contains("elastic_solve_equivalents"))
           log.line("  " + format("%-24s ", "elastic solves' worth") +
                    number(solver["elastic_solve_equivalents"]));
@@ -366,14 +318,12 @@ namespace stiction
             phases += (phases.empty() ? "" : ", ") + phase.key() +
                       format(" %.2f", phase.value().get<double>());
         log.line(format("  %-24s ", "seconds") + phases);
-        log.line(format("  %-24s %.0f",
-                        "peak memory [MB]",
+        log.line(format("  %-24s %.0f", "peak memory [MB]",
                         summary["peak_memory_MB"].get<double>()));
       }
 
     const json &contraction = summary["solver"]["contraction"];
-    if (!contraction.is_null() &&
-        contraction.get<double>() > worrying_contraction)
+    if (!contraction.is_null() && contraction.get<double>() > worrying_contraction)
       {
         log.line();
         log.line(format("WARNING: the successive approximations change the "
@@ -386,13 +336,12 @@ namespace stiction
 
     log.line();
     if (summary["converged"].get<bool>())
-      log.line(
-        format("CERTIFIED: the discrete problem is solved (every deciding "
-               "figure is within %g).",
-               tolerance));
+      log.line(format("CERTIFIED: the discrete problem is solved (every deciding "
+                      "figure is within %g).",
+                      tolerance));
     else
-      log.line((summary["interrupted"].get<bool>() ? "INTERRUPTED: "
-                                                   : "NOT CONVERGED: ") +
-               reason + ".");
+      log.line(
+        (summary["interrupted"].get<bool>() ? "INTERRUPTED: " : "NOT CONVERGED: ") +
+        reason + ".");
   }
 } // namespace stiction

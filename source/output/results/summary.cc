@@ -31,8 +31,7 @@ namespace stiction
   {
     using nlohmann::json;
 
-    json
-    to_json(const dealii::Tensor<1, 3> &v)
+    json to_json(const dealii::Tensor<1, 3> &v)
     {
       return {v[0], v[1], v[2]};
     }
@@ -41,16 +40,14 @@ namespace stiction
     class StatusCounts
     {
     public:
-      void
-      add(const NodeStatus status)
+      void add(const NodeStatus status)
       {
         ++normal_[static_cast<unsigned int>(status.normal)];
         ++tangential_[static_cast<unsigned int>(status.tangential)];
         undecided_ += status.is_undecided() ? 1 : 0;
       }
 
-      json
-      to_json() const
+      json to_json() const
       {
         return {{"open", at(NormalStatus::open)},
                 {"closed", at(NormalStatus::closed)},
@@ -62,14 +59,12 @@ namespace stiction
       }
 
     private:
-      unsigned int
-      at(const NormalStatus status) const
+      unsigned int at(const NormalStatus status) const
       {
         return normal_[static_cast<unsigned int>(status)];
       }
 
-      unsigned int
-      at(const TangentialStatus status) const
+      unsigned int at(const TangentialStatus status) const
       {
         return tangential_[static_cast<unsigned int>(status)];
       }
@@ -77,8 +72,6 @@ namespace stiction
       std::array<unsigned int, 4> normal_{}, tangential_{};
       unsigned int undecided_ = 0;
     };
-
-
 
     // What happens on a contact boundary, or on all of them.
     struct ContactPart
@@ -88,11 +81,8 @@ namespace stiction
       double normal_force = 0., area = 0., max_pressure = 0.;
       dealii::Tensor<1, 3> force_on_body, tangential_force, moment;
 
-      void
-      add(const ContactSurface &surface,
-          const Certificate &certificate,
-          const NodeStatus status,
-          const Eigen::Index i)
+      void add(const ContactSurface &surface, const Certificate &certificate,
+               const NodeStatus status, const Eigen::Index i)
       {
         const ContactNode &node  = surface.nodes()[i];
         const double normal_part = certificate.lambda()(i);
@@ -112,26 +102,21 @@ namespace stiction
         moment += cross_product_3d(node.position, force);
       }
 
-      json
-      to_json() const
+      json to_json() const
       {
         json result = counts.to_json();
-        result.update(
-          json({{"normal_force", normal_force},
-                {"tangential_force", stiction::to_json(tangential_force)},
-                {"force_on_body", stiction::to_json(force_on_body)},
-                {"moment", stiction::to_json(moment)},
-                {"max_pressure", max_pressure},
-                {"area", area}}));
+        result.update(json({{"normal_force", normal_force},
+                            {"tangential_force", stiction::to_json(tangential_force)},
+                            {"force_on_body", stiction::to_json(force_on_body)},
+                            {"moment", stiction::to_json(moment)},
+                            {"max_pressure", max_pressure},
+                            {"area", area}}));
         return result;
       }
     };
   } // namespace
 
-
-
-  json
-  certificate_to_json(const ContactConditions &conditions)
+  json certificate_to_json(const ContactConditions &conditions)
   {
     const auto &figures = conditions.contact_figures();
     json result         = {{"equilibrium_residual", nullptr},
@@ -145,8 +130,7 @@ namespace stiction
                            {"moment_balance", nullptr},
                            {"obstacle_force", nullptr},
                            {"duality_gap", nullptr}};
-    if (const auto *certificate =
-          dynamic_cast<const Certificate *>(&conditions))
+    if (const auto *certificate = dynamic_cast<const Certificate *>(&conditions))
       {
         const auto &body               = certificate->body_figures();
         result["equilibrium_residual"] = body.equilibrium_residual;
@@ -160,10 +144,7 @@ namespace stiction
     return result;
   }
 
-
-
-  json
-  counts_to_json(const std::vector<NodeStatus> &statuses)
+  json counts_to_json(const std::vector<NodeStatus> &statuses)
   {
     StatusCounts counts;
     for (const NodeStatus status : statuses)
@@ -171,21 +152,16 @@ namespace stiction
     return counts.to_json();
   }
 
-
-
-  json
-  solver_to_json(const ContactSolverParameters &parameters,
-                 const qp::SlipBound &slip_bound,
-                 const DualMethod &method,
-                 const DualOperator &Q)
+  json solver_to_json(const ContactSolverParameters &parameters,
+                      const qp::SlipBound &slip_bound, const DualMethod &method,
+                      const DualOperator &Q)
   {
     const DualMethodStatistics statistics = method.statistics();
     const bool has_friction               = !slip_bound.constant().isZero(0.);
-    return {{"law",
-             slip_bound.is_mixed()     ? "mixed"
-             : slip_bound.is_coulomb() ? "coulomb"
-             : has_friction            ? "given"
-                                       : "frictionless"},
+    return {{"law", slip_bound.is_mixed()     ? "mixed"
+                    : slip_bound.is_coulomb() ? "coulomb"
+                    : has_friction            ? "given"
+                                              : "frictionless"},
             {"method", parameters.method},
             {"coulomb_iterations", statistics.coulomb_iterations},
             {"gauss_seidel_iterations", statistics.gauss_seidel_iterations},
@@ -198,19 +174,16 @@ namespace stiction
             {"admm_iterations", statistics.admm_iterations},
             {"dense_factorizations", statistics.dense_factorizations},
             {"fallbacks", statistics.fallbacks},
-            {"contraction",
-             statistics.coulomb_iterations > 0 ? json(statistics.contraction)
-                                               : json(nullptr)},
+            {"contraction", statistics.coulomb_iterations > 0
+                              ? json(statistics.contraction)
+                              : json(nullptr)},
             // parts of products make up whole ones
             {"dual_multiplications",
              static_cast<unsigned long>(std::ceil(Q.n_multiplications()))}};
   }
 
-
-
-  json
-  solver_to_json(const ContactSolverParameters &parameters,
-                 const NewtonMultigrid &newton)
+  json solver_to_json(const ContactSolverParameters &parameters,
+                      const NewtonMultigrid &newton)
   {
     json levels                = json::array();
     unsigned int rho_changes   = 0;
@@ -224,8 +197,7 @@ namespace stiction
            {"newton_steps", level.newton_steps},
            {"krylov_iterations", level.krylov_iterations},
            {"factorized_from_step",
-            level.factorized_from > 0 ? json(level.factorized_from)
-                                      : json(nullptr)}});
+            level.factorized_from > 0 ? json(level.factorized_from) : json(nullptr)}});
         rho_changes += level.rho_changes;
         fallbacks += level.fallbacks;
         if (l != newton.finest_level())
@@ -252,20 +224,15 @@ namespace stiction
             {"dual_multiplications", 0}};
   }
 
-
-
-  json
-  contact_to_json(const ContactSurface &surface,
-                  const Certificate &certificate,
-                  const std::vector<NodeStatus> &statuses)
+  json contact_to_json(const ContactSurface &surface, const Certificate &certificate,
+                       const std::vector<NodeStatus> &statuses)
   {
     ContactPart all;
     std::vector<ContactPart> parts(surface.boundaries().size());
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
         all.add(surface, certificate, statuses[i], i);
-        parts[surface.nodes()[i].boundary].add(
-          surface, certificate, statuses[i], i);
+        parts[surface.nodes()[i].boundary].add(surface, certificate, statuses[i], i);
       }
 
     json result          = all.to_json();
@@ -284,29 +251,21 @@ namespace stiction
     return result;
   }
 
-
-
-  json
-  reactions_to_json(const SupportReactions &reactions, const MeshNames &names)
+  json reactions_to_json(const SupportReactions &reactions, const MeshNames &names)
   {
     json result = {{"boundaries", json::array()}, {"points", json::array()}};
     for (const auto &boundary : reactions.boundaries())
-      result["boundaries"].push_back(
-        {{"name", names.name(boundary.first)},
-         {"id", boundary.first},
-         {"force", to_json(boundary.second.force)},
-         {"moment", to_json(boundary.second.moment)}});
+      result["boundaries"].push_back({{"name", names.name(boundary.first)},
+                                      {"id", boundary.first},
+                                      {"force", to_json(boundary.second.force)},
+                                      {"moment", to_json(boundary.second.moment)}});
     for (const auto &point : reactions.points())
-      result["points"].push_back(
-        {{"at", {point.at[0], point.at[1], point.at[2]}},
-         {"force", to_json(point.force)}});
+      result["points"].push_back({{"at", {point.at[0], point.at[1], point.at[2]}},
+                                  {"force", to_json(point.force)}});
     return result;
   }
 
-
-
-  json
-  boundaries_to_json(const MeshNames &names)
+  json boundaries_to_json(const MeshNames &names)
   {
     json result = json::array();
     for (const auto id : names.ids())
@@ -314,10 +273,7 @@ namespace stiction
     return result;
   }
 
-
-
-  json
-  units_to_json(const std::string &name)
+  json units_to_json(const std::string &name)
   {
     const Units units = Units::named(name);
     return {{"name", name == "none" ? "" : name},
@@ -330,38 +286,27 @@ namespace stiction
             {"density", units.density}};
   }
 
-
-
-  json
-  energy_to_json(const ContactSurface &surface, const Certificate &certificate)
+  json energy_to_json(const ContactSurface &surface, const Certificate &certificate)
   {
     // Σ λ_t · slip, and r_t = −slip
     const Eigen::Index n = 2 * surface.n_nodes();
-    return {
-      {"strain", certificate.strain_energy()},
-      {"load_work", certificate.load_work()},
-      {"friction_dissipation",
-       0. - certificate.lambda().tail(n).dot(certificate.gradient().tail(n))}};
+    return {{"strain", certificate.strain_energy()},
+            {"load_work", certificate.load_work()},
+            {"friction_dissipation",
+             0. - certificate.lambda().tail(n).dot(certificate.gradient().tail(n))}};
   }
 
-
-
-  json
-  mesh_error_to_json(const MeshError &error, const double strain_energy)
+  json mesh_error_to_json(const MeshError &error, const double strain_energy)
   {
     if (error.n_cells == 0)
       return nullptr;
     return {{"relative_energy_error",
-             strain_energy > 0. ? std::sqrt(error.square / (2. * strain_energy))
-                                : 0.},
+             strain_energy > 0. ? std::sqrt(error.square / (2. * strain_energy)) : 0.},
             {"sampled", error.is_sampled},
             {"cells_sampled", error.n_cells}};
   }
 
-
-
-  json
-  displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u)
+  json displacement_to_json(const LinearElasticity &elasticity, const LA::Vector &u)
   {
     // the first component is the size, so that the largest array is the one
     // sought; ties go to the largest place, on any number of ranks
@@ -371,14 +316,11 @@ namespace stiction
         dealii::Tensor<1, 3> displacement;
         for (unsigned int c = 0; c < 3; ++c)
           displacement[c] = u(node.dofs[c]);
-        largest = std::max(largest,
-                           {{displacement.norm(),
-                             node.position[0],
-                             node.position[1],
-                             node.position[2]}});
+        largest = std::max(largest, {{displacement.norm(), node.position[0],
+                                      node.position[1], node.position[2]}});
       }
-    for (const auto &theirs : dealii::Utilities::MPI::all_gather(
-           elasticity.body().communicator(), largest))
+    for (const auto &theirs :
+         dealii::Utilities::MPI::all_gather(elasticity.body().communicator(), largest))
       largest = std::max(largest, theirs);
     return {{"max", largest[0]}, {"at", {largest[1], largest[2], largest[3]}}};
   }

@@ -4,23 +4,17 @@
 
 namespace stiction
 {
-  DualMethodResult
-  run_active_set_method(
-    qp::ActiveSetMethod &solver,
-    Eigen::VectorXd &x,
-    Eigen::VectorXd &gradient,
-    const qp::Scaling &scaling,
-    const StoppingRule &rule,
-    const unsigned int products_in_an_iteration,
-    DualMethodStatistics &statistics,
+  DualMethodResult run_active_set_method(
+    qp::ActiveSetMethod &solver, Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+    const qp::Scaling &scaling, const StoppingRule &rule,
+    const unsigned int products_in_an_iteration, DualMethodStatistics &statistics,
     const std::function<void(const Eigen::VectorXd &)> &show,
     const DualMethod::Observer &observer)
   {
     DualMethodResult result;
     Eigen::VectorXd before = x;
     unsigned int reported  = 0;
-    const auto report      = [&](const unsigned int products,
-                            const Eigen::VectorXd &now,
+    const auto report      = [&](const unsigned int products, const Eigen::VectorXd &now,
                             const double residual) {
       result.change = relative_change(now, before);
       before        = now;
@@ -29,21 +23,17 @@ namespace stiction
       show(now);
       observer({1, residual, result.change});
     };
-    solver.set_observer([&](const unsigned int products,
-                            const Eigen::VectorXd &now,
+    solver.set_observer([&](const unsigned int products, const Eigen::VectorXd &now,
                             const double residual) {
       if (products >= reported + products_in_an_iteration)
         report(products, now, residual);
     });
 
-    const unsigned long cap = static_cast<unsigned long>(rule.max_iterations) *
-                              products_in_an_iteration;
-    const qp::ActiveSetStatistics run = solver.solve(
-      x,
-      gradient,
-      scaling,
-      rule.residual,
-      static_cast<unsigned int>(std::min<unsigned long>(cap, 2000000000)));
+    const unsigned long cap =
+      static_cast<unsigned long>(rule.max_iterations) * products_in_an_iteration;
+    const qp::ActiveSetStatistics run =
+      solver.solve(x, gradient, scaling, rule.residual,
+                   static_cast<unsigned int>(std::min<unsigned long>(cap, 2000000000)));
     if (run.multiplications > reported)
       report(run.multiplications, x, run.residual);
 

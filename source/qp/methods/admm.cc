@@ -6,8 +6,7 @@ namespace stiction
 {
   namespace
   {
-    const Eigen::MatrixXd &
-    matrix_of(const DualOperator &Q)
+    const Eigen::MatrixXd &matrix_of(const DualOperator &Q)
     {
       if (Q.matrix() == nullptr)
         throw std::invalid_argument("this method needs Q as a matrix");
@@ -15,33 +14,21 @@ namespace stiction
     }
   } // namespace
 
-
-
   Admm::Admm(const DualOperator &Q)
     : block_(Q, DualBlock::all)
     , admm_(matrix_of(Q), block_)
   {
   }
 
-
-
-  DualMethodResult
-  Admm::solve(DualIterate &iterate,
-              const qp::SlipBound &slip_bound,
-              const qp::Scaling &scaling,
-              const StoppingRule &rule,
-              const Observer &observer)
+  DualMethodResult Admm::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                               const qp::Scaling &scaling, const StoppingRule &rule,
+                               const Observer &observer)
   {
     Eigen::VectorXd before = iterate.lambda;
     DualMethodResult result;
     const qp::AdmmStatistics run =
-      admm_.solve(iterate.lambda,
-                  iterate.gradient,
-                  slip_bound,
-                  scaling,
-                  rule.residual,
-                  rule.max_iterations,
-                  [&](const double residual) {
+      admm_.solve(iterate.lambda, iterate.gradient, slip_bound, scaling, rule.residual,
+                  rule.max_iterations, [&](const double residual) {
                     result.change = relative_change(iterate.lambda, before);
                     before        = iterate.lambda;
                     observer({1, residual, result.change});

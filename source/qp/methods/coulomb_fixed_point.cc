@@ -21,18 +21,12 @@ namespace stiction
     constexpr std::size_t contraction_horizon = 5;
   } // namespace
 
-
-
-  CoulombFixedPoint::CoulombFixedPoint(
-    std::unique_ptr<DualMethod> given_friction)
+  CoulombFixedPoint::CoulombFixedPoint(std::unique_ptr<DualMethod> given_friction)
     : given_friction_(std::move(given_friction))
   {
   }
 
-
-
-  DualMethodStatistics
-  CoulombFixedPoint::statistics() const
+  DualMethodStatistics CoulombFixedPoint::statistics() const
   {
     DualMethodStatistics all = given_friction_->statistics();
     all.coulomb_iterations   = iterations_;
@@ -40,18 +34,14 @@ namespace stiction
     return all;
   }
 
-
-
-  DualMethodResult
-  CoulombFixedPoint::solve(DualIterate &iterate,
-                           const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling,
-                           const StoppingRule &rule,
-                           const Observer &observer)
+  DualMethodResult CoulombFixedPoint::solve(DualIterate &iterate,
+                                            const qp::SlipBound &slip_bound,
+                                            const qp::Scaling &scaling,
+                                            const StoppingRule &rule,
+                                            const Observer &observer)
   {
     const auto residual = [&]() {
-      return qp::natural_residual(
-        iterate.lambda, iterate.gradient, slip_bound, scaling);
+      return qp::natural_residual(iterate.lambda, iterate.gradient, slip_bound, scaling);
     };
 
     DualMethodResult result;
@@ -73,16 +63,13 @@ namespace stiction
 
         const Eigen::VectorXd before = iterate.lambda;
         StoppingRule inner;
-        inner.residual = std::max(approximation_reduction * result.residual,
-                                  0.5 * rule.residual);
-        inner.change   = std::numeric_limits<double>::infinity();
+        inner.residual =
+          std::max(approximation_reduction * result.residual, 0.5 * rule.residual);
+        inner.change         = std::numeric_limits<double>::infinity();
         inner.max_iterations = rule.max_iterations - result.iterations;
         const DualMethodResult approximation =
-          given_friction_->solve(iterate,
-                                 qp::SlipBound::given(slip_bound.at(before)),
-                                 scaling,
-                                 inner,
-                                 [](const Step &) {});
+          given_friction_->solve(iterate, qp::SlipBound::given(slip_bound.at(before)),
+                                 scaling, inner, [](const Step &) {});
         result.iterations += approximation.iterations;
         ++iterations_;
 

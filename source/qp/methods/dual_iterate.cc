@@ -4,19 +4,14 @@
 
 namespace stiction
 {
-  double
-  relative_change(const Eigen::VectorXd &lambda, const Eigen::VectorXd &before)
+  double relative_change(const Eigen::VectorXd &lambda, const Eigen::VectorXd &before)
   {
     const double norm = lambda.norm();
     return norm > 0. ? (lambda - before).norm() / norm : 0.;
   }
 
-
-
-  void
-  make_feasible(DualIterate &iterate,
-                const Eigen::VectorXd &slip_bound,
-                const DualOperator &Q)
+  void make_feasible(DualIterate &iterate, const Eigen::VectorXd &slip_bound,
+                     const DualOperator &Q)
   {
     const Eigen::Index m      = Q.n_nodes();
     Eigen::VectorXd projected = iterate.lambda;

@@ -26,11 +26,8 @@ namespace stiction
     constexpr unsigned int max_idle_sweeps = 20;
   } // namespace
 
-
-
-  GaussSeidel::GaussSeidel(
-    const DualOperator &Q,
-    const std::optional<qp::DiscActiveSet::Variant> variant)
+  GaussSeidel::GaussSeidel(const DualOperator &Q,
+                           const std::optional<qp::DiscActiveSet::Variant> variant)
     : Q_(Q)
     , normal_block_(Q, DualBlock::normal)
     , tangential_block_(Q, DualBlock::tangential)
@@ -38,22 +35,17 @@ namespace stiction
     , variant_(variant)
   {
     if (!variant)
-      disc_newton_ = std::make_unique<qp::SemismoothNewton>(
-        tangential_block_, Q.nodal_compliance(), false);
+      disc_newton_ = std::make_unique<qp::SemismoothNewton>(tangential_block_,
+                                                            Q.nodal_compliance(), false);
   }
 
-
-
-  DualMethodResult
-  GaussSeidel::solve(DualIterate &iterate,
-                     const qp::SlipBound &slip_bound,
-                     const qp::Scaling &scaling,
-                     const StoppingRule &rule,
-                     const Observer &observer)
+  DualMethodResult GaussSeidel::solve(DualIterate &iterate,
+                                      const qp::SlipBound &slip_bound,
+                                      const qp::Scaling &scaling,
+                                      const StoppingRule &rule, const Observer &observer)
   {
     const auto residual = [&]() {
-      return qp::natural_residual(
-        iterate.lambda, iterate.gradient, slip_bound, scaling);
+      return qp::natural_residual(iterate.lambda, iterate.gradient, slip_bound, scaling);
     };
 
     DualMethodResult result;
@@ -91,59 +83,42 @@ namespace stiction
             result.residual  = residual();
             result.converged = result.residual <= rule.residual;
           }
-        idle_sweeps = result.residual < 0.9 * smallest ? 0 : idle_sweeps + 1;
-        smallest    = std::min(smallest, result.residual);
-        result.stagnated =
-          !result.converged &&
-          (idle_sweeps >= max_idle_sweeps || !std::isfinite(result.residual));
+        idle_sweeps      = result.residual < 0.9 * smallest ? 0 : idle_sweeps + 1;
+        smallest         = std::min(smallest, result.residual);
+        result.stagnated = !result.converged && (idle_sweeps >= max_idle_sweeps ||
+                                                 !std::isfinite(result.residual));
       }
     if (result.stagnated && !inner_converged_)
       result.reason = "the quadratic programs on discs were not solved in " +
-                      std::to_string(max_inner_multiplications) +
-                      " products each";
+                      std::to_string(max_inner_multiplications) + " products each";
     return result;
   }
 
-
-
-  void
-  GaussSeidel::normal_half_sweep(DualIterate &iterate,
-                                 const qp::Scaling &scaling,
-                                 const double tolerance)
+  void GaussSeidel::normal_half_sweep(DualIterate &iterate, const qp::Scaling &scaling,
+                                      const double tolerance)
   {
     const qp::HalfLines half_lines(Q_.n_nodes());
     qp::Proportioning solver(normal_block_, half_lines, normal_norm_);
-    half_sweep(
-      iterate,
-      DualBlock::normal,
-      [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {
-        add(solver.solve(
-          lambda, gradient, scaling, tolerance, max_inner_multiplications));
-      });
+    half_sweep(iterate, DualBlock::normal,
+               [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {
+                 add(solver.solve(lambda, gradient, scaling, tolerance,
+                                  max_inner_multiplications));
+               });
   }
 
-
-
-  void
-  GaussSeidel::tangential_half_sweep(DualIterate &iterate,
-                                     const Eigen::VectorXd &slip_bound,
-                                     const qp::Scaling &scaling,
-                                     const double tolerance)
+  void GaussSeidel::tangential_half_sweep(DualIterate &iterate,
+                                          const Eigen::VectorXd &slip_bound,
+                                          const qp::Scaling &scaling,
+                                          const double tolerance)
   {
     half_sweep(
-      iterate,
-      DualBlock::tangential,
+      iterate, DualBlock::tangential,
       [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {
         if (disc_newton_)
           {
-            const qp::NewtonStatistics steps =
-              disc_newton_->solve(lambda,
-                                  gradient,
-                                  qp::SlipBound::given(slip_bound),
-                                  scaling,
-                                  tolerance,
-                                  max_newton_steps,
-                                  [](unsigned int, double) {});
+            const qp::NewtonStatistics steps = disc_newton_->solve(
+              lambda, gradient, qp::SlipBound::given(slip_bound), scaling, tolerance,
+              max_newton_steps, [](unsigned int, double) {});
             statistics_.newton_steps += steps.steps;
             statistics_.krylov_iterations += steps.krylov_iterations;
             if (steps.converged)
@@ -153,20 +128,14 @@ namespace stiction
         if (!tangential_norm_)
           tangential_norm_ = qp::spectral_norm(tangential_block_);
         const qp::Discs discs(slip_bound);
-        qp::DiscActiveSet solver(
-          tangential_block_,
-          discs,
-          *tangential_norm_,
-          variant_.value_or(qp::DiscActiveSet::Variant::spectral));
-        add(solver.solve(
-          lambda, gradient, scaling, tolerance, max_inner_multiplications));
+        qp::DiscActiveSet solver(tangential_block_, discs, *tangential_norm_,
+                                 variant_.value_or(qp::DiscActiveSet::Variant::spectral));
+        add(
+          solver.solve(lambda, gradient, scaling, tolerance, max_inner_multiplications));
       });
   }
 
-
-
-  void
-  GaussSeidel::add(const qp::ActiveSetStatistics &inner)
+  void GaussSeidel::add(const qp::ActiveSetStatistics &inner)
   {
     statistics_.conjugate_gradient_steps += inner.conjugate_gradient_steps;
     statistics_.expansion_steps += inner.expansion_steps;
@@ -175,18 +144,13 @@ namespace stiction
       inner.converged || inner.multiplications < max_inner_multiplications;
   }
 
-
-
-  void
-  GaussSeidel::half_sweep(DualIterate &iterate,
-                          const DualBlock block,
-                          const Solver &solver)
+  void GaussSeidel::half_sweep(DualIterate &iterate, const DualBlock block,
+                               const Solver &solver)
   {
-    const Eigen::Index m = Q_.n_nodes();
-    const bool is_normal = block == DualBlock::normal;
-    const DualBlock other =
-      is_normal ? DualBlock::tangential : DualBlock::normal;
-    const auto mine = [&](Eigen::VectorXd &v) {
+    const Eigen::Index m  = Q_.n_nodes();
+    const bool is_normal  = block == DualBlock::normal;
+    const DualBlock other = is_normal ? DualBlock::tangential : DualBlock::normal;
+    const auto mine       = [&](Eigen::VectorXd &v) {
       return v.segment(is_normal ? 0 : m, is_normal ? m : 2 * m);
     };
     const auto others = [&](Eigen::VectorXd &v) {

@@ -14,14 +14,9 @@ namespace stiction
   {
   }
 
-
-
-  DualMethodResult
-  Mpgp::solve(DualIterate &iterate,
-                    const qp::SlipBound &slip_bound,
-                    const qp::Scaling &scaling,
-                    const StoppingRule &rule,
-                    const Observer &observer)
+  DualMethodResult Mpgp::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                               const qp::Scaling &scaling, const StoppingRule &rule,
+                               const Observer &observer)
   {
     const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
     make_feasible(iterate, bound, Q_);
@@ -35,16 +30,9 @@ namespace stiction
     Eigen::VectorXd x             = nodal_scaling_.divide(iterate.lambda);
     Eigen::VectorXd gradient      = nodal_scaling_.times(iterate.gradient);
     const DualMethodResult result = run_active_set_method(
-      solver,
-      x,
-      gradient,
-      nodal_scaling_.scaled(scaling),
-      rule,
-      products_in_an_iteration,
+      solver, x, gradient, nodal_scaling_.scaled(scaling), rule, products_in_an_iteration,
       statistics_,
-      [&](const Eigen::VectorXd &now) {
-        iterate.lambda = nodal_scaling_.times(now);
-      },
+      [&](const Eigen::VectorXd &now) { iterate.lambda = nodal_scaling_.times(now); },
       observer);
     iterate.lambda   = nodal_scaling_.times(x);
     iterate.gradient = nodal_scaling_.divide(gradient);

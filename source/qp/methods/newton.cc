@@ -26,8 +26,6 @@ namespace stiction
     constexpr double interior_point_reduction = 1e-3;
   } // namespace
 
-
-
   struct Newton::Run
   {
     DualIterate &iterate;
@@ -37,32 +35,27 @@ namespace stiction
     const Observer &observer;
     DualMethodResult result;
 
-    unsigned int
-    iterations_left() const
+    unsigned int iterations_left() const
     {
       return rule.max_iterations - result.iterations;
     }
 
-    bool
-    is_done() const
+    bool is_done() const
     {
       return result.converged || result.iterations >= rule.max_iterations;
     }
 
     // To be told of each step from here on.
-    std::function<void(unsigned int, double)>
-    reporter()
+    std::function<void(unsigned int, double)> reporter()
     {
-      return [this, before = iterate.lambda](unsigned int,
-                                             const double residual) mutable {
-        result.change = relative_change(iterate.lambda, before);
-        before        = iterate.lambda;
-        observer({1, residual, result.change});
-      };
+      return
+        [this, before = iterate.lambda](unsigned int, const double residual) mutable {
+          result.change = relative_change(iterate.lambda, before);
+          before        = iterate.lambda;
+          observer({1, residual, result.change});
+        };
     }
   };
-
-
 
   Newton::Newton(const DualOperator &Q, const unsigned int max_steps_in_a_run)
     : Q_(Q)
@@ -72,10 +65,7 @@ namespace stiction
   {
   }
 
-
-
-  DualMethodStatistics
-  Newton::statistics() const
+  DualMethodStatistics Newton::statistics() const
   {
     DualMethodStatistics all = statistics_;
     if (proven_)
@@ -83,14 +73,9 @@ namespace stiction
     return all;
   }
 
-
-
-  DualMethodResult
-  Newton::solve(DualIterate &iterate,
-                const qp::SlipBound &slip_bound,
-                const qp::Scaling &scaling,
-                const StoppingRule &rule,
-                const Observer &observer)
+  DualMethodResult Newton::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                                 const qp::Scaling &scaling, const StoppingRule &rule,
+                                 const Observer &observer)
   {
     Run run{iterate, slip_bound, scaling, rule, observer, {}};
     double smallest             = std::numeric_limits<double>::infinity();
@@ -108,9 +93,9 @@ namespace stiction
             continue;
           }
 
-        const double residual = run.result.residual;
-        idle_fallbacks = residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
-        smallest       = std::min(smallest, residual);
+        const double residual   = run.result.residual;
+        idle_fallbacks          = residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
+        smallest                = std::min(smallest, residual);
         const bool stands_still = idle_fallbacks > max_idle_fallbacks;
         // with Coulomb's law it may end at another solution than approximations
         if (tries_inside && (stands_still || !slip_bound.is_coulomb()))
@@ -128,27 +113,17 @@ namespace stiction
     return run.result;
   }
 
-
-
-  bool
-  Newton::can_factorize() const
+  bool Newton::can_factorize() const
   {
     return Q_.matrix() != nullptr && Q_.n_nodes() <= max_nodes_factorized;
   }
 
-
-
-  void
-  Newton::run_newton(Run &run)
+  void Newton::run_newton(Run &run)
   {
     const qp::NewtonStatistics statistics =
-      newton_.solve(run.iterate.lambda,
-                    run.iterate.gradient,
-                    run.slip_bound,
-                    run.scaling,
+      newton_.solve(run.iterate.lambda, run.iterate.gradient, run.slip_bound, run.scaling,
                     run.rule.residual,
-                    std::min(max_steps_in_a_run_, run.iterations_left()),
-                    run.reporter());
+                    std::min(max_steps_in_a_run_, run.iterations_left()), run.reporter());
     statistics_.newton_steps += statistics.steps;
     statistics_.krylov_iterations += statistics.krylov_iterations;
     run.result.iterations += statistics.steps;
@@ -156,19 +131,12 @@ namespace stiction
     run.result.converged = statistics.converged;
   }
 
-
-
-  void
-  Newton::run_interior_point(Run &run)
+  void Newton::run_interior_point(Run &run)
   {
     const qp::InteriorPointStatistics statistics =
       qp::InteriorPoint(*Q_.matrix())
-        .solve(run.iterate.lambda,
-               run.iterate.gradient,
-               run.slip_bound,
-               run.scaling,
-               interior_point_reduction * run.rule.residual,
-               run.iterations_left(),
+        .solve(run.iterate.lambda, run.iterate.gradient, run.slip_bound, run.scaling,
+               interior_point_reduction * run.rule.residual, run.iterations_left(),
                run.reporter());
     statistics_.interior_point_steps += statistics.steps;
     run.result.iterations += statistics.steps;
@@ -176,10 +144,7 @@ namespace stiction
     run.result.converged = statistics.residual <= run.rule.residual;
   }
 
-
-
-  void
-  Newton::fall_back(Run &run)
+  void Newton::fall_back(Run &run)
   {
     ++statistics_.fallbacks;
     if (!proven_ && !run.slip_bound.is_coulomb())
@@ -191,8 +156,8 @@ namespace stiction
     stretch.residual       = fallback_reduction * run.result.residual;
     stretch.change         = std::numeric_limits<double>::infinity();
     stretch.max_iterations = run.iterations_left();
-    const DualMethodResult stretch_result = proven_->solve(
-      run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
+    const DualMethodResult stretch_result =
+      proven_->solve(run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
     run.result.iterations += stretch_result.iterations;
     run.result.residual  = stretch_result.residual;
     run.result.change    = stretch_result.change;

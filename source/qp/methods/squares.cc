@@ -16,14 +16,9 @@ namespace stiction
   {
   }
 
-
-
-  DualMethodResult
-  Squares::solve(DualIterate &iterate,
-                 const qp::SlipBound &slip_bound,
-                 const qp::Scaling &scaling,
-                 const StoppingRule &rule,
-                 const Observer &observer)
+  DualMethodResult Squares::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                                  const qp::Scaling &scaling, const StoppingRule &rule,
+                                  const Observer &observer)
   {
     const qp::RotatedSquares squares(r_, slip_bound.at(iterate.lambda));
     const qp::SquaresOperator A(block_, squares);
@@ -45,26 +40,15 @@ namespace stiction
     Eigen::VectorXd gradient      = squares.pull_back(iterate.gradient);
     const Eigen::VectorXd start   = iterate.lambda;
     const DualMethodResult result = run_active_set_method(
-      solver,
-      x,
-      gradient,
-      scaling,
-      rule,
-      Mpgp::products_in_an_iteration,
-      statistics_,
-      [&](const Eigen::VectorXd &now) {
-        iterate.lambda = squares.to_forces(now);
-      },
+      solver, x, gradient, scaling, rule, Mpgp::products_in_an_iteration, statistics_,
+      [&](const Eigen::VectorXd &now) { iterate.lambda = squares.to_forces(now); },
       observer);
     iterate.lambda = start; // the one that the gradient belongs to
     move_to(squares.to_forces(x));
     return result;
   }
 
-
-
-  std::string
-  Squares::limitation() const
+  std::string Squares::limitation() const
   {
     return "the method squares solved its own problem, with polygons of " +
            std::to_string(4 * r_) +

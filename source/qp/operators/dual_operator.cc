@@ -7,8 +7,7 @@ namespace stiction
 {
   namespace
   {
-    unsigned long
-    thirds(const DualBlock block)
+    unsigned long thirds(const DualBlock block)
     {
       switch (block)
         {
@@ -22,63 +21,41 @@ namespace stiction
     }
   } // namespace
 
-
-
   DualOperator::DualOperator(const Eigen::Index n_nodes)
     : n_nodes_(n_nodes)
   {
   }
 
-
-
-  void
-  DualOperator::set_right_hand_side(Eigen::VectorXd h)
+  void DualOperator::set_right_hand_side(Eigen::VectorXd h)
   {
     h_ = std::move(h);
   }
 
-
-
-  void
-  DualOperator::vmult(const DualBlock rows,
-                      const DualBlock columns,
-                      Eigen::VectorXd &dst,
-                      const Eigen::VectorXd &src) const
+  void DualOperator::vmult(const DualBlock rows, const DualBlock columns,
+                           Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     n_ninths_ += thirds(rows) * thirds(columns);
     apply(rows, columns, dst, src);
   }
 
-
-
-  Eigen::Index
-  DualOperator::begin(const DualBlock block) const
+  Eigen::Index DualOperator::begin(const DualBlock block) const
   {
     return block == DualBlock::tangential ? n_nodes_ : 0;
   }
 
-
-
-  Eigen::Index
-  DualOperator::length(const DualBlock block) const
+  Eigen::Index DualOperator::length(const DualBlock block) const
   {
     return static_cast<Eigen::Index>(thirds(block)) * n_nodes_;
   }
 
-
-
-  const Eigen::VectorXd &
-  DualOperator::nodal_compliance() const
+  const Eigen::VectorXd &DualOperator::nodal_compliance() const
   {
     if (nodal_compliance_.size() == 0)
       nodal_compliance_ = compute_nodal_compliance();
     return nodal_compliance_;
   }
 
-
-
-  DecoupledScales
-  decoupled_scales(const DualOperator &Q)
+  DecoupledScales decoupled_scales(const DualOperator &Q)
   {
     const Eigen::Index m     = Q.n_nodes();
     const Eigen::VectorXd &h = Q.right_hand_side();
@@ -95,8 +72,6 @@ namespace stiction
     return result;
   }
 
-
-
   // ---------------------------------------------------- DenseDualOperator
 
   DenseDualOperator::DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h)
@@ -107,24 +82,15 @@ namespace stiction
     set_right_hand_side(std::move(h));
   }
 
-
-
-  Eigen::VectorXd
-  DenseDualOperator::compute_nodal_compliance() const
+  Eigen::VectorXd DenseDualOperator::compute_nodal_compliance() const
   {
     const Eigen::Index m = n_nodes();
-    return (Q_.diagonal().head(m) + Q_.diagonal().segment(m, m) +
-            Q_.diagonal().tail(m)) /
+    return (Q_.diagonal().head(m) + Q_.diagonal().segment(m, m) + Q_.diagonal().tail(m)) /
            3.;
   }
 
-
-
-  void
-  DenseDualOperator::apply(const DualBlock rows,
-                           const DualBlock columns,
-                           Eigen::VectorXd &dst,
-                           const Eigen::VectorXd &src) const
+  void DenseDualOperator::apply(const DualBlock rows, const DualBlock columns,
+                                Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     const auto block =
       Q_.block(begin(rows), begin(columns), length(rows), length(columns));
@@ -134,30 +100,20 @@ namespace stiction
       dst.noalias() = block * src;
   }
 
-
-
   // ---------------------------------------------------- DualOperatorBlock
 
-  DualOperatorBlock::DualOperatorBlock(const DualOperator &Q,
-                                       const DualBlock block)
+  DualOperatorBlock::DualOperatorBlock(const DualOperator &Q, const DualBlock block)
     : Q_(Q)
     , block_(block)
   {
   }
 
-
-
-  Eigen::Index
-  DualOperatorBlock::size() const
+  Eigen::Index DualOperatorBlock::size() const
   {
     return static_cast<Eigen::Index>(thirds(block_)) * Q_.n_nodes();
   }
 
-
-
-  void
-  DualOperatorBlock::apply(Eigen::VectorXd &dst,
-                           const Eigen::VectorXd &src) const
+  void DualOperatorBlock::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     Q_.vmult(block_, block_, dst, src);
   }

@@ -15,25 +15,19 @@ namespace stiction::qp
         throw std::invalid_argument("the scale of a node must be > 0");
   }
 
-
-
-  NodalScaling
-  NodalScaling::from_diagonal(const Eigen::VectorXd &diagonal,
-                              const Eigen::Index n_nodes)
+  NodalScaling NodalScaling::from_diagonal(const Eigen::VectorXd &diagonal,
+                                           const Eigen::Index n_nodes)
   {
     if (n_nodes == 0)
       return NodalScaling(Eigen::VectorXd());
     eigen_assert(diagonal.size() % n_nodes == 0);
-    const Eigen::Map<const Eigen::MatrixXd> by_component(
-      diagonal.data(), n_nodes, diagonal.size() / n_nodes);
+    const Eigen::Map<const Eigen::MatrixXd> by_component(diagonal.data(), n_nodes,
+                                                         diagonal.size() / n_nodes);
     const Eigen::VectorXd mean = by_component.rowwise().mean();
     return NodalScaling(mean.cwiseSqrt().cwiseInverse());
   }
 
-
-
-  Eigen::VectorXd
-  NodalScaling::times(const Eigen::VectorXd &v) const
+  Eigen::VectorXd NodalScaling::times(const Eigen::VectorXd &v) const
   {
     const Eigen::Index m = n_nodes();
     eigen_assert(m > 0 ? v.size() % m == 0 : v.size() == 0);
@@ -43,10 +37,7 @@ namespace stiction::qp
     return result;
   }
 
-
-
-  Eigen::VectorXd
-  NodalScaling::divide(const Eigen::VectorXd &v) const
+  Eigen::VectorXd NodalScaling::divide(const Eigen::VectorXd &v) const
   {
     const Eigen::Index m = n_nodes();
     eigen_assert(m > 0 ? v.size() % m == 0 : v.size() == 0);
@@ -56,10 +47,7 @@ namespace stiction::qp
     return result;
   }
 
-
-
-  Scaling
-  NodalScaling::scaled(const Scaling &scaling) const
+  Scaling NodalScaling::scaled(const Scaling &scaling) const
   {
     const Eigen::VectorXd weight =
       scaling.weight.size() == 0 ? scales_ : times(scaling.weight);

@@ -3,8 +3,7 @@
 
 namespace stiction::qp
 {
-  ScaledOperator::ScaledOperator(const SymmetricOperator &A,
-                                 const NodalScaling &scaling)
+  ScaledOperator::ScaledOperator(const SymmetricOperator &A, const NodalScaling &scaling)
     : A_(A)
     , scaling_(scaling)
   {
@@ -12,18 +11,12 @@ namespace stiction::qp
                                         : A.size() % scaling.n_nodes() == 0);
   }
 
-
-
-  Eigen::Index
-  ScaledOperator::size() const
+  Eigen::Index ScaledOperator::size() const
   {
     return A_.size();
   }
 
-
-
-  void
-  ScaledOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
+  void ScaledOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     A_.vmult(dst, scaling_.times(src));
     dst = scaling_.times(dst);

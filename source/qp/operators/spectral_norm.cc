@@ -14,8 +14,7 @@ namespace stiction::qp
     // A fixed vector with components along every mode: mostly constant (the
     // stiffest modes of a contact dual operator are the smooth ones), with an
     // irregular part that no symmetry of the mesh makes orthogonal to a mode.
-    Eigen::VectorXd
-    start_vector(const Eigen::Index n)
+    Eigen::VectorXd start_vector(const Eigen::Index n)
     {
       Eigen::VectorXd v(n);
       for (Eigen::Index i = 0; i < n; ++i)
@@ -24,12 +23,8 @@ namespace stiction::qp
     }
   } // namespace
 
-
-
-  double
-  spectral_norm(const SymmetricOperator &A,
-                const double accuracy,
-                const unsigned int max_multiplications)
+  double spectral_norm(const SymmetricOperator &A, const double accuracy,
+                       const unsigned int max_multiplications)
   {
     const Eigen::Index n = A.size();
     if (n == 0)
@@ -61,8 +56,7 @@ namespace stiction::qp
 
         bound = theta + residual;
         // a residual that is small early may be that of a smaller eigenvalue
-        const bool exhausted =
-          basis.size() == std::size_t(n) || beta <= 1e-10 * theta;
+        const bool exhausted = basis.size() == std::size_t(n) || beta <= 1e-10 * theta;
         if (exhausted || (k + 1 >= min_steps && residual <= accuracy * theta))
           break;
         off_diagonal.push_back(beta);

@@ -11,18 +11,12 @@ namespace stiction::qp
     eigen_assert(Q.size() == 3 * squares.n_nodes());
   }
 
-
-
-  Eigen::Index
-  SquaresOperator::size() const
+  Eigen::Index SquaresOperator::size() const
   {
     return squares_.n_unknowns();
   }
 
-
-
-  void
-  SquaresOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
+  void SquaresOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     Eigen::VectorXd Q_forces;
     Q_.vmult(Q_forces, squares_.to_forces(src));

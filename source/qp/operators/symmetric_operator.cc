@@ -2,16 +2,12 @@
 
 namespace stiction::qp
 {
-  void
-  SymmetricOperator::vmult(Eigen::VectorXd &dst,
-                           const Eigen::VectorXd &src) const
+  void SymmetricOperator::vmult(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     eigen_assert(src.size() == size());
     ++n_multiplications_;
     apply(dst, src);
   }
-
-
 
   DenseOperator::DenseOperator(const Eigen::MatrixXd &matrix)
     : matrix_(matrix)
@@ -19,18 +15,12 @@ namespace stiction::qp
     eigen_assert(matrix.rows() == matrix.cols());
   }
 
-
-
-  Eigen::Index
-  DenseOperator::size() const
+  Eigen::Index DenseOperator::size() const
   {
     return matrix_.rows();
   }
 
-
-
-  void
-  DenseOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
+  void DenseOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     dst.noalias() = matrix_ * src;
   }

@@ -16,16 +16,13 @@ namespace stiction::qp
     , t2_(t1_ + m_)
     , prescribed_(Eigen::VectorXd::Zero(x.size()))
   {
-    Eigen::VectorXd a =
-      x - rho.replicate(x.size() / m_, 1).cwiseProduct(gradient);
+    Eigen::VectorXd a = x - rho.replicate(x.size() / m_, 1).cwiseProduct(gradient);
     const Eigen::VectorXd radius = slip_bound.at(a);
     const Eigen::VectorXd target = slip_bound.at(x);
 
     std::vector<double> curvature;
-    const auto add = [&](const Eigen::Index i,
-                         const Eigen::Vector3d &direction,
-                         const Eigen::Vector2d &follows,
-                         const double mu) {
+    const auto add = [&](const Eigen::Index i, const Eigen::Vector3d &direction,
+                         const Eigen::Vector2d &follows, const double mu) {
       free_.push_back({i, direction, follows});
       curvature.push_back(mu);
     };
@@ -37,12 +34,10 @@ namespace stiction::qp
         const Eigen::Vector2d a_t(a(i + t1_), a(i + t2_));
         const double norm = a_t.norm();
 
-        const double normal_change =
-          has_normal_ ? x(i) - std::max(a(i), 0.) : 0.;
+        const double normal_change = has_normal_ ? x(i) - std::max(a(i), 0.) : 0.;
         const Eigen::Vector2d tangential_change =
           x_t - (norm > radius(i) ? radius(i) / norm * a_t : a_t);
-        square +=
-          normal_change * normal_change + tangential_change.squaredNorm();
+        square += normal_change * normal_change + tangential_change.squaredNorm();
 
         Eigen::Vector2d follows = Eigen::Vector2d::Zero();
         if (radius(i) == 0.)
@@ -62,9 +57,7 @@ namespace stiction::qp
             prescribed_(i + t1_)    = d(0);
             prescribed_(i + t2_)    = d(1);
             follows                 = slip_bound.coefficient()(i) * n;
-            add(i,
-                Eigen::Vector3d(0., -n(1), n(0)),
-                Eigen::Vector2d::Zero(),
+            add(i, Eigen::Vector3d(0., -n(1), n(0)), Eigen::Vector2d::Zero(),
                 (norm - radius(i)) / (rho(i) * radius(i)));
           }
 
@@ -80,10 +73,7 @@ namespace stiction::qp
       curvature.data(), static_cast<Eigen::Index>(curvature.size()));
   }
 
-
-
-  Eigen::VectorXd
-  ContactLinearization::embed(const Eigen::VectorXd &y) const
+  Eigen::VectorXd ContactLinearization::embed(const Eigen::VectorXd &y) const
   {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(prescribed_.size());
     for (Eigen::Index k = 0; k < n_free(); ++k)
@@ -97,26 +87,19 @@ namespace stiction::qp
     return d;
   }
 
-
-
-  Eigen::VectorXd
-  ContactLinearization::test(const Eigen::VectorXd &v) const
+  Eigen::VectorXd ContactLinearization::test(const Eigen::VectorXd &v) const
   {
     Eigen::VectorXd y(n_free());
     for (Eigen::Index k = 0; k < n_free(); ++k)
       {
         const Free &f = free_[k];
         y(k)          = (has_normal_ ? f.direction(0) * v(f.node) : 0.) +
-               f.direction(1) * v(f.node + t1_) +
-               f.direction(2) * v(f.node + t2_);
+               f.direction(1) * v(f.node + t1_) + f.direction(2) * v(f.node + t2_);
       }
     return y;
   }
 
-
-
-  Eigen::VectorXd
-  ContactLinearization::transpose_embed(const Eigen::VectorXd &v) const
+  Eigen::VectorXd ContactLinearization::transpose_embed(const Eigen::VectorXd &v) const
   {
     Eigen::VectorXd y = test(v);
     for (Eigen::Index k = 0; k < n_free(); ++k)

@@ -16,25 +16,18 @@ namespace stiction::qp
     constexpr double on_circle = 1. - 1e-12;
   } // namespace
 
-
-
-  FeasibleSet::FeasibleSet(const Eigen::Index n_nodes,
-                           const unsigned int n_components)
+  FeasibleSet::FeasibleSet(const Eigen::Index n_nodes, const unsigned int n_components)
     : n_nodes_(n_nodes)
     , n_components_(n_components)
   {
   }
 
-
-
-  double
-  FeasibleSet::natural_residual(const Eigen::VectorXd &x,
-                                const Eigen::VectorXd &gradient,
-                                const Scaling &scaling) const
+  double FeasibleSet::natural_residual(const Eigen::VectorXd &x,
+                                       const Eigen::VectorXd &gradient,
+                                       const Scaling &scaling) const
   {
     eigen_assert(scaling.force.size() == n_nodes_);
-    eigen_assert(scaling.weight.size() == 0 ||
-                 scaling.weight.size() == n_nodes_);
+    eigen_assert(scaling.weight.size() == 0 || scaling.weight.size() == n_nodes_);
 
     const Eigen::VectorXd force_per_weight =
       scaling.weight.size() == 0 ? scaling.force
@@ -43,8 +36,7 @@ namespace stiction::qp
     for (unsigned int c = 0; c < n_components_; ++c)
       y.segment(c * n_nodes_, n_nodes_) =
         x.segment(c * n_nodes_, n_nodes_) -
-        force_per_weight.cwiseProduct(
-          gradient.segment(c * n_nodes_, n_nodes_)) /
+        force_per_weight.cwiseProduct(gradient.segment(c * n_nodes_, n_nodes_)) /
           scaling.displacement;
     project(y);
 
@@ -65,8 +57,6 @@ namespace stiction::qp
     return largest;
   }
 
-
-
   // ------------------------------------------------------------ HalfLines
 
   HalfLines::HalfLines(const Eigen::Index n_nodes)
@@ -74,10 +64,7 @@ namespace stiction::qp
   {
   }
 
-
-
-  void
-  HalfLines::project(Eigen::VectorXd &x) const
+  void HalfLines::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     for (double &entry : x)
@@ -85,14 +72,9 @@ namespace stiction::qp
         entry = 0.;
   }
 
-
-
-  void
-  HalfLines::split(const Eigen::VectorXd &x,
-                   const Eigen::VectorXd &gradient,
-                   const double step,
-                   Eigen::VectorXd &free,
-                   Eigen::VectorXd &chopped) const
+  void HalfLines::split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                        const double step, Eigen::VectorXd &free,
+                        Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     (void)step; // on a half-line the chopped gradient does not depend on it
@@ -105,11 +87,8 @@ namespace stiction::qp
         chopped(i) = std::min(gradient(i), 0.);
   }
 
-
-
-  double
-  HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
-                                   const Eigen::VectorXd &d) const
+  double HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
+                                          const Eigen::VectorXd &d) const
   {
     double alpha = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -117,8 +96,6 @@ namespace stiction::qp
         alpha = std::min(alpha, -x(i) / d(i));
     return alpha;
   }
-
-
 
   // ---------------------------------------------------------------- Discs
 
@@ -131,10 +108,7 @@ namespace stiction::qp
         throw std::invalid_argument("the radius of a disc must be >= 0");
   }
 
-
-
-  void
-  Discs::project(Eigen::VectorXd &x) const
+  void Discs::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     const Eigen::Index m = n_nodes();
@@ -149,22 +123,14 @@ namespace stiction::qp
       }
   }
 
-
-
-  bool
-  Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
+  bool Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
   {
     return std::hypot(x(i), x(i + n_nodes())) >= on_circle * radii_(i);
   }
 
-
-
-  void
-  Discs::split(const Eigen::VectorXd &x,
-               const Eigen::VectorXd &gradient,
-               const double step,
-               Eigen::VectorXd &free,
-               Eigen::VectorXd &chopped) const
+  void Discs::split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                    const double step, Eigen::VectorXd &free,
+                    Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     const Eigen::Index m = n_nodes();
@@ -182,11 +148,8 @@ namespace stiction::qp
           free(k) = gradient(k);
   }
 
-
-
-  double
-  Discs::largest_feasible_step(const Eigen::VectorXd &x,
-                               const Eigen::VectorXd &d) const
+  double Discs::largest_feasible_step(const Eigen::VectorXd &x,
+                                      const Eigen::VectorXd &d) const
   {
     const Eigen::Index m = n_nodes();
     double alpha         = std::numeric_limits<double>::infinity();
@@ -201,12 +164,10 @@ namespace stiction::qp
         const double r    = std::hypot(x(i), x(i + m));
         const double c    = std::max(0., (radii_(i) - r) * (radii_(i) + r));
         const double root = std::sqrt(b * b + a * c);
-        alpha = std::min(alpha, b > 0. ? c / (b + root) : (root - b) / a);
+        alpha             = std::min(alpha, b > 0. ? c / (b + root) : (root - b) / a);
       }
     return alpha;
   }
-
-
 
   // -------------------------------------------------- HalfLinesTimesDiscs
 
@@ -217,10 +178,7 @@ namespace stiction::qp
   {
   }
 
-
-
-  void
-  HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
+  void HalfLinesTimesDiscs::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     const Eigen::Index m = n_nodes();
@@ -230,14 +188,9 @@ namespace stiction::qp
     x << xn, xt;
   }
 
-
-
-  void
-  HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
-                             const Eigen::VectorXd &gradient,
-                             const double step,
-                             Eigen::VectorXd &free,
-                             Eigen::VectorXd &chopped) const
+  void HalfLinesTimesDiscs::split(const Eigen::VectorXd &x,
+                                  const Eigen::VectorXd &gradient, const double step,
+                                  Eigen::VectorXd &free, Eigen::VectorXd &chopped) const
   {
     const Eigen::Index m = n_nodes();
     Eigen::VectorXd free_n, chopped_n, free_t, chopped_t;
@@ -249,11 +202,8 @@ namespace stiction::qp
     chopped << chopped_n, chopped_t;
   }
 
-
-
-  double
-  HalfLinesTimesDiscs::largest_feasible_step(const Eigen::VectorXd &x,
-                                             const Eigen::VectorXd &d) const
+  double HalfLinesTimesDiscs::largest_feasible_step(const Eigen::VectorXd &x,
+                                                    const Eigen::VectorXd &d) const
   {
     const Eigen::Index m = n_nodes();
     return std::min(half_lines_.largest_feasible_step(x.head(m), d.head(m)),

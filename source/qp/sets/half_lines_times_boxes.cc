@@ -14,8 +14,6 @@ namespace stiction::qp
     constexpr double on_bound = 1. - 1e-12;
   } // namespace
 
-
-
   HalfLinesTimesBoxes::HalfLinesTimesBoxes(Eigen::VectorXd half_widths,
                                            const unsigned int n_intervals)
     : FeasibleSet(half_widths.size(), 1 + n_intervals)
@@ -27,10 +25,7 @@ namespace stiction::qp
         throw std::invalid_argument("the half-width of a box must be >= 0");
   }
 
-
-
-  void
-  HalfLinesTimesBoxes::project(Eigen::VectorXd &x) const
+  void HalfLinesTimesBoxes::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
     const Eigen::Index m = n_nodes();
@@ -45,14 +40,9 @@ namespace stiction::qp
       }
   }
 
-
-
-  void
-  HalfLinesTimesBoxes::split(const Eigen::VectorXd &x,
-                             const Eigen::VectorXd &gradient,
-                             const double step,
-                             Eigen::VectorXd &free,
-                             Eigen::VectorXd &chopped) const
+  void HalfLinesTimesBoxes::split(const Eigen::VectorXd &x,
+                                  const Eigen::VectorXd &gradient, const double step,
+                                  Eigen::VectorXd &free, Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
     const Eigen::Index m = n_nodes();
@@ -77,14 +67,11 @@ namespace stiction::qp
       }
   }
 
-
-
-  double
-  HalfLinesTimesBoxes::largest_feasible_step(const Eigen::VectorXd &x,
-                                             const Eigen::VectorXd &d) const
+  double HalfLinesTimesBoxes::largest_feasible_step(const Eigen::VectorXd &x,
+                                                    const Eigen::VectorXd &d) const
   {
     const Eigen::Index m = n_nodes();
-    double alpha = half_lines_.largest_feasible_step(x.head(m), d.head(m));
+    double alpha         = half_lines_.largest_feasible_step(x.head(m), d.head(m));
     for (Eigen::Index k = m; k < size(); ++k)
       if (d(k) != 0.)
         {

@@ -7,8 +7,7 @@
 
 namespace stiction::qp
 {
-  RotatedSquares::RotatedSquares(const unsigned int r,
-                                 Eigen::VectorXd slip_bound)
+  RotatedSquares::RotatedSquares(const unsigned int r, Eigen::VectorXd slip_bound)
     : n_squares_(r)
     , slip_bound_(std::move(slip_bound))
   {
@@ -31,25 +30,16 @@ namespace stiction::qp
                           : quadrant == 1 ? -s
                           : quadrant == 2 ? -c
                                           : s);
-        sine_.push_back(quadrant == 0   ? s
-                        : quadrant == 1 ? c
-                        : quadrant == 2 ? -s
-                                        : -c);
+        sine_.push_back(quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c);
       }
   }
 
-
-
-  Eigen::VectorXd
-  RotatedSquares::half_widths() const
+  Eigen::VectorXd RotatedSquares::half_widths() const
   {
     return factor_ * slip_bound_;
   }
 
-
-
-  Eigen::VectorXd
-  RotatedSquares::to_forces(const Eigen::VectorXd &unknowns) const
+  Eigen::VectorXd RotatedSquares::to_forces(const Eigen::VectorXd &unknowns) const
   {
     eigen_assert(unknowns.size() == n_unknowns());
     const Eigen::Index m   = n_nodes();
@@ -65,10 +55,7 @@ namespace stiction::qp
     return forces;
   }
 
-
-
-  Eigen::VectorXd
-  RotatedSquares::pull_back(const Eigen::VectorXd &gradient) const
+  Eigen::VectorXd RotatedSquares::pull_back(const Eigen::VectorXd &gradient) const
   {
     const Eigen::Index m = n_nodes();
     eigen_assert(gradient.size() == 3 * m);
@@ -83,10 +70,7 @@ namespace stiction::qp
     return result;
   }
 
-
-
-  Eigen::VectorXd
-  RotatedSquares::lift(const Eigen::VectorXd &forces) const
+  Eigen::VectorXd RotatedSquares::lift(const Eigen::VectorXd &forces) const
   {
     const Eigen::Index m = n_nodes();
     eigen_assert(forces.size() == 3 * m);
@@ -100,8 +84,7 @@ namespace stiction::qp
         // point by its parts along the normal and along the edge.
         int edge = 0;
         for (int k = 1; k < 4 * r; ++k)
-          if (cosine_[k] * x1 + sine_[k] * x2 >
-              cosine_[edge] * x1 + sine_[edge] * x2)
+          if (cosine_[k] * x1 + sine_[k] * x2 > cosine_[edge] * x1 + sine_[edge] * x2)
             edge = k;
         const double normal =
           std::min(cosine_[edge] * x1 + sine_[edge] * x2, slip_bound_(i));
@@ -113,11 +96,11 @@ namespace stiction::qp
           for (const int component : {0, 1})
             {
               const int angle = (component * r - j - edge + 8 * r) % (4 * r);
-              unknowns(i + (1 + 2 * j + component) * m) =
-                angle == r                   ? along
-                : angle == 3 * r             ? -along
-                : angle < r || angle > 3 * r ? share
-                                             : -share;
+              unknowns(i + (1 + 2 * j + component) * m) = angle == r       ? along
+                                                          : angle == 3 * r ? -along
+                                                          : angle < r || angle > 3 * r
+                                                            ? share
+                                                            : -share;
             }
       }
     return unknowns;

@@ -6,59 +6,39 @@
 
 namespace stiction::qp
 {
-  SlipBound::SlipBound(Eigen::VectorXd c,
-                       Eigen::VectorXd F,
-                       const bool is_coulomb)
+  SlipBound::SlipBound(Eigen::VectorXd c, Eigen::VectorXd F, const bool is_coulomb)
     : constant_(std::move(c))
     , coefficient_(std::move(F))
     , is_coulomb_(is_coulomb)
   {
   }
 
-
-
-  SlipBound
-  SlipBound::given(Eigen::VectorXd g)
+  SlipBound SlipBound::given(Eigen::VectorXd g)
   {
     const Eigen::Index m = g.size();
     return SlipBound(std::move(g), Eigen::VectorXd::Zero(m), false);
   }
 
-
-
-  SlipBound
-  SlipBound::coulomb(Eigen::VectorXd F)
+  SlipBound SlipBound::coulomb(Eigen::VectorXd F)
   {
     const Eigen::Index m = F.size();
     return SlipBound(Eigen::VectorXd::Zero(m), std::move(F), true);
   }
 
-
-
-  SlipBound
-  SlipBound::mixed(Eigen::VectorXd c, Eigen::VectorXd F)
+  SlipBound SlipBound::mixed(Eigen::VectorXd c, Eigen::VectorXd F)
   {
     return SlipBound(std::move(c), std::move(F), true);
   }
 
-
-
-  Eigen::VectorXd
-  SlipBound::at(const Eigen::VectorXd &lambda) const
+  Eigen::VectorXd SlipBound::at(const Eigen::VectorXd &lambda) const
   {
     if (!is_coulomb_)
       return constant_;
-    return constant_ +
-           coefficient_.cwiseProduct(lambda.head(n_nodes()).cwiseMax(0.));
+    return constant_ + coefficient_.cwiseProduct(lambda.head(n_nodes()).cwiseMax(0.));
   }
 
-
-
-  double
-  natural_residual(const Eigen::VectorXd &x,
-                   const Eigen::VectorXd &gradient,
-                   const SlipBound &slip_bound,
-                   const Scaling &scaling)
+  double natural_residual(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                          const SlipBound &slip_bound, const Scaling &scaling)
   {
     const Eigen::VectorXd bound = slip_bound.at(x);
     if (!x.allFinite() || !bound.allFinite()) // no set has such radii

@@ -17,29 +17,20 @@ namespace stiction::qp
     // digits to and fro.
     constexpr unsigned int max_idle_multiplications = 2000;
 
-
-
     // Asserts that a step does not raise the energy. Empty without assertions.
 #ifdef NDEBUG
     class EnergyWatch
     {
     public:
-      void
-      before_step(const Eigen::VectorXd &, const Eigen::VectorXd &)
-      {
-      }
+      void before_step(const Eigen::VectorXd &, const Eigen::VectorXd &) {}
 
-      void
-      after_step(const Eigen::VectorXd &, const Eigen::VectorXd &, double) const
-      {
-      }
+      void after_step(const Eigen::VectorXd &, const Eigen::VectorXd &, double) const {}
     };
 #else
     class EnergyWatch
     {
     public:
-      void
-      before_step(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient)
+      void before_step(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient)
       {
         x_        = x;
         gradient_ = gradient;
@@ -47,19 +38,16 @@ namespace stiction::qp
 
       // A quadratic function changes by ½ dᵀ(r_old + r_new) along d. A NaN
       // passes: solve() ends with it, in its residual.
-      void
-      after_step(const Eigen::VectorXd &x,
-                 const Eigen::VectorXd &gradient,
-                 const double norm) const
+      void after_step(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                      const double norm) const
       {
         const Eigen::VectorXd d = x - x_;
         const double change     = 0.5 * d.dot(gradient_ + gradient);
         // the rounding of x, of the sum above and of the product with A
-        const double rounding =
-          16. * epsilon *
-          ((x_.cwiseAbs() + x.cwiseAbs())
-             .dot(gradient_.cwiseAbs() + gradient.cwiseAbs()) +
-           static_cast<double>(x.size()) * norm * d.squaredNorm());
+        const double rounding = 16. * epsilon *
+                                ((x_.cwiseAbs() + x.cwiseAbs())
+                                   .dot(gradient_.cwiseAbs() + gradient.cwiseAbs()) +
+                                 static_cast<double>(x.size()) * norm * d.squaredNorm());
         assert(!(change > rounding) && "a step raised the dual energy");
         (void)change;
         (void)rounding;
@@ -71,10 +59,7 @@ namespace stiction::qp
 #endif
   } // namespace
 
-
-
-  ActiveSetMethod::ActiveSetMethod(const SymmetricOperator &A,
-                                   const FeasibleSet &set,
+  ActiveSetMethod::ActiveSetMethod(const SymmetricOperator &A, const FeasibleSet &set,
                                    const double norm)
     : A_(A)
     , set_(set)
@@ -83,22 +68,16 @@ namespace stiction::qp
     eigen_assert(A.size() == set.size());
   }
 
-
-
-  void
-  ActiveSetMethod::set_observer(Observer observer)
+  void ActiveSetMethod::set_observer(Observer observer)
   {
     observer_ = std::move(observer);
   }
 
-
-
-  ActiveSetStatistics
-  ActiveSetMethod::solve(Eigen::VectorXd &x,
-                         Eigen::VectorXd &gradient,
-                         const Scaling &scaling,
-                         const double tolerance,
-                         const unsigned int max_multiplications)
+  ActiveSetStatistics ActiveSetMethod::solve(Eigen::VectorXd &x,
+                                             Eigen::VectorXd &gradient,
+                                             const Scaling &scaling,
+                                             const double tolerance,
+                                             const unsigned int max_multiplications)
   {
     eigen_assert(x.size() == A_.size() && gradient.size() == A_.size());
     const unsigned long multiplications_before = A_.n_multiplications();
@@ -118,8 +97,8 @@ namespace stiction::qp
     unsigned int at_smallest = 0;
     while (true)
       {
-        statistics.multiplications = static_cast<unsigned int>(
-          A_.n_multiplications() - multiplications_before);
+        statistics.multiplications =
+          static_cast<unsigned int>(A_.n_multiplications() - multiplications_before);
         statistics.residual  = set_.natural_residual(x_, gradient_, scaling);
         statistics.converged = statistics.residual <= tolerance;
         if (observer_)
@@ -191,50 +170,35 @@ namespace stiction::qp
     return statistics;
   }
 
-
-
-  void
-  ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)
+  void ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)
   {
     if (!guarded_projected_step(alpha_cg, p_))
       standard_expansion(alpha_feasible);
   }
 
-
-
-  void
-  ActiveSetMethod::standard_expansion(const double alpha_feasible)
+  void ActiveSetMethod::standard_expansion(const double alpha_feasible)
   {
     go_to_boundary(alpha_feasible);
     split();
     fixed_projected_step(free_);
   }
 
-
-
-  void
-  ActiveSetMethod::go_to_boundary(const double alpha_feasible)
+  void ActiveSetMethod::go_to_boundary(const double alpha_feasible)
   {
     x_ -= alpha_feasible * p_;
     gradient_ -= alpha_feasible * Ap_;
     set_.project(x_); // removes rounding only
   }
 
-
-
-  Eigen::VectorXd
-  ActiveSetMethod::step_to_projection(const double step,
-                                      const Eigen::VectorXd &direction) const
+  Eigen::VectorXd ActiveSetMethod::step_to_projection(
+    const double step, const Eigen::VectorXd &direction) const
   {
     Eigen::VectorXd target = x_ - step * direction;
     set_.project(target);
     return target - x_;
   }
 
-
-
-  void
-  ActiveSetMethod::fixed_projected_step(const Eigen::VectorXd &direction)
+  void ActiveSetMethod::fixed_projected_step(const Eigen::VectorXd &direction)
   {
     Eigen::VectorXd d, Ad;
     while (true)
@@ -253,11 +217,8 @@ namespace stiction::qp
     gradient_ += Ad;
   }
 
-
-
-  bool
-  ActiveSetMethod::guarded_projected_step(const double step,
-                                          const Eigen::VectorXd &direction)
+  bool ActiveSetMethod::guarded_projected_step(const double step,
+                                               const Eigen::VectorXd &direction)
   {
     const Eigen::VectorXd d = step_to_projection(step, direction);
     if (d.isZero(0.))
@@ -266,8 +227,7 @@ namespace stiction::qp
     A_.vmult(Ad, d);
     // Near the solution the change drowns in the rounding of dᵀr; a step that
     // raises the energy by no more than that is as good as one that lowers it.
-    const double rounding =
-      4. * epsilon * x_.cwiseAbs().dot(gradient_.cwiseAbs());
+    const double rounding = 4. * epsilon * x_.cwiseAbs().dot(gradient_.cwiseAbs());
     if (!(d.dot(gradient_) + 0.5 * d.dot(Ad) <= rounding))
       return false;
     x_ += d;
@@ -275,18 +235,12 @@ namespace stiction::qp
     return true;
   }
 
-
-
-  void
-  ActiveSetMethod::split()
+  void ActiveSetMethod::split()
   {
     set_.split(x_, gradient_, fixed_step_, free_, chopped_);
   }
 
-
-
-  bool
-  ActiveSetMethod::is_disproportionate(const double gamma) const
+  bool ActiveSetMethod::is_disproportionate(const double gamma) const
   {
     const Eigen::VectorXd reduced_free =
       -step_to_projection(fixed_step_, free_) / fixed_step_;

@@ -22,8 +22,6 @@ namespace stiction::qp
     constexpr double adaptation_threshold = 2.;
   } // namespace
 
-
-
   Admm::Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q)
     : matrix_(matrix)
     , Q_(Q)
@@ -36,10 +34,7 @@ namespace stiction::qp
     pull_ = nodal.replicate(3, 1);
   }
 
-
-
-  void
-  Admm::factorize(const double factor)
+  void Admm::factorize(const double factor)
   {
     factor_                     = factor;
     Eigen::MatrixXd regularized = matrix_;
@@ -48,16 +43,10 @@ namespace stiction::qp
     ++n_factorizations_;
   }
 
-
-
-  AdmmStatistics
-  Admm::solve(Eigen::VectorXd &x,
-              Eigen::VectorXd &gradient,
-              const SlipBound &slip_bound,
-              const Scaling &scaling,
-              const double tolerance,
-              const unsigned int max_iterations,
-              const Observer &observer)
+  AdmmStatistics Admm::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                             const SlipBound &slip_bound, const Scaling &scaling,
+                             const double tolerance, const unsigned int max_iterations,
+                             const Observer &observer)
   {
     const unsigned int factorizations_before = n_factorizations_;
     const auto residual_of_x                 = [&]() {
@@ -135,8 +124,8 @@ namespace stiction::qp
             const double ratio = root.cwiseProduct(x - z).norm() /
                                  root.cwiseProduct(x).norm() * displacement /
                                  root.cwiseProduct(z - z_before).norm();
-            if (std::isfinite(ratio) && (ratio > adaptation_threshold ||
-                                         ratio < 1. / adaptation_threshold))
+            if (std::isfinite(ratio) &&
+                (ratio > adaptation_threshold || ratio < 1. / adaptation_threshold))
               {
                 const double change = std::sqrt(ratio);
                 factorize(factor_ * change);

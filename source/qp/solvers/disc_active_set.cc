@@ -8,10 +8,9 @@
 
 namespace stiction::qp
 {
-  Eigen::VectorXd
-  unbalanced_boundary_residual(const Discs &discs,
-                               const Eigen::VectorXd &x,
-                               const Eigen::VectorXd &gradient)
+  Eigen::VectorXd unbalanced_boundary_residual(const Discs &discs,
+                                               const Eigen::VectorXd &x,
+                                               const Eigen::VectorXd &gradient)
   {
     const Eigen::Index m = discs.n_nodes();
     Eigen::VectorXd v    = Eigen::VectorXd::Zero(2 * m);
@@ -26,48 +25,33 @@ namespace stiction::qp
     return v;
   }
 
-
-
-  double
-  largest_release_step(const Discs &discs,
-                       const Eigen::VectorXd &x,
-                       const Eigen::VectorXd &gradient)
+  double largest_release_step(const Discs &discs, const Eigen::VectorXd &x,
+                              const Eigen::VectorXd &gradient)
   {
     const Eigen::Index m    = discs.n_nodes();
     const Eigen::VectorXd v = unbalanced_boundary_residual(discs, x, gradient);
     double alpha            = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < m; ++i)
       if (v(i) != 0. || v(i + m) != 0.)
-        alpha = std::min(
-          alpha, discs.radii()(i) / std::hypot(gradient(i), gradient(i + m)));
+        alpha =
+          std::min(alpha, discs.radii()(i) / std::hypot(gradient(i), gradient(i + m)));
     return alpha;
   }
 
-
-
-  DiscActiveSet::DiscActiveSet(const SymmetricOperator &A,
-                               const Discs &discs,
-                               const double norm,
-                               const Variant variant)
+  DiscActiveSet::DiscActiveSet(const SymmetricOperator &A, const Discs &discs,
+                               const double norm, const Variant variant)
     : ActiveSetMethod(A, discs, norm)
     , discs_(discs)
     , variant_(variant)
   {
   }
 
-
-
-  void
-  DiscActiveSet::start()
+  void DiscActiveSet::start()
   {
     spectral_step_.reset();
   }
 
-
-
-  bool
-  DiscActiveSet::must_release(const Scaling &scaling,
-                              const double tolerance) const
+  bool DiscActiveSet::must_release(const Scaling &scaling, const double tolerance) const
   {
     if (variant_ >= Variant::with_proportioning)
       return is_disproportionate(1.);
@@ -75,10 +59,7 @@ namespace stiction::qp
     return discs_.natural_residual(x_, free_, scaling) <= 0.5 * tolerance;
   }
 
-
-
-  void
-  DiscActiveSet::release()
+  void DiscActiveSet::release()
   {
     if (variant_ == Variant::spectral &&
         guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
@@ -90,8 +71,7 @@ namespace stiction::qp
         return;
       }
 
-    const Eigen::VectorXd v =
-      unbalanced_boundary_residual(discs_, x_, gradient_);
+    const Eigen::VectorXd v = unbalanced_boundary_residual(discs_, x_, gradient_);
     Eigen::VectorXd Av;
     A_.vmult(Av, v);
     const double curvature = v.dot(Av);
@@ -105,10 +85,7 @@ namespace stiction::qp
     discs_.project(x_); // removes rounding only
   }
 
-
-
-  void
-  DiscActiveSet::expand(const double alpha_cg, const double alpha_feasible)
+  void DiscActiveSet::expand(const double alpha_cg, const double alpha_feasible)
   {
     if (variant_ >= Variant::robust)
       {

@@ -27,37 +27,22 @@ namespace stiction::qp
 
   } // namespace
 
-
-
   // The iterate: x, its gradient and the duals of all nodes, and a direction.
   class InteriorPoint::Path
   {
   public:
-    Path(const Eigen::MatrixXd &Q,
-         const SlipBound &slip_bound,
-         const Scaling &scaling,
-         const VectorXd &x,
-         const VectorXd &gradient);
+    Path(const Eigen::MatrixXd &Q, const SlipBound &slip_bound, const Scaling &scaling,
+         const VectorXd &x, const VectorXd &gradient);
 
     // A predictor step and a corrector; false if it has no length.
-    bool
-    step();
+    bool step();
 
     // The point, and it with forces that are zero where gaps are open and on
     // their circle where there is slip: what it approaches from inside.
-    const VectorXd &
-    point() const
-    {
-      return x_;
-    }
-    VectorXd
-    point_on_boundary() const;
+    const VectorXd &point() const { return x_; }
+    VectorXd point_on_boundary() const;
 
-    const VectorXd &
-    gradient() const
-    {
-      return gradient_;
-    }
+    const VectorXd &gradient() const { return gradient_; }
 
   private:
     // What a node has of forces, or of their duals: an element of the half line
@@ -69,59 +54,46 @@ namespace stiction::qp
     };
 
     // What belongs to a node in a vector of blocks.
-    Vector3d
-    at(const VectorXd &v, const Eigen::Index i) const
+    Vector3d at(const VectorXd &v, const Eigen::Index i) const
     {
       return {v(i), v(i + m_), v(i + 2 * m_)};
     }
 
     // Forces with their bound, and the change of both in the direction.
-    ConePoint
-    force(const Eigen::Index i) const
+    ConePoint force(const Eigen::Index i) const
     {
       return {x_(i),
               {slip_bound_.constant()(i) + slip_bound_.coefficient()(i) * x_(i),
-               x_(i + m_),
-               x_(i + 2 * m_)}};
+               x_(i + m_), x_(i + 2 * m_)}};
     }
-    ConePoint
-    force_change(const Eigen::Index i) const
+    ConePoint force_change(const Eigen::Index i) const
     {
-      return {
-        d_(i),
-        {slip_bound_.coefficient()(i) * d_(i), d_(i + m_), d_(i + 2 * m_)}};
+      return {d_(i), {slip_bound_.coefficient()(i) * d_(i), d_(i + m_), d_(i + 2 * m_)}};
     }
 
-    bool
-    has_friction(const Eigen::Index i) const
+    bool has_friction(const Eigen::Index i) const
     {
-      return slip_bound_.constant()(i) > 0. ||
-             slip_bound_.coefficient()(i) > 0.;
+      return slip_bound_.constant()(i) > 0. || slip_bound_.coefficient()(i) > 0.;
     }
 
     // λ_ν w_ν and (g, λ_t)∘(σ, w_t) of a node.
-    static ConePoint
-    product(const ConePoint &force, const ConePoint &dual)
+    static ConePoint product(const ConePoint &force, const ConePoint &dual)
     {
       return {force.normal * dual.normal, product_with(force.cone) * dual.cone};
     }
 
     // μ after a step of a given length in the direction.
-    double
-    mean_product(double length) const;
+    double mean_product(double length) const;
 
     // LU factors of the Newton matrix.
-    void
-    factorize();
+    void factorize();
 
     // The direction in which all products change by these amounts, up to first
     // order, and w becomes the gradient.
-    void
-    find_direction(const std::vector<ConePoint> &changes);
+    void find_direction(const std::vector<ConePoint> &changes);
 
     // The length at which the direction leaves the cones.
-    double
-    largest_step() const;
+    double largest_step() const;
 
     const Eigen::MatrixXd &Q_;
     const SlipBound &slip_bound_;
@@ -135,12 +107,8 @@ namespace stiction::qp
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   };
 
-
-
-  InteriorPoint::Path::Path(const Eigen::MatrixXd &Q,
-                            const SlipBound &slip_bound,
-                            const Scaling &scaling,
-                            const VectorXd &x,
+  InteriorPoint::Path::Path(const Eigen::MatrixXd &Q, const SlipBound &slip_bound,
+                            const Scaling &scaling, const VectorXd &x,
                             const VectorXd &gradient)
     : Q_(Q)
     , slip_bound_(slip_bound)
@@ -173,10 +141,7 @@ namespace stiction::qp
       }
   }
 
-
-
-  bool
-  InteriorPoint::Path::step()
+  bool InteriorPoint::Path::step()
   {
     factorize();
     const double mu = mean_product(0.);
@@ -213,10 +178,7 @@ namespace stiction::qp
     return true;
   }
 
-
-
-  double
-  InteriorPoint::Path::mean_product(const double length) const
+  double InteriorPoint::Path::mean_product(const double length) const
   {
     double sum = 0., n = 0.;
     for (Eigen::Index i = 0; i < m_; ++i)
@@ -240,10 +202,7 @@ namespace stiction::qp
     return sum / n;
   }
 
-
-
-  void
-  InteriorPoint::Path::factorize()
+  void InteriorPoint::Path::factorize()
   {
     Eigen::MatrixXd A = Q_;
     for (Eigen::Index i = 0; i < m_; ++i)
@@ -260,10 +219,10 @@ namespace stiction::qp
             }
         else
           {
-            Matrix3d follows     = Matrix3d::Identity();
-            follows(0, 0)        = slip_bound_.coefficient()(i);
-            const Matrix3d block = product_with(p.cone).inverse() *
-                                   product_with(duals_[i].cone) * follows;
+            Matrix3d follows = Matrix3d::Identity();
+            follows(0, 0)    = slip_bound_.coefficient()(i);
+            const Matrix3d block =
+              product_with(p.cone).inverse() * product_with(duals_[i].cone) * follows;
             for (int r = 1; r < 3; ++r)
               for (int c = 0; c < 3; ++c)
                 A(k[r], k[c]) += block(r, c);
@@ -273,26 +232,22 @@ namespace stiction::qp
     lu_.compute(unit_.asDiagonal() * A * unit_.asDiagonal());
   }
 
-
-
-  void
-  InteriorPoint::Path::find_direction(const std::vector<ConePoint> &changes)
+  void InteriorPoint::Path::find_direction(const std::vector<ConePoint> &changes)
   {
     VectorXd right_hand_side = VectorXd::Zero(3 * m_);
     for (Eigen::Index i = 0; i < m_; ++i)
       {
-        const ConePoint p = force(i);
-        const Vector3d w  = at(gradient_, i);
-        right_hand_side(i) =
-          changes[i].normal / p.normal - (w(0) - duals_[i].normal);
+        const ConePoint p  = force(i);
+        const Vector3d w   = at(gradient_, i);
+        right_hand_side(i) = changes[i].normal / p.normal - (w(0) - duals_[i].normal);
         if (!has_friction(i))
           continue;
-        const Vector3d t = product_with(p.cone).inverse() * changes[i].cone -
-                           (w - duals_[i].cone);
+        const Vector3d t =
+          product_with(p.cone).inverse() * changes[i].cone - (w - duals_[i].cone);
         right_hand_side(i + m_)     = t(1);
         right_hand_side(i + 2 * m_) = t(2);
       }
-    d_ = unit_.cwiseProduct(lu_.solve(unit_.cwiseProduct(right_hand_side)));
+    d_            = unit_.cwiseProduct(lu_.solve(unit_.cwiseProduct(right_hand_side)));
     Qd_.noalias() = Q_ * d_;
 
     for (Eigen::Index i = 0; i < m_; ++i)
@@ -310,46 +265,34 @@ namespace stiction::qp
       }
   }
 
-
-
-  double
-  InteriorPoint::Path::largest_step() const
+  double InteriorPoint::Path::largest_step() const
   {
     double step = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < m_; ++i)
       {
         const ConePoint p = force(i), dp = force_change(i);
-        step =
-          std::min({step,
-                    step_to_zero(p.normal, dp.normal),
-                    step_to_zero(duals_[i].normal, dual_changes_[i].normal)});
+        step = std::min({step, step_to_zero(p.normal, dp.normal),
+                         step_to_zero(duals_[i].normal, dual_changes_[i].normal)});
         if (has_friction(i))
-          step =
-            std::min({step,
-                      step_to_cone(p.cone, dp.cone),
-                      step_to_cone(duals_[i].cone, dual_changes_[i].cone)});
+          step = std::min({step, step_to_cone(p.cone, dp.cone),
+                           step_to_cone(duals_[i].cone, dual_changes_[i].cone)});
       }
     return step;
   }
 
-
-
-  VectorXd
-  InteriorPoint::Path::point_on_boundary() const
+  VectorXd InteriorPoint::Path::point_on_boundary() const
   {
     VectorXd y = x_;
     for (Eigen::Index i = 0; i < m_; ++i)
-      if (x_(i) / scaling_.force(i) <
-          duals_[i].normal / scaling_.displacement_at(i))
+      if (x_(i) / scaling_.force(i) < duals_[i].normal / scaling_.displacement_at(i))
         y(i) = 0.;
     const VectorXd bound = slip_bound_.at(y);
     for (Eigen::Index i = 0; i < m_; ++i)
       {
         const Vector3d p = force(i).cone;
         const double t   = p.tail<2>().norm();
-        const bool slips =
-          (p(0) - t) / scaling_.force(i) <
-          duals_[i].cone.tail<2>().norm() / scaling_.displacement_at(i);
+        const bool slips = (p(0) - t) / scaling_.force(i) <
+                           duals_[i].cone.tail<2>().norm() / scaling_.displacement_at(i);
         if (t > bound(i) || (slips && t > 0.))
           for (const Eigen::Index k : {i + m_, i + 2 * m_})
             y(k) *= bound(i) / t;
@@ -357,27 +300,18 @@ namespace stiction::qp
     return y;
   }
 
-
-
   InteriorPoint::InteriorPoint(const Eigen::MatrixXd &Q)
     : Q_(Q)
   {
   }
 
-
-
-  InteriorPointStatistics
-  InteriorPoint::solve(VectorXd &x,
-                       VectorXd &gradient,
-                       const SlipBound &slip_bound,
-                       const Scaling &scaling,
-                       const double tolerance,
-                       const unsigned int max_steps,
-                       const Observer &observer) const
+  InteriorPointStatistics InteriorPoint::solve(
+    VectorXd &x, VectorXd &gradient, const SlipBound &slip_bound, const Scaling &scaling,
+    const double tolerance, const unsigned int max_steps, const Observer &observer) const
   {
     InteriorPointStatistics statistics;
-    statistics.residual = natural_residual(x, gradient, slip_bound, scaling);
-    double smallest = std::numeric_limits<double>::infinity(); // of the path
+    statistics.residual       = natural_residual(x, gradient, slip_bound, scaling);
+    double smallest           = std::numeric_limits<double>::infinity(); // of the path
     const auto keep_if_better = [&](const VectorXd &y, const VectorXd &Qy_h) {
       const double residual = natural_residual(y, Qy_h, slip_bound, scaling);
       smallest              = std::min(smallest, residual);

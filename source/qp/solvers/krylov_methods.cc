@@ -7,12 +7,10 @@
 
 namespace stiction::qp
 {
-  KrylovSolution
-  conjugate_gradients(const ProductWithImage &A,
-                      const Eigen::VectorXd &b,
-                      const Preconditioner &preconditioner,
-                      const double reduction,
-                      const unsigned int max_iterations)
+  KrylovSolution conjugate_gradients(const ProductWithImage &A, const Eigen::VectorXd &b,
+                                     const Preconditioner &preconditioner,
+                                     const double reduction,
+                                     const unsigned int max_iterations)
   {
     KrylovSolution solution;
     solution.y = Eigen::VectorXd::Zero(b.size());
@@ -21,8 +19,7 @@ namespace stiction::qp
     Eigen::VectorXd r = b, z = preconditioner(r), p = z, Ap, image;
     double rz          = r.dot(z);
     const double first = rz;
-    while (rz > reduction * reduction * first &&
-           solution.iterations < max_iterations)
+    while (rz > reduction * reduction * first && solution.iterations < max_iterations)
       {
         A(p, Ap, image);
         ++solution.iterations;
@@ -44,14 +41,9 @@ namespace stiction::qp
     return solution;
   }
 
-
-
-  KrylovSolution
-  gmres(const ProductWithImage &A,
-        const Eigen::VectorXd &b,
-        const Preconditioner &preconditioner,
-        const double reduction,
-        const unsigned int max_iterations)
+  KrylovSolution gmres(const ProductWithImage &A, const Eigen::VectorXd &b,
+                       const Preconditioner &preconditioner, const double reduction,
+                       const unsigned int max_iterations)
   {
     const double first = b.norm();
 

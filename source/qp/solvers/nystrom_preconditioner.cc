@@ -22,11 +22,7 @@ namespace stiction::qp
     constexpr double least_diagonal = 0.5;
   } // namespace
 
-
-
-  void
-  NystromPreconditioner::add(const Eigen::VectorXd &d,
-                             const Eigen::VectorXd &Qd)
+  void NystromPreconditioner::add(const Eigen::VectorXd &d, const Eigen::VectorXd &Qd)
   {
     const double scale   = 1. / std::sqrt(d.dot(Qd));
     const Eigen::Index k = directions_.cols();
@@ -39,10 +35,7 @@ namespace stiction::qp
     is_current_        = false;
   }
 
-
-
-  void
-  NystromPreconditioner::update_root()
+  void NystromPreconditioner::update_root()
   {
     Eigen::MatrixXd gram = directions_.transpose() * images_;
     gram                 = (0.5 * (gram + gram.transpose())).eval();
@@ -50,17 +43,13 @@ namespace stiction::qp
     const Eigen::VectorXd &values = spectrum.eigenvalues(); // ascending
     const Eigen::Index rank =
       (values.array() > rank_tolerance * values(values.size() - 1)).count();
-    root_ =
-      images_ * (spectrum.eigenvectors().rightCols(rank) *
-                 values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
+    root_       = images_ * (spectrum.eigenvectors().rightCols(rank) *
+                       values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
     is_current_ = true;
   }
 
-
-
-  void
-  NystromPreconditioner::set_up(const ContactLinearization &step,
-                                const Eigen::VectorXd &nodal_compliance)
+  void NystromPreconditioner::set_up(const ContactLinearization &step,
+                                     const Eigen::VectorXd &nodal_compliance)
   {
     if (!is_current_)
       update_root();
@@ -82,14 +71,11 @@ namespace stiction::qp
       }
 
     capacitance_.compute(Eigen::MatrixXd::Identity(root_.cols(), root_.cols()) +
-                         trial_root_.transpose() *
-                           diagonal_.cwiseInverse().asDiagonal() * test_root_);
+                         trial_root_.transpose() * diagonal_.cwiseInverse().asDiagonal() *
+                           test_root_);
   }
 
-
-
-  Eigen::VectorXd
-  NystromPreconditioner::apply(const Eigen::VectorXd &v) const
+  Eigen::VectorXd NystromPreconditioner::apply(const Eigen::VectorXd &v) const
   {
     Eigen::VectorXd z = v.cwiseQuotient(diagonal_);
     if (root_.cols() > 0)

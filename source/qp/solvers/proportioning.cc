@@ -6,35 +6,24 @@
 
 namespace stiction::qp
 {
-  Proportioning::Proportioning(const SymmetricOperator &A,
-                               const FeasibleSet &set,
-                               const double norm,
-                               const ProportioningOptions &options)
+  Proportioning::Proportioning(const SymmetricOperator &A, const FeasibleSet &set,
+                               const double norm, const ProportioningOptions &options)
     : ActiveSetMethod(A, set, norm)
     , options_(options)
   {
   }
 
-
-
-  void
-  Proportioning::start()
+  void Proportioning::start()
   {
     spectral_step_.reset();
   }
 
-
-
-  bool
-  Proportioning::must_release(const Scaling &, const double) const
+  bool Proportioning::must_release(const Scaling &, const double) const
   {
     return is_disproportionate(options_.gamma);
   }
 
-
-
-  void
-  Proportioning::release()
+  void Proportioning::release()
   {
     if (options_.spectral_release &&
         guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
@@ -53,17 +42,14 @@ namespace stiction::qp
     const double curvature = d.dot(Ad);
     if (!(curvature > 0.))
       return;
-    const double alpha = std::min(-gradient_.dot(d) / curvature,
-                                  set_.largest_feasible_step(x_, d));
+    const double alpha =
+      std::min(-gradient_.dot(d) / curvature, set_.largest_feasible_step(x_, d));
     x_ += alpha * d;
     gradient_ += alpha * Ad;
     set_.project(x_); // removes rounding only
   }
 
-
-
-  void
-  Proportioning::expand(const double alpha_cg, const double alpha_feasible)
+  void Proportioning::expand(const double alpha_cg, const double alpha_feasible)
   {
     if (options_.projected_cg_expansion)
       ActiveSetMethod::expand(alpha_cg, alpha_feasible);

@@ -35,39 +35,32 @@ namespace stiction::qp
     constexpr unsigned int max_idle_steps = 15;
 
     // d = d0 + Z y by LU factors of the reduced matrix.
-    Eigen::VectorXd
-    direct_step(const ContactLinearization &conditions,
-                const Eigen::VectorXd &gradient,
-                const Eigen::MatrixXd &Q)
+    Eigen::VectorXd direct_step(const ContactLinearization &conditions,
+                                const Eigen::VectorXd &gradient, const Eigen::MatrixXd &Q)
     {
       const Eigen::Index n = conditions.n_free();
       Eigen::MatrixXd A(n, n);
       for (Eigen::Index k = 0; k < n; ++k)
         {
-          const Eigen::VectorXd z =
-            conditions.embed(Eigen::VectorXd::Unit(n, k));
-          Eigen::VectorXd Qz = Eigen::VectorXd::Zero(z.size());
+          const Eigen::VectorXd z = conditions.embed(Eigen::VectorXd::Unit(n, k));
+          Eigen::VectorXd Qz      = Eigen::VectorXd::Zero(z.size());
           for (Eigen::Index j = 0; j < z.size(); ++j)
             if (z(j) != 0.)
               Qz += z(j) * Q.col(j);
           A.col(k) = conditions.test(Qz);
         }
       A.diagonal() += conditions.curvature();
-      const Eigen::VectorXd unit =
-        A.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
-      A = unit.asDiagonal() * A * unit.asDiagonal();
+      const Eigen::VectorXd unit = A.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+      A                          = unit.asDiagonal() * A * unit.asDiagonal();
       const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factors(A);
 
-      const Eigen::VectorXd &d0 = conditions.prescribed();
-      const Eigen::VectorXd right_hand_side =
-        -conditions.test(gradient + Q * d0);
+      const Eigen::VectorXd &d0             = conditions.prescribed();
+      const Eigen::VectorXd right_hand_side = -conditions.test(gradient + Q * d0);
       const Eigen::VectorXd y =
         unit.cwiseProduct(factors.solve(unit.cwiseProduct(right_hand_side)));
       return d0 + conditions.embed(y);
     }
   } // namespace
-
-
 
   SemismoothNewton::SemismoothNewton(const SymmetricOperator &Q,
                                      Eigen::VectorXd nodal_compliance,
@@ -81,16 +74,11 @@ namespace stiction::qp
                  Q.size() == 2 * nodal_compliance_.size());
   }
 
-
-
-  NewtonStatistics
-  SemismoothNewton::solve(Eigen::VectorXd &x,
-                          Eigen::VectorXd &gradient,
-                          const SlipBound &slip_bound,
-                          const Scaling &scaling,
-                          const double tolerance,
-                          const unsigned int max_steps,
-                          const Observer &observer)
+  NewtonStatistics SemismoothNewton::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                           const SlipBound &slip_bound,
+                                           const Scaling &scaling, const double tolerance,
+                                           const unsigned int max_steps,
+                                           const Observer &observer)
   {
     const auto residual_of_x = [&]() {
       return natural_residual(x, gradient, slip_bound, scaling);
@@ -137,8 +125,7 @@ namespace stiction::qp
           break;
 
         const Eigen::VectorXd rho = c_ * nodal_compliance_.cwiseInverse();
-        statistics.krylov_iterations +=
-          step(x, gradient, rho, slip_bound, reduction);
+        statistics.krylov_iterations += step(x, gradient, rho, slip_bound, reduction);
         ++statistics.steps;
 
         statistics.residual = residual_of_x();
@@ -150,11 +137,10 @@ namespace stiction::qp
             break;
           }
 
-        history.push_back(
-          ContactLinearization(x, gradient, rho, slip_bound).residual() / c_);
+        history.push_back(ContactLinearization(x, gradient, rho, slip_bound).residual() /
+                          c_);
         if (history.size() > fall_horizon &&
-            history.back() >
-              required_fall * history[history.size() - 1 - fall_horizon])
+            history.back() > required_fall * history[history.size() - 1 - fall_horizon])
           {
             c_ /= 3.;
             ++statistics.reductions;
@@ -188,24 +174,16 @@ namespace stiction::qp
     return statistics;
   }
 
-
-
-  void
-  SemismoothNewton::solve_directly(const Eigen::MatrixXd &Q)
+  void SemismoothNewton::solve_directly(const Eigen::MatrixXd &Q)
   {
     eigen_assert(Q.rows() == Q_.size());
     matrix_ = &Q;
     c_      = first_c;
   }
 
-
-
-  unsigned int
-  SemismoothNewton::step(Eigen::VectorXd &x,
-                         Eigen::VectorXd &gradient,
-                         const Eigen::VectorXd &rho,
-                         const SlipBound &slip_bound,
-                         const double reduction)
+  unsigned int SemismoothNewton::step(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                      const Eigen::VectorXd &rho,
+                                      const SlipBound &slip_bound, const double reduction)
   {
     const ContactLinearization conditions(x, gradient, rho, slip_bound);
     if (matrix_ != nullptr)
@@ -227,21 +205,17 @@ namespace stiction::qp
       Qd.setZero(x.size());
 
     preconditioner_.set_up(conditions, nodal_compliance_);
-    const auto product = [&](const Eigen::VectorXd &v,
-                             Eigen::VectorXd &Av,
+    const auto product = [&](const Eigen::VectorXd &v, Eigen::VectorXd &Av,
                              Eigen::VectorXd &image) {
       const Eigen::VectorXd d = conditions.embed(v);
       Q_.vmult(image, d);
       Av = conditions.test(image) + conditions.curvature().cwiseProduct(v);
       preconditioner_.add(d, image); // for the steps to come
     };
-    const auto solve_linear =
-      slip_bound.is_coulomb() ? gmres : conjugate_gradients;
+    const auto solve_linear       = slip_bound.is_coulomb() ? gmres : conjugate_gradients;
     const KrylovSolution solution = solve_linear(
-      product,
-      -conditions.test(gradient + Qd),
-      [&](const Eigen::VectorXd &v) { return preconditioner_.apply(v); },
-      reduction,
+      product, -conditions.test(gradient + Qd),
+      [&](const Eigen::VectorXd &v) { return preconditioner_.apply(v); }, reduction,
       max_krylov_iterations);
     x += d0 + conditions.embed(solution.y);
     gradient += Qd;

@@ -4,20 +4,15 @@
 
 namespace stiction::qp
 {
-  void
-  SpectralStep::reset()
+  void SpectralStep::reset()
   {
     last_x_.resize(0);
     last_gradient_.resize(0);
     short_steps_.clear();
   }
 
-
-
-  double
-  SpectralStep::next(const Eigen::VectorXd &x,
-                     const Eigen::VectorXd &gradient,
-                     const double least)
+  double SpectralStep::next(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                            const double least)
   {
     // a short step this much shorter than the long one is worth taking
     constexpr double much_shorter = 0.5;
@@ -36,10 +31,9 @@ namespace stiction::qp
             short_steps_.push_back(short_step);
             if (short_steps_.size() > memory)
               short_steps_.pop_front();
-            step =
-              short_step < much_shorter * long_step
-                ? *std::min_element(short_steps_.begin(), short_steps_.end())
-                : long_step;
+            step = short_step < much_shorter * long_step
+                     ? *std::min_element(short_steps_.begin(), short_steps_.end())
+                     : long_step;
           }
       }
     last_x_        = x;

@@ -21,30 +21,19 @@ namespace stiction
   {
   public:
     /// All arguments must outlive the object.
-    BodyVerifier(const LinearElasticity &elasticity,
-              const ContactSurface &surface,
-              StiffnessSolver &solver);
+    BodyVerifier(const LinearElasticity &elasticity, const ContactSurface &surface,
+                 StiffnessSolver &solver);
     ~BodyVerifier() override;
 
-    const ContactConditions &
-    verify(const Eigen::VectorXd &lambda) override;
+    const ContactConditions &verify(const Eigen::VectorXd &lambda) override;
 
     /// The same for a displacement that a method brings along. Collective.
-    const ContactConditions &
-    verify(const LA::Vector &u, const Eigen::VectorXd &lambda);
+    const ContactConditions &verify(const LA::Vector &u, const Eigen::VectorXd &lambda);
 
     /// What the last call of verify() was about. Unit of u: m; hanging nodes
     /// have their displacement.
-    const LA::Vector &
-    displacement() const
-    {
-      return *u_;
-    }
-    Certificate &
-    certificate()
-    {
-      return *certificate_;
-    }
+    const LA::Vector &displacement() const { return *u_; }
+    Certificate &certificate() { return *certificate_; }
 
   private:
     const LinearElasticity &elasticity_;

@@ -59,10 +59,8 @@ namespace stiction
     };
 
     /// Computes all figures but the duality gap. Collective.
-    Certificate(const LinearElasticity &elasticity,
-                const ContactSurface &surface,
-                const LA::Vector &u,
-                const Eigen::VectorXd &lambda);
+    Certificate(const LinearElasticity &elasticity, const ContactSurface &surface,
+                const LA::Vector &u, const Eigen::VectorXd &lambda);
 
     /// Computes the duality gap, a bound on ½‖û − u*‖²_K for the displacement
     /// û, u with its contact components moved by one nodal prox step:
@@ -77,58 +75,30 @@ namespace stiction
     /// what u lacks to be in equilibrium with λ̂. Collective.
     ///
     /// @param u the one given to the constructor.
-    void
-    compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
+    void compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
 
-    const BodyFigures &
-    body_figures() const
-    {
-      return body_figures_;
-    }
+    const BodyFigures &body_figures() const { return body_figures_; }
 
-    std::vector<std::pair<std::string, double>>
-    deciding_figures() const override;
+    std::vector<std::pair<std::string, double>> deciding_figures() const override;
 
-    bool
-    is_solved(double tolerance) const override;
+    bool is_solved(double tolerance) const override;
 
     /// S, N.
-    double
-    force_scale() const
-    {
-      return force_scale_;
-    }
+    double force_scale() const { return force_scale_; }
 
     /// uᵀKu/2 in J.
-    double
-    strain_energy() const
-    {
-      return strain_energy_;
-    }
+    double strain_energy() const { return strain_energy_; }
 
     /// Load times displacement, prescribed displacements included, in J.
-    double
-    load_work() const
-    {
-      return load_work_;
-    }
+    double load_work() const { return load_work_; }
 
     /// The resultant −ΣBᵀλ on the body in N, and its moment about the origin
     /// in Nm.
-    dealii::Tensor<1, 3>
-    force_on_body() const
-    {
-      return force_on_body_;
-    }
-    dealii::Tensor<1, 3>
-    moment_on_body() const
-    {
-      return moment_on_body_;
-    }
+    dealii::Tensor<1, 3> force_on_body() const { return force_on_body_; }
+    dealii::Tensor<1, 3> moment_on_body() const { return moment_on_body_; }
 
   private:
-    void
-    compute_body_figures(const LA::Vector &u);
+    void compute_body_figures(const LA::Vector &u);
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

@@ -55,11 +55,10 @@ namespace stiction
   /// @return the squares η_K², J, by active cells; zero for those of other
   ///   ranks. Throws InputError where a formula has no finite value.
   ///   Collective.
-  dealii::Vector<double>
-  estimate_error(const LinearElasticity &elasticity,
-                 const ContactSurface &surface,
-                 const LA::Vector &u,
-                 const Eigen::VectorXd &lambda);
+  dealii::Vector<double> estimate_error(const LinearElasticity &elasticity,
+                                        const ContactSurface &surface,
+                                        const LA::Vector &u,
+                                        const Eigen::VectorXd &lambda);
 
   /// The estimated error of a whole mesh.
   struct MeshError
@@ -82,12 +81,10 @@ namespace stiction
   ///
   /// Parameters as above. @param all_up_to how many cells are all looked at.
   /// Throws InputError as above. Collective.
-  MeshError
-  estimate_mesh_error(const LinearElasticity &elasticity,
-                      const ContactSurface &surface,
-                      const LA::Vector &u,
-                      const Eigen::VectorXd &lambda,
-                      unsigned long long all_up_to = 16384);
+  MeshError estimate_mesh_error(const LinearElasticity &elasticity,
+                                const ContactSurface &surface, const LA::Vector &u,
+                                const Eigen::VectorXd &lambda,
+                                unsigned long long all_up_to = 16384);
 } // namespace stiction
 
 #endif

@@ -18,10 +18,8 @@ namespace stiction
   /// @param coulomb whether the problem is one of Coulomb friction: a method
   ///   for given friction is then put into successive approximations, and so
   ///   is any other if the file asks for them.
-  std::unique_ptr<DualMethod>
-  create_dual_method(const ContactSolverParameters &parameters,
-                     const DualOperator &Q,
-                     bool coulomb);
+  std::unique_ptr<DualMethod> create_dual_method(
+    const ContactSolverParameters &parameters, const DualOperator &Q, bool coulomb);
 
   /// What to choose where what is in use comes no closer, of what is neither in
   /// use nor refused beside the other entries: "choose 'Contact solver/Method =
@@ -29,10 +27,8 @@ namespace stiction
   ///
   /// @param is_coulomb whether there is Coulomb friction. @param has_body
   ///   whether there is a body, not Q and h alone.
-  std::string
-  advice_on_method(const Parameters &parameters,
-                   bool is_coulomb,
-                   bool has_body);
+  std::string advice_on_method(const Parameters &parameters, bool is_coulomb,
+                               bool has_body);
 } // namespace stiction
 
 #endif

@@ -25,28 +25,22 @@ namespace stiction
   public:
     /// The form chosen in the parameter file: "assembled" (a dense matrix) or
     /// "by solves" (this class). Collective; computes h by one solve.
-    static std::unique_ptr<DualOperator>
-    create(const std::string &form,
-           const LinearElasticity &elasticity,
-           const ContactSurface &surface,
-           StiffnessSolver &solver);
+    static std::unique_ptr<DualOperator> create(const std::string &form,
+                                                const LinearElasticity &elasticity,
+                                                const ContactSurface &surface,
+                                                StiffnessSolver &solver);
 
     /// All arguments must outlive the object. Collective.
-    SchurComplement(const LinearElasticity &elasticity,
-                    const ContactSurface &surface,
+    SchurComplement(const LinearElasticity &elasticity, const ContactSurface &surface,
                     StiffnessSolver &solver);
 
   protected:
     /// Estimated: a node gives way in proportion to the inverse of its own
     /// diagonal entries of K; the factor is that of one product with Q.
-    Eigen::VectorXd
-    compute_nodal_compliance() const override;
+    Eigen::VectorXd compute_nodal_compliance() const override;
 
-    void
-    apply(DualBlock rows,
-          DualBlock columns,
-          Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const override;
+    void apply(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
+               const Eigen::VectorXd &src) const override;
 
   private:
     const LinearElasticity &elasticity_;

@@ -31,70 +31,40 @@ namespace stiction
     /// Throws InputError for a boundary that the mesh does not have or that
     /// stands twice, for entries with neither one value nor one a boundary, and
     /// for values that cannot be read.
-    static std::vector<ContactBoundary>
-    read(const Parameters &parameters, const Body &body);
+    static std::vector<ContactBoundary> read(const Parameters &parameters,
+                                             const Body &body);
 
     ContactBoundary(ContactBoundary &&) noexcept;
     ~ContactBoundary();
 
-    dealii::types::boundary_id
-    id() const
-    {
-      return id_;
-    }
+    dealii::types::boundary_id id() const { return id_; }
 
     /// As the user calls it.
-    const std::string &
-    name() const
-    {
-      return name_;
-    }
+    const std::string &name() const { return name_; }
 
-    FrictionLaw
-    law() const;
+    FrictionLaw law() const;
 
     /// What the entries say of it, for people: "foundation, gap 1e-5, Coulomb
     /// friction, F = 0.3".
-    const std::string &
-    description() const
-    {
-      return description_;
-    }
+    const std::string &description() const { return description_; }
 
     /// How far the obstacle is moved from where it is said to be, m.
-    const dealii::Tensor<1, 3> &
-    displacement() const
-    {
-      return displacement_;
-    }
+    const dealii::Tensor<1, 3> &displacement() const { return displacement_; }
 
     /// The force in N that presses the obstacle on and along which it is free
     /// to move; zero: it is held.
-    const dealii::Tensor<1, 3> &
-    force() const
-    {
-      return force_;
-    }
+    const dealii::Tensor<1, 3> &force() const { return force_; }
 
     /// What it may touch, where the parameter file puts it; nullptr: the
     /// foundation.
-    const Obstacle *
-    obstacle() const
-    {
-      return obstacle_.get();
-    }
+    const Obstacle *obstacle() const { return obstacle_.get(); }
 
     /// The value of 'Initial gap' at a place, by which the obstacle is farther
     /// away than its own surface. Throws InputError if it has none.
-    double
-    initial_gap(const dealii::Point<3> &p) const;
+    double initial_gap(const dealii::Point<3> &p) const;
 
     /// That of the body, m: no obstacle may be deeper in it.
-    double
-    body_size() const
-    {
-      return size_;
-    }
+    double body_size() const { return size_; }
 
     /// Gives a node of this boundary, whose normal is the outward one, its gap
     /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ at its place: the
@@ -105,18 +75,15 @@ namespace stiction
     ///
     /// Throws InputError if ∇ψ = 0, if the obstacle is deeper in the body than
     /// the body is large, and if a node that faces away is inside the obstacle.
-    bool
-    place(ContactNode &node) const;
+    bool place(ContactNode &node) const;
 
     /// Gives a node of this boundary its friction data, see
     /// FrictionData::set().
-    void
-    set_friction(ContactNode &node) const;
+    void set_friction(ContactNode &node) const;
 
     /// How far a place is inside the obstacle along ∇ψ, m; 0 outside and for
     /// the foundation.
-    double
-    penetration(const dealii::Point<3> &p) const;
+    double penetration(const dealii::Point<3> &p) const;
 
   private:
     ContactBoundary();

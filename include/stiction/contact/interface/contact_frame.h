@@ -33,15 +33,10 @@ namespace stiction
     std::array<bool, 3> prescribed{{false, false, false}};
 
     /// Whether some displacement component is prescribed.
-    bool
-    is_held() const
-    {
-      return prescribed[0] || prescribed[1] || prescribed[2];
-    }
+    bool is_held() const { return prescribed[0] || prescribed[1] || prescribed[2]; }
 
     /// (n; t1; t2), orthonormal rows.
-    Eigen::Matrix3d
-    axes() const
+    Eigen::Matrix3d axes() const
     {
       Eigen::Matrix3d R;
       for (unsigned int c = 0; c < 3; ++c)
@@ -54,67 +49,51 @@ namespace stiction
     }
 
     /// (1, s1, s2).
-    Eigen::Vector3d
-    scales() const
-    {
-      return {1., scale[0], scale[1]};
-    }
+    Eigen::Vector3d scales() const { return {1., scale[0], scale[1]}; }
 
     /// (1, 1/s1, 1/s2), 0 where held.
-    Eigen::Vector3d
-    inverse_scales() const
+    Eigen::Vector3d inverse_scales() const
     {
-      return {1.,
-              scale[0] > 0. ? 1. / scale[0] : 0.,
-              scale[1] > 0. ? 1. / scale[1] : 0.};
+      return {1., scale[0] > 0. ? 1. / scale[0] : 0., scale[1] > 0. ? 1. / scale[1] : 0.};
     }
 
     /// w = M u.
-    Eigen::Vector3d
-    displacement_to_local(const Eigen::Vector3d &u) const
+    Eigen::Vector3d displacement_to_local(const Eigen::Vector3d &u) const
     {
       return rotate(u).cwiseProduct(scales());
     }
 
     /// The u in the free directions of the frame with M u = w.
-    Eigen::Vector3d
-    displacement_to_cartesian(const Eigen::Vector3d &w) const
+    Eigen::Vector3d displacement_to_cartesian(const Eigen::Vector3d &w) const
     {
       return rotate_back(w.cwiseProduct(inverse_scales()));
     }
 
     /// The y for a force: Mᵀ y is its part in the free directions.
-    Eigen::Vector3d
-    force_to_local(const Eigen::Vector3d &force) const
+    Eigen::Vector3d force_to_local(const Eigen::Vector3d &force) const
     {
       return rotate(force).cwiseProduct(inverse_scales());
     }
 
     /// Mᵀ y.
-    Eigen::Vector3d
-    force_to_cartesian(const Eigen::Vector3d &y) const
+    Eigen::Vector3d force_to_cartesian(const Eigen::Vector3d &y) const
     {
       return rotate_back(y.cwiseProduct(scales()));
     }
 
   private:
-    Eigen::Vector3d
-    rotate(const Eigen::Vector3d &v) const
+    Eigen::Vector3d rotate(const Eigen::Vector3d &v) const
     {
       const dealii::Tensor<1, 3> x({v(0), v(1), v(2)});
       return {normal * x, tangent1 * x, tangent2 * x};
     }
 
-    Eigen::Vector3d
-    rotate_back(const Eigen::Vector3d &v) const
+    Eigen::Vector3d rotate_back(const Eigen::Vector3d &v) const
     {
-      const dealii::Tensor<1, 3> x =
-        v(0) * normal + v(1) * tangent1 + v(2) * tangent2;
+      const dealii::Tensor<1, 3> x = v(0) * normal + v(1) * tangent1 + v(2) * tangent2;
       return {x[0], x[1], x[2]};
     }
   };
-
-
 
   /// Makes the frame of a unit normal: t1 the normalised tangential part of e_x
   /// (of e_y if |n_x| > 0.9), t2 = t1 × n, no scales.
@@ -125,8 +104,7 @@ namespace stiction
   ///
   /// @return whether it can be in contact: at least 1e-3 of the normal is free.
   ///   If not, the frame is as it was.
-  bool
-  set_tangents(ContactFrame &frame);
+  bool set_tangents(ContactFrame &frame);
 
   /// Gives a frame made by set_tangents() its ellipse of friction with the
   /// semi-axes @p first, @p second along the principal directions: the
@@ -136,11 +114,8 @@ namespace stiction
   ///
   /// @return the radius of the disc that the ellipse becomes; nothing if the
   ///   direction has no tangential part.
-  std::optional<double>
-  set_friction_ellipse(
-    ContactFrame &frame,
-    double first,
-    double second,
+  std::optional<double> set_friction_ellipse(
+    ContactFrame &frame, double first, double second,
     const std::optional<dealii::Tensor<1, 3>> &direction = std::nullopt);
 } // namespace stiction
 

@@ -48,8 +48,6 @@ namespace stiction
     unsigned int boundary = 0;  ///< whose node it is, of boundaries()
   };
 
-
-
   /// The contact nodes with their frames, gaps, areas and friction data, and
   /// the operator B to them: B = (N; T1; T2), with the scales of ContactFrame
   /// for ellipses of friction and directions in which a node is held.
@@ -74,148 +72,86 @@ namespace stiction
     /// itself, has no node that can touch its obstacle, or if what is said of
     /// it (obstacle, gap, displacement, force, coefficient, slip stress) cannot
     /// be read or has a value that is not allowed.
-    ContactSurface(const LinearElasticity &elasticity,
-                   const Parameters &parameters);
+    ContactSurface(const LinearElasticity &elasticity, const Parameters &parameters);
     ~ContactSurface();
 
-    Eigen::Index
-    n_nodes() const
-    {
-      return static_cast<Eigen::Index>(nodes_.size());
-    }
+    Eigen::Index n_nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }
 
-    const std::vector<ContactNode> &
-    nodes() const
-    {
-      return nodes_;
-    }
+    const std::vector<ContactNode> &nodes() const { return nodes_; }
 
     /// The contact boundaries, in the order of the parameter file.
-    const std::vector<ContactBoundary> &
-    boundaries() const
-    {
-      return boundaries_;
-    }
+    const std::vector<ContactBoundary> &boundaries() const { return boundaries_; }
 
     /// Initial gaps d_i in m, length m, with the obstacles where they are now.
-    Eigen::VectorXd
-    gaps() const
-    {
-      return motion_.offset().head(n_nodes());
-    }
+    Eigen::VectorXd gaps() const { return motion_.offset().head(n_nodes()); }
 
     /// What the displacements of the obstacles are to the contact nodes.
-    const ObstacleMotion &
-    motion() const
-    {
-      return motion_;
-    }
+    const ObstacleMotion &motion() const { return motion_; }
 
     /// The forces that press obstacles on, N, in the order of the columns of
     /// motion().directions(): of those boundaries that have one.
-    const Eigen::VectorXd &
-    pressing_forces() const
-    {
-      return pressing_forces_;
-    }
+    const Eigen::VectorXd &pressing_forces() const { return pressing_forces_; }
 
     /// Moves the pressed obstacles to these distances. @return the change of
     /// the offset.
-    Eigen::VectorXd
-    move_obstacles(const Eigen::VectorXd &distances)
+    Eigen::VectorXd move_obstacles(const Eigen::VectorXd &distances)
     {
       return motion_.move_to(distances);
     }
 
     /// How far the obstacle of a contact boundary is from where the parameter
     /// file places it, m.
-    dealii::Tensor<1, 3>
-    obstacle_displacement(dealii::types::boundary_id id) const;
+    dealii::Tensor<1, 3> obstacle_displacement(dealii::types::boundary_id id) const;
 
     /// Nodal areas A_i in m², length m.
-    const Eigen::VectorXd &
-    areas() const
-    {
-      return areas_;
-    }
+    const Eigen::VectorXd &areas() const { return areas_; }
 
     /// |Γc|: the area of all contact boundaries, clamped rims included.
-    double
-    boundary_area() const
-    {
-      return boundary_area_;
-    }
+    double boundary_area() const { return boundary_area_; }
 
     /// Of the cells behind the contact nodes, and of the softest ones.
-    const ContactStiffness &
-    stiffness() const
-    {
-      return stiffness_;
-    }
+    const ContactStiffness &stiffness() const { return stiffness_; }
 
     /// The contact boundary with this id; there must be one.
-    const ContactBoundary &
-    boundary(dealii::types::boundary_id id) const;
+    const ContactBoundary &boundary(dealii::types::boundary_id id) const;
 
     /// Whether a boundary of the mesh is a contact boundary.
-    bool
-    is_contact_boundary(dealii::types::boundary_id id) const;
+    bool is_contact_boundary(dealii::types::boundary_id id) const;
 
     /// Nodes left out because they face away from the obstacle.
-    std::size_t
-    n_facing_away() const
-    {
-      return facing_away_.size();
-    }
+    std::size_t n_facing_away() const { return facing_away_.size(); }
 
     /// How far the displacement u brings a node that faces away from the
     /// obstacle into it, m, which nothing prevents. Collective.
-    double
-    penetration_of_facing_away(const LA::Vector &u) const;
+    double penetration_of_facing_away(const LA::Vector &u) const;
 
     /// The contact node with this unknown as its first, -1 if there is none.
-    Eigen::Index
-    node_of(dealii::types::global_dof_index first_dof) const;
+    Eigen::Index node_of(dealii::types::global_dof_index first_dof) const;
 
     /// From displacements to those of the contact nodes, and forces back.
-    const ContactOperator &
-    B() const
-    {
-      return B_;
-    }
+    const ContactOperator &B() const { return B_; }
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
     /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
-    const qp::SlipBound &
-    slip_bound() const
-    {
-      return slip_bound_;
-    }
+    const qp::SlipBound &slip_bound() const { return slip_bound_; }
 
   private:
-    void
-    collect_nodes(const LinearElasticity &elasticity);
+    void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.
-    void
-    require_nodes(const Parameters &parameters,
-                  const std::string &entry,
-                  const std::string &reason) const;
+    void require_nodes(const Parameters &parameters, const std::string &entry,
+                       const std::string &reason) const;
 
     /// Normals and gaps, and out with the nodes that face away.
-    void
-    place_obstacles();
+    void place_obstacles();
 
-    void
-    evaluate_data();
+    void evaluate_data();
 
     /// Gives the nodes that are left their numbers and makes B.
-    void
-    number_nodes();
+    void number_nodes();
 
     /// Throws InputError if a force presses no node.
-    void
-    displace_obstacles(const Parameters &parameters);
+    void displace_obstacles(const Parameters &parameters);
 
     std::vector<ContactBoundary> boundaries_;
     std::vector<ContactNode> nodes_, facing_away_;

@@ -30,39 +30,28 @@ namespace stiction
     /// @param time the value of t.
     ///
     /// Throws InputError if a formula cannot be read.
-    FrictionData(FrictionLaw law,
-                 const std::string &coefficient,
-                 const std::string &slip_stress,
-                 const std::string &first_direction,
-                 const ParameterFile &source,
-                 double time);
+    FrictionData(FrictionLaw law, const std::string &coefficient,
+                 const std::string &slip_stress, const std::string &first_direction,
+                 const ParameterFile &source, double time);
     ~FrictionData();
 
-    FrictionLaw
-    law() const
-    {
-      return law_;
-    }
+    FrictionLaw law() const { return law_; }
 
     /// Gives a node with its normal frame the coefficient or the slip stress of
     /// the law and, for an ellipse, tangents and scales.
     ///
     /// Throws InputError for values that are not allowed at its place.
-    void
-    set(ContactNode &node) const;
+    void set(ContactNode &node) const;
 
   private:
     /// An entry of one formula or two.
     struct Values
     {
-      Values(const ParameterFile &source,
-             const std::string &entry,
-             const std::string &expression,
-             double time);
+      Values(const ParameterFile &source, const std::string &entry,
+             const std::string &expression, double time);
       ~Values();
 
-      std::array<double, 2>
-      at(const dealii::Point<3, double> &p) const;
+      std::array<double, 2> at(const dealii::Point<3, double> &p) const;
 
       const ParameterFile &source;
       const std::string entry;

@@ -36,11 +36,7 @@ namespace stiction
     ForceControl(Eigen::VectorXd prescribed, Range range);
 
     /// Where the obstacles are to be.
-    const Eigen::VectorXd &
-    distances() const
-    {
-      return distances_;
-    }
+    const Eigen::VectorXd &distances() const { return distances_; }
 
     /// What came out at some distances.
     struct Outcome
@@ -48,7 +44,7 @@ namespace stiction
       Eigen::VectorXd forces;    ///< on the body, N
       Eigen::VectorXd clearance; ///< how far it is to contact, m; 0 in contact
       double force_scale = 1.;   ///< S of the certificate, N
-      std::string reason; ///< if the contact problem was not solved: why not
+      std::string reason;        ///< if the contact problem was not solved: why not
     };
 
     /// Solves the contact problem with the obstacles at distances() to an
@@ -61,46 +57,33 @@ namespace stiction
     /// mesh of the body it goes on from the distances found before.
     ///
     /// @return why that was not reached, and what to change; empty: it was.
-    std::string
-    press(const Solve &solve, double tolerance, double finest_accuracy);
+    std::string press(const Solve &solve, double tolerance, double finest_accuracy);
 
     /// Contact problems that were solved so far, on all meshes.
-    unsigned int
-    n_trials() const
-    {
-      return n_trials_;
-    }
+    unsigned int n_trials() const { return n_trials_; }
 
   private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    void
-    begin_mesh();
+    void begin_mesh();
 
     /// @param noise of the forces, N.
     /// @return why there is no use in going on; empty: the obstacles moved.
-    std::string
-    advance(const Outcome &outcome, double noise);
+    std::string advance(const Outcome &outcome, double noise);
 
-    Eigen::VectorXd
-    place_after(const Outcome &outcome, double noise);
+    Eigen::VectorXd place_after(const Outcome &outcome, double noise);
 
-    Eigen::MatrixXd
-    first_compliance(const Eigen::VectorXd &forces) const;
+    Eigen::MatrixXd first_compliance(const Eigen::VectorXd &forces) const;
 
-    double
-    place_of_one(double force, double noise);
+    double place_of_one(double force, double noise);
 
-    Eigen::VectorXd
-    places_of_several(const Eigen::VectorXd &forces, double noise);
+    Eigen::VectorXd places_of_several(const Eigen::VectorXd &forces, double noise);
 
-    double
-    interpolate() const;
+    double interpolate() const;
 
     /// Of one obstacle alone: notes on which side of the root it is, and keeps
     /// the next distance between both.
-    void
-    stay_within_interval(double error, double noise, double &next);
+    void stay_within_interval(double error, double noise, double &next);
 
     const Eigen::VectorXd prescribed_;
     Range range_; ///< its reach: as far as the search has come
@@ -122,8 +105,7 @@ namespace stiction
       Line(Eigen::VectorXd along, const Eigen::VectorXd &error);
 
       // The next place on it, from the slope at the present one.
-      double
-      next(double slope);
+      double next(double slope);
 
       Eigen::VectorXd direction;
       double slope_at_start = 0.; // error · direction, < 0
@@ -139,12 +121,9 @@ namespace stiction
     unsigned int n_trials_ = 0;
   };
 
-
-
   /// max_j |F_j − P_j|/P_j of forces F and prescribed ones P.
-  double
-  largest_relative_error(const Eigen::VectorXd &forces,
-                         const Eigen::VectorXd &prescribed);
+  double largest_relative_error(const Eigen::VectorXd &forces,
+                                const Eigen::VectorXd &prescribed);
 } // namespace stiction
 
 #endif

@@ -30,15 +30,10 @@ namespace stiction
 
     /// ψ and ∇ψ. The gradient may be zero where it has no direction, as at the
     /// centre of a sphere.
-    virtual Value
-    at(const dealii::Point<3> &p) const = 0;
+    virtual Value at(const dealii::Point<3> &p) const = 0;
 
     /// Its surface, if it is given as triangles; nullptr otherwise.
-    virtual const TriangulatedSurface *
-    triangles() const
-    {
-      return nullptr;
-    }
+    virtual const TriangulatedSurface *triangles() const { return nullptr; }
 
     /// Reads what a user says of an obstacle, 'plane : 0; 0; -1; 0; 0; 1' and
     /// the like; see the help of 'Boundary conditions/Obstacle'. Collective.
@@ -51,12 +46,9 @@ namespace stiction
     /// @return nothing for 'foundation', which is no body in space.
     ///
     /// Throws InputError if the text or the file it names cannot be used.
-    static std::unique_ptr<Obstacle>
-    read(const std::string &text,
-         const std::string &location,
-         double size,
-         double time,
-         MPI_Comm communicator);
+    static std::unique_ptr<Obstacle> read(const std::string &text,
+                                          const std::string &location, double size,
+                                          double time, MPI_Comm communicator);
   };
 } // namespace stiction
 

@@ -23,38 +23,19 @@ namespace stiction
     ObstacleMotion(Eigen::VectorXd offset, Eigen::MatrixXd directions);
 
     /// e, length 3m. Unit: m.
-    const Eigen::VectorXd &
-    offset() const
-    {
-      return offset_;
-    }
+    const Eigen::VectorXd &offset() const { return offset_; }
 
     /// e0, of obstacles that were not moved by a force.
-    Eigen::VectorXd
-    offset_at_start() const
-    {
-      return offset_ - directions_ * distances_;
-    }
+    Eigen::VectorXd offset_at_start() const { return offset_ - directions_ * distances_; }
 
     /// C, 3m × n.
-    const Eigen::MatrixXd &
-    directions() const
-    {
-      return directions_;
-    }
+    const Eigen::MatrixXd &directions() const { return directions_; }
 
     /// δ, length n. Unit: m.
-    const Eigen::VectorXd &
-    distances() const
-    {
-      return distances_;
-    }
+    const Eigen::VectorXd &distances() const { return distances_; }
 
     /// Moves the free obstacles to these distances. @return the change of e.
-    Eigen::VectorXd
-    move_to(const Eigen::VectorXd &distances);
-
-
+    Eigen::VectorXd move_to(const Eigen::VectorXd &distances);
 
   private:
     Eigen::VectorXd offset_;

@@ -24,11 +24,9 @@ namespace stiction
   ///
   /// Throws InputError for a wrong count of numbers, for directions without a
   /// length and for R = 0.
-  std::unique_ptr<Obstacle>
-  make_obstacle_shape(const std::string &name,
-                      const std::string &numbers,
-                      const std::string &location,
-                      double time);
+  std::unique_ptr<Obstacle> make_obstacle_shape(const std::string &name,
+                                                const std::string &numbers,
+                                                const std::string &location, double time);
 } // namespace stiction
 
 #endif

@@ -24,11 +24,9 @@ namespace stiction
     explicit ObstacleSurface(TriangulatedSurface surface);
     ~ObstacleSurface() override;
 
-    Value
-    at(const dealii::Point<3> &p) const override;
+    Value at(const dealii::Point<3> &p) const override;
 
-    const TriangulatedSurface *
-    triangles() const override;
+    const TriangulatedSurface *triangles() const override;
 
   private:
     struct Data;

@@ -17,8 +17,6 @@ namespace stiction
     std::vector<std::array<unsigned int, 3>> triangles;
   };
 
-
-
   /// Reads an STL file, text or binary. The order of the vertices counts, not
   /// the normals in the file; vertices at the same place are one; triangles
   /// without an area are left out.
@@ -28,8 +26,7 @@ namespace stiction
   ///
   /// Throws InputError if the file cannot be read, is no STL file, or has no
   /// triangle with an area.
-  TriangulatedSurface
-  read_stl(const std::string &file, const std::string &description);
+  TriangulatedSurface read_stl(const std::string &file, const std::string &description);
 } // namespace stiction
 
 #endif

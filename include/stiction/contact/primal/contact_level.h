@@ -36,103 +36,57 @@ namespace stiction
   {
   public:
     /// The problem itself. All arguments must outlive the object. Collective.
-    ContactLevel(const LinearElasticity &elasticity,
-                 const ContactSurface &surface);
+    ContactLevel(const LinearElasticity &elasticity, const ContactSurface &surface);
 
     /// The problem on level @p level, @p finer being the one on the next finer
     /// level. Collective.
-    ContactLevel(const ContactLevel &finer,
-                 const LinearElasticity &elasticity,
+    ContactLevel(const ContactLevel &finer, const LinearElasticity &elasticity,
                  const MeshHierarchy &hierarchy,
-                 const DofSubsetHierarchy &trace_hierarchy,
-                 unsigned int level);
+                 const DofSubsetHierarchy &trace_hierarchy, unsigned int level);
     ~ContactLevel();
 
-    Eigen::Index
-    n_nodes() const
-    {
-      return areas_.size();
-    }
+    Eigen::Index n_nodes() const { return areas_.size(); }
 
-    const MeshLevel &
-    mesh() const;
+    const MeshLevel &mesh() const;
 
-    const StiffnessOperator<double> &
-    stiffness() const
-    {
-      return *stiffness_;
-    }
+    const StiffnessOperator<double> &stiffness() const { return *stiffness_; }
 
-    const LA::Vector &
-    load() const
-    {
-      return *load_;
-    }
+    const LA::Vector &load() const { return *load_; }
 
-    const qp::SlipBound &
-    slip_bound() const
-    {
-      return slip_bound_;
-    }
+    const qp::SlipBound &slip_bound() const { return slip_bound_; }
 
-    const Eigen::VectorXd &
-    areas() const
-    {
-      return areas_;
-    }
+    const Eigen::VectorXd &areas() const { return areas_; }
 
     /// E_i√A_i: about the mean diagonal entry of K at a contact node, N/m; less
     /// where a scale of the frame makes it seem more compliant.
-    Eigen::VectorXd
-    nodal_stiffness() const;
+    Eigen::VectorXd nodal_stiffness() const;
 
     /// Gives u its prescribed values, and v zeros in their places.
-    void
-    prescribe(LA::Vector &u) const;
-    void
-    clear_prescribed(LA::Vector &v) const;
+    void prescribe(LA::Vector &u) const;
+    void clear_prescribed(LA::Vector &v) const;
 
     /// The entries of v at the prescribed unknowns this rank owns, and the way
     /// back.
-    std::vector<double>
-    prescribed_entries(const LA::Vector &v) const;
-    void
-    set_prescribed_entries(const std::vector<double> &entries,
-                           LA::Vector &v) const;
-    void
-    add_prescribed_entries(double factor,
-                           const std::vector<double> &entries,
-                           LA::Vector &v) const;
+    std::vector<double> prescribed_entries(const LA::Vector &v) const;
+    void set_prescribed_entries(const std::vector<double> &entries, LA::Vector &v) const;
+    void add_prescribed_entries(double factor, const std::vector<double> &entries,
+                                LA::Vector &v) const;
 
     /// The obstacles, as the nodes of this level see them.
-    const ObstacleMotion &
-    motion() const
-    {
-      return motion_;
-    }
-    void
-    move_obstacles(const Eigen::VectorXd &distances)
-    {
-      motion_.move_to(distances);
-    }
+    const ObstacleMotion &motion() const { return motion_; }
+    void move_obstacles(const Eigen::VectorXd &distances) { motion_.move_to(distances); }
 
     /// From displacements to those of the contact nodes, and forces back.
-    const ContactOperator &
-    B() const
-    {
-      return B_;
-    }
+    const ContactOperator &B() const { return B_; }
 
     /// w = Bu − e with the offset e of motion(). Collective.
-    Eigen::VectorXd
-    penetration_and_slip(const LA::Vector &u) const;
+    Eigen::VectorXd penetration_and_slip(const LA::Vector &u) const;
 
     /// A support given in contact variables: @p projection a diagonal one that
     /// treats both tangents alike, @p spring of forces y for displacements w.
-    NodalConstraint
-    support(Eigen::Index node,
-            const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
-            const Eigen::Matrix3d &spring     = Eigen::Matrix3d::Zero()) const;
+    NodalConstraint support(
+      Eigen::Index node, const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
+      const Eigen::Matrix3d &spring = Eigen::Matrix3d::Zero()) const;
 
     /// The scales of the certificate for a displacement u with R = f − Ku and
     /// λ = BR.
@@ -141,24 +95,19 @@ namespace stiction
       double force = 1.;   ///< S, N
       qp::Scaling scaling; ///< of the contact figures
     };
-    Scales
-    scales(const LA::Vector &u,
-           const LA::Vector &R,
-           const Eigen::VectorXd &lambda) const;
+    Scales scales(const LA::Vector &u, const LA::Vector &R,
+                  const Eigen::VectorXd &lambda) const;
 
     /// Σ ε‖diag(K_jj) u_j‖ over all nodes, ε = 2⁻⁵³: what rounding u alone
     /// changes the forces inside the body by, N. Collective.
-    double
-    rounding_of_forces(const LA::Vector &u) const;
+    double rounding_of_forces(const LA::Vector &u) const;
 
     /// Σ‖v_j‖ over the nodes but contact nodes, of components that are not
     /// prescribed. Collective.
-    double
-    sum_of_norms_inside(const LA::Vector &v) const;
+    double sum_of_norms_inside(const LA::Vector &v) const;
 
   private:
-    void
-    find_inner_nodes();
+    void find_inner_nodes();
 
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
     const StiffnessOperator<double> *stiffness_;

@@ -23,34 +23,27 @@ namespace stiction
     Eigen::VectorXd w;      ///< Bu − e = (penetration; slip), m
 
     /// Sets R, λ and w from u by a product with K. Collective.
-    void
-    update(const ContactLevel &problem);
+    void update(const ContactLevel &problem);
   };
-
-
 
   /// How far a state is from being the solution, in the figures and scales of
   /// the certificate.
   struct ContactResidual
   {
     /// @param slip_bound that of the problem, or another one. Collective.
-    ContactResidual(const ContactLevel &problem,
-                    const ContactState &state,
+    ContactResidual(const ContactLevel &problem, const ContactState &state,
                     const qp::SlipBound &slip_bound);
 
     double force_scale;           ///< S, N
     ContactConditions conditions; ///< with their scales
-    double equilibrium; ///< Σ‖R_j‖/S, contact and fixed nodes left out
+    double equilibrium;           ///< Σ‖R_j‖/S, contact and fixed nodes left out
 
     /// The largest figure that decides.
-    double
-    value() const;
+    double value() const;
 
   private:
-    ContactResidual(const ContactLevel &problem,
-                    const ContactState &state,
-                    const qp::SlipBound &slip_bound,
-                    const ContactLevel::Scales &scales);
+    ContactResidual(const ContactLevel &problem, const ContactState &state,
+                    const qp::SlipBound &slip_bound, const ContactLevel::Scales &scales);
   };
 } // namespace stiction
 

@@ -52,15 +52,12 @@ namespace stiction
     };
 
     /// A step of either method: its Krylov iterations, the residual after it.
-    using Observer =
-      std::function<void(const Statistics &, const ContactResidual &)>;
+    using Observer = std::function<void(const Statistics &, const ContactResidual &)>;
 
     /// @param level the number of the problem's level for the preconditioner.
     ///   All arguments must outlive the object.
-    LevelNewton(const ContactLevel &problem,
-                unsigned int level,
-                StiffnessPreconditioner &preconditioner,
-                const Options &options);
+    LevelNewton(const ContactLevel &problem, unsigned int level,
+                StiffnessPreconditioner &preconditioner, const Options &options);
 
     /// Improves the state until its residual is at most the tolerance.
     /// Collective.
@@ -68,56 +65,36 @@ namespace stiction
     /// @param first_lambda the contact forces by which the first step sorts the
     ///   nodes; those of an interpolated state are not smooth.
     /// @return why it stopped before; empty if it did not.
-    std::string
-    solve(ContactState &state,
-          Eigen::VectorXd first_lambda,
-          double tolerance,
-          unsigned int max_steps,
-          const Observer &observer);
+    std::string solve(ContactState &state, Eigen::VectorXd first_lambda, double tolerance,
+                      unsigned int max_steps, const Observer &observer);
 
-    const Statistics &
-    statistics() const
-    {
-      return statistics_;
-    }
+    const Statistics &statistics() const { return statistics_; }
 
   private:
     /// Enters into the statistics that systems are factorised from now on.
-    void
-    note_factorization();
+    void note_factorization();
 
     /// Whether the body is only moved and touches nothing, so that all forces
     /// are the rounding of K u. @param rounding that of all nodes, N.
-    bool
-    carries_rounding_only(const ContactResidual &residual,
-                          double rounding) const;
+    bool carries_rounding_only(const ContactResidual &residual, double rounding) const;
 
     /// Then there are no contact forces; the verifier has the last word.
-    void
-    drop_contact_forces(ContactState &state) const;
+    void drop_contact_forces(ContactState &state) const;
 
     /// Whether most linear systems take more iterations than they are given.
-    bool
-    has_hard_systems() const;
+    bool has_hard_systems() const;
 
     /// What it says where nothing comes closer to a solution, and what may
     /// help.
-    std::string
-    why_no_closer() const;
+    std::string why_no_closer() const;
 
     /// One Newton step with the present ρ.
-    void
-    step(ContactState &state,
-         const Eigen::VectorXd &lambda,
-         const ContactResidual &residual,
-         double tolerance);
+    void step(ContactState &state, const Eigen::VectorXd &lambda,
+              const ContactResidual &residual, double tolerance);
 
     /// The method of multipliers from this state on.
-    void
-    fall_back(ContactState &state,
-              double residual,
-              double tolerance,
-              unsigned int max_steps);
+    void fall_back(ContactState &state, double residual, double tolerance,
+                   unsigned int max_steps);
 
     const ContactLevel &problem_;
     const unsigned int level_;

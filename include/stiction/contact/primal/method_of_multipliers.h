@@ -40,25 +40,19 @@ namespace stiction
     ///
     /// @param slip_bound g, N, length m, held fixed.
     /// @param tolerance for the figures of the certificate.
-    Effort
-    solve(ContactState &state,
-          const Eigen::VectorXd &slip_bound,
-          double tolerance,
-          unsigned int max_newton_steps);
+    Effort solve(ContactState &state, const Eigen::VectorXd &slip_bound, double tolerance,
+                 unsigned int max_newton_steps);
 
   private:
     /// ∇ψ: the forces that the multipliers and the springs give at w.
-    Eigen::VectorXd
-    forces(const Eigen::VectorXd &w) const;
+    Eigen::VectorXd forces(const Eigen::VectorXd &w) const;
 
     /// The second derivative of ψ as springs at the nodes.
-    PrimalActiveSet
-    linearize(const Eigen::VectorXd &w) const;
+    PrimalActiveSet linearize(const Eigen::VectorXd &w) const;
 
     /// Moves the state back along the step just taken to where the energy is
     /// least. Returns false if the step was no descent.
-    bool
-    search(ContactState &state, const ContactState &before) const;
+    bool search(ContactState &state, const ContactState &before) const;
 
     const ContactLevel &problem_;
     NewtonSystem &system_;

@@ -22,7 +22,6 @@ namespace stiction
   class ForceControl;
   class LinearElasticity;
 
-
   /// Contact with friction for the price of about two elastic solves: the
   /// semismooth Newton method in displacements (PrimalActiveSet), each step
   /// solved inexactly with a multigrid preconditioner (NewtonSystem), on the
@@ -34,10 +33,8 @@ namespace stiction
     /// @param levels_in_use whether to use the levels of the mesh; otherwise
     ///   the preconditioner is algebraic. The arguments must outlive the
     ///   object. Collective.
-    NewtonMultigrid(const LinearElasticity &elasticity,
-                    const ContactSurface &surface,
-                    bool levels_in_use,
-                    const LevelNewton::Options &options = {});
+    NewtonMultigrid(const LinearElasticity &elasticity, const ContactSurface &surface,
+                    bool levels_in_use, const LevelNewton::Options &options = {});
 
     /// Called after every step on any level. If it throws Interrupted, on all
     /// ranks, the iterate of that step is interpolated to the finest level and
@@ -49,60 +46,40 @@ namespace stiction
     ///
     /// @param force_control moves the obstacles until they press with their
     ///   forces, on every level; null: they stay where they are.
-    ContactSolution
-    solve(double tolerance,
-          unsigned int max_steps,
-          const Observer &observer,
-          ForceControl *force_control = nullptr);
+    ContactSolution solve(double tolerance, unsigned int max_steps,
+                          const Observer &observer,
+                          ForceControl *force_control = nullptr);
 
     /// The displacement found, m.
-    const LA::Vector &
-    displacement() const
-    {
-      return state_->u;
-    }
+    const LA::Vector &displacement() const { return state_->u; }
 
     /// From the coarsest level to the mesh itself.
-    const std::vector<LevelNewton::Statistics> &
-    statistics() const
-    {
-      return statistics_;
-    }
+    const std::vector<LevelNewton::Statistics> &statistics() const { return statistics_; }
 
     /// The unknowns of a level.
-    dealii::types::global_dof_index
-    n_dofs(const unsigned int level) const
+    dealii::types::global_dof_index n_dofs(const unsigned int level) const
     {
       return hierarchy_.level(level).n_dofs();
     }
 
     /// The preconditioner without contact, for other systems with K on the
     /// finest level; until the next solve(). Collective.
-    StiffnessPreconditioner &
-    free_preconditioner();
+    StiffnessPreconditioner &free_preconditioner();
 
-    unsigned int
-    finest_level() const
-    {
-      return hierarchy_.n_levels() - 1;
-    }
+    unsigned int finest_level() const { return hierarchy_.n_levels() - 1; }
 
   private:
     /// Solves the problem of a level from the present state.
     ///
     /// @return why it could not be solved; empty: it was.
-    std::string
-    solve_on_level(unsigned int level,
-                   const Eigen::VectorXd &lambda,
-                   double tolerance,
-                   unsigned int max_steps,
-                   const LevelNewton::Observer &observer,
-                   ForceControl *force_control);
+    std::string solve_on_level(unsigned int level, const Eigen::VectorXd &lambda,
+                               double tolerance, unsigned int max_steps,
+                               const LevelNewton::Observer &observer,
+                               ForceControl *force_control);
 
     /// Interpolates the state to this level from the one below. Returns the
     /// interpolated contact forces.
-    Eigen::VectorXd
-    refine(unsigned int level);
+    Eigen::VectorXd refine(unsigned int level);
 
     const LevelNewton::Options options_;
     MeshHierarchy hierarchy_;

@@ -30,8 +30,7 @@ namespace stiction
   public:
     /// @param level the number of the problem's level for the preconditioner.
     ///   All arguments must outlive the object.
-    NewtonSystem(const ContactLevel &problem,
-                 unsigned int level,
+    NewtonSystem(const ContactLevel &problem, unsigned int level,
                  StiffnessPreconditioner &preconditioner);
 
     /// The iterations that solve() takes at most: their directions are kept, 12
@@ -55,26 +54,16 @@ namespace stiction
     ///
     /// @param stop asked after each iteration.
     /// @return the number of iterations.
-    unsigned int
-    solve(ContactState &state,
-          const PrimalActiveSet &linearization,
-          const std::function<bool(const Progress &)> &stop);
+    unsigned int solve(ContactState &state, const PrimalActiveSet &linearization,
+                       const std::function<bool(const Progress &)> &stop);
 
     /// How many systems were left at max_directions. After a few of them the
     /// preconditioner is asked to factorise the level; if it does, this is zero
     /// again.
-    unsigned int
-    n_unfinished() const
-    {
-      return n_unfinished_;
-    }
+    unsigned int n_unfinished() const { return n_unfinished_; }
 
     /// Whether that was done.
-    bool
-    is_factorized() const
-    {
-      return is_factorized_;
-    }
+    bool is_factorized() const { return is_factorized_; }
 
   private:
     /// What an iteration adds: A d = v for the direction d, which is known as
@@ -92,21 +81,17 @@ namespace stiction
       std::vector<double> reaction; ///< K d at prescribed unknowns
     };
 
-    Direction &
-    new_direction(unsigned int n);
+    Direction &new_direction(unsigned int n);
 
     /// u += Σ y_j z_j.
-    void
-    add_all(double *u, const Eigen::VectorXd &y, std::size_t size) const;
+    void add_all(double *u, const Eigen::VectorXd &y, std::size_t size) const;
 
-    void
-    set_supports(const PrimalActiveSet &linearization);
+    void set_supports(const PrimalActiveSet &linearization);
 
     /// W y + S w at the contact nodes.
-    Eigen::VectorXd
-    contact_rows(const PrimalActiveSet &linearization,
-                 const Eigen::VectorXd &force,
-                 const Eigen::VectorXd &displacement) const;
+    Eigen::VectorXd contact_rows(const PrimalActiveSet &linearization,
+                                 const Eigen::VectorXd &force,
+                                 const Eigen::VectorXd &displacement) const;
 
     const ContactLevel &problem_;
     const unsigned int level_;

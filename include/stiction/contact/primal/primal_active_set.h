@@ -52,10 +52,8 @@ namespace stiction
 
     /// @param lambda, w length 3m by blocks; N, m.
     /// @param rho length m, > 0, N/m. The solution does not depend on it.
-    PrimalActiveSet(const Eigen::VectorXd &lambda,
-                    const Eigen::VectorXd &w,
-                    const Eigen::VectorXd &rho,
-                    const qp::SlipBound &slip_bound);
+    PrimalActiveSet(const Eigen::VectorXd &lambda, const Eigen::VectorXd &w,
+                    const Eigen::VectorXd &rho, const qp::SlipBound &slip_bound);
 
     std::vector<Node> nodes;
   };

@@ -60,68 +60,50 @@ namespace stiction
     /// No cells yet: add_cell() them and finish(), which takes less memory
     /// than a vector of cells. Throws std::invalid_argument if the instruction
     /// set is not supported.
-    explicit CellStiffness(
-      InstructionSet instruction_set = best_instruction_set());
+    explicit CellStiffness(InstructionSet instruction_set = best_instruction_set());
 
     /// All of these cells. Throws std::invalid_argument as above, and for a
     /// cell like add_cell().
-    explicit CellStiffness(
-      const std::vector<HexahedralCell> &cells,
-      InstructionSet instruction_set = best_instruction_set());
+    explicit CellStiffness(const std::vector<HexahedralCell> &cells,
+                           InstructionSet instruction_set = best_instruction_set());
 
     CellStiffness(CellStiffness &&) noexcept;
-    CellStiffness &
-    operator=(CellStiffness &&) noexcept;
+    CellStiffness &operator=(CellStiffness &&) noexcept;
     ~CellStiffness();
 
     /// Best in an order in which the eight children of a cell follow each
     /// other, as in deal.II's loops. Throws std::invalid_argument for a cell
     /// whose map has a determinant that is not positive at a Gauss point, and
     /// for a node above 1.4·10⁹.
-    void
-    add_cell(const HexahedralCell &cell);
+    void add_cell(const HexahedralCell &cell);
 
     /// To be called once, after the last cell and before any product.
-    void
-    finish();
+    void finish();
 
     /// dst += K src. The arrays must not overlap.
-    void
-    add_product(Number *dst, const Number *src) const;
+    void add_product(Number *dst, const Number *src) const;
 
     /// Adds the 3×3 block of each node on the diagonal of K:
     /// dst[9·node + 3·row + column] += K(3·node + row, 3·node + column).
-    void
-    add_diagonal_blocks(Number *dst) const;
+    void add_diagonal_blocks(Number *dst) const;
 
-    InstructionSet
-    instruction_set() const
-    {
-      return instruction_set_;
-    }
+    InstructionSet instruction_set() const { return instruction_set_; }
 
-    std::size_t
-    n_cells() const
-    {
-      return n_cells_;
-    }
+    std::size_t n_cells() const { return n_cells_; }
 
     /// Cells in patches of eight.
-    std::size_t
-    n_patched_cells() const;
+    std::size_t n_patched_cells() const;
 
     /// Cells that are integrated in every product.
-    std::size_t
-    n_general_cells() const;
+    std::size_t n_general_cells() const;
 
     /// Unit: bytes.
-    std::size_t
-    memory_consumption() const;
+    std::size_t memory_consumption() const;
 
   private:
     // The class of a parallelepiped, nullptr if there are too many.
-    cell_kernel::CongruentCells<Number> *
-    find_class(const HexahedralCell &cell, const cell_kernel::CellMap &map);
+    cell_kernel::CongruentCells<Number> *find_class(const HexahedralCell &cell,
+                                                    const cell_kernel::CellMap &map);
 
     InstructionSet instruction_set_;
     const cell_kernel::Kernels<Number> *kernels_;

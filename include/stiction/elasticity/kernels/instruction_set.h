@@ -14,21 +14,17 @@ namespace stiction
   };
 
   /// All of them, from the narrowest to the widest.
-  constexpr InstructionSet all_instruction_sets[] = {InstructionSet::baseline,
-                                                     InstructionSet::avx2,
-                                                     InstructionSet::avx512};
+  constexpr InstructionSet all_instruction_sets[] = {
+    InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
   /// Whether this build has kernels for it and this CPU can run them.
-  bool
-  is_supported(InstructionSet instruction_set);
+  bool is_supported(InstructionSet instruction_set);
 
   /// The widest one that is supported.
-  InstructionSet
-  best_instruction_set();
+  InstructionSet best_instruction_set();
 
   /// "baseline", "AVX2" or "AVX-512".
-  const char *
-  name(InstructionSet instruction_set);
+  const char *name(InstructionSet instruction_set);
 } // namespace stiction
 
 #endif

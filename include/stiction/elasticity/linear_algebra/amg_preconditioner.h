@@ -23,8 +23,7 @@ namespace stiction
     ~AmgPreconditioner();
 
     /// dst = V-cycle for src. Collective.
-    void
-    vmult(LA::Vector &dst, const LA::Vector &src) const;
+    void vmult(LA::Vector &dst, const LA::Vector &src) const;
 
   private:
     struct Hierarchy;

@@ -11,16 +11,13 @@ namespace stiction
   namespace dense_cholesky
   {
     /// Replaces the matrix by its factor L, A = L Lᵀ.
-    void
-    factorize(double *A, int n);
+    void factorize(double *A, int n);
 
     /// Replaces the factor L by A⁻¹.
-    void
-    invert(double *L, int n);
+    void invert(double *L, int n);
 
     /// Replaces b by A⁻¹ b, given the factor.
-    void
-    solve(const double *L, int n, double *b);
+    void solve(const double *L, int n, double *b);
   } // namespace dense_cholesky
 } // namespace stiction
 

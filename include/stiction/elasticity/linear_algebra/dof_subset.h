@@ -23,31 +23,21 @@ namespace stiction
     /// The three unknowns of each node, by blocks (x; y; z).
     ///
     /// @param first_dofs those for x; y and z follow.
-    static DofSubset
-    of_nodes(const std::vector<dealii::types::global_dof_index> &first_dofs);
+    static DofSubset of_nodes(
+      const std::vector<dealii::types::global_dof_index> &first_dofs);
 
-    Eigen::Index
-    size() const
-    {
-      return static_cast<Eigen::Index>(dofs_.size());
-    }
+    Eigen::Index size() const { return static_cast<Eigen::Index>(dofs_.size()); }
 
-    const std::vector<dealii::types::global_dof_index> &
-    dofs() const
-    {
-      return dofs_;
-    }
+    const std::vector<dealii::types::global_dof_index> &dofs() const { return dofs_; }
 
     /// The entries of u at the unknowns of the list, on every rank. Each has
     /// one owner, so the result is the same to the last bit on all ranks.
     /// Collective.
-    Eigen::VectorXd
-    restriction(const LA::Vector &u) const;
+    Eigen::VectorXd restriction(const LA::Vector &u) const;
 
     /// Adds values to the entries of dst at the unknowns of the list.
     /// Collective.
-    void
-    add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const;
+    void add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const;
 
   private:
     std::vector<dealii::types::global_dof_index> dofs_;

@@ -20,12 +20,10 @@ namespace stiction
     explicit HostVector(const LA::Vector &v);
 
     /// The whole vector on rank 0, an empty one elsewhere. Collective.
-    Eigen::VectorXd
-    gather(const LA::Vector &v) const;
+    Eigen::VectorXd gather(const LA::Vector &v) const;
 
     /// The way back; whole counts on rank 0. Collective.
-    void
-    scatter(const Eigen::VectorXd &whole, LA::Vector &v) const;
+    void scatter(const Eigen::VectorXd &whole, LA::Vector &v) const;
 
   private:
     MPI_Comm communicator_;

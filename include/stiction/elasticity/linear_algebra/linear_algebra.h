@@ -31,8 +31,7 @@ namespace stiction
   {
     template<typename Number>
     using VectorOf =
-      dealii::LinearAlgebra::distributed::Vector<Number,
-                                                 dealii::MemorySpace::Host>;
+      dealii::LinearAlgebra::distributed::Vector<Number, dealii::MemorySpace::Host>;
 
     using Vector       = VectorOf<double>;
     using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;

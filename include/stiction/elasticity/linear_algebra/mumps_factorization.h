@@ -38,33 +38,27 @@ namespace stiction
     /// Throws std::runtime_error with MUMPS' error numbers on all ranks, and
     /// std::bad_alloc if the memory does not suffice.
     MumpsFactorization(
-      const LA::SparseMatrix &matrix,
-      unsigned int dofs_per_node,
+      const LA::SparseMatrix &matrix, unsigned int dofs_per_node,
       const std::vector<dealii::types::global_dof_index> &schur_dofs = {});
     ~MumpsFactorization();
 
     /// S, of which only the lower triangle is set; on rank 0, empty elsewhere.
     /// The caller may overwrite it.
-    Eigen::MatrixXd &
-    schur_complement();
+    Eigen::MatrixXd &schur_complement();
 
     /// Whether this is rank 0.
-    bool
-    is_host() const;
+    bool is_host() const;
 
     /// Without a list C: replaces b by K⁻¹ b. b counts on rank 0. Collective.
-    void
-    solve(Eigen::VectorXd &b);
+    void solve(Eigen::VectorXd &b);
 
     /// Step one of a solve with a list C: b is the right-hand side on rank 0,
     /// condensed is set there. Collective.
-    void
-    condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed);
+    void condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed);
 
     /// Step three, after condense() of the same b: condensed is S⁻¹ of what
     /// condense() gave, b becomes x. Collective.
-    void
-    expand(Eigen::VectorXd &b, Eigen::VectorXd &condensed);
+    void expand(Eigen::VectorXd &b, Eigen::VectorXd &condensed);
 
   private:
     struct Mumps;

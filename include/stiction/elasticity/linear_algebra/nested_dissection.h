@@ -22,13 +22,10 @@ namespace stiction
   /// @param last the list, counted from 1, in the order wanted.
   /// @return on rank 0 the position of each unknown in the order, counted
   ///   from 1 (MUMPS' PERM_IN); empty elsewhere.
-  std::vector<int>
-  nested_dissection(const std::vector<int> &rows,
-                    const std::vector<int> &columns,
-                    int n,
-                    unsigned int dofs_per_node,
-                    const std::vector<int> &last,
-                    MPI_Comm communicator);
+  std::vector<int> nested_dissection(const std::vector<int> &rows,
+                                     const std::vector<int> &columns, int n,
+                                     unsigned int dofs_per_node,
+                                     const std::vector<int> &last, MPI_Comm communicator);
 } // namespace stiction
 
 #endif

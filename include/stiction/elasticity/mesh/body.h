@@ -39,8 +39,7 @@ namespace stiction
     ///
     /// Throws InputError if the geometry cannot be made or its file not read,
     /// see CoarseMesh.
-    Body(const GeometryParameters &geometry,
-         MPI_Comm communicator,
+    Body(const GeometryParameters &geometry, MPI_Comm communicator,
          const std::function<void(double n_cells)> &check_size = {});
 
     /// Cuts cells into eight, and those that p4est's balance wants besides;
@@ -52,75 +51,49 @@ namespace stiction
     ///
     /// @param is_cut one flag for each active cell by its active_cell_index();
     ///   those of cells that this rank does not own are ignored.
-    void
-    refine(const std::vector<bool> &is_cut);
+    void refine(const std::vector<bool> &is_cut);
 
     /// Whether the mesh is uniform and the elements are trilinear: then K is
     /// known cell by cell on all levels, otherwise it is assembled.
-    bool
-    has_geometric_levels() const
-    {
-      return is_uniform_ && fe_.degree == 1;
-    }
+    bool has_geometric_levels() const { return is_uniform_ && fe_.degree == 1; }
 
-    MPI_Comm
-    communicator() const
-    {
-      return triangulation_.get_communicator();
-    }
+    MPI_Comm communicator() const { return triangulation_.get_communicator(); }
 
-    const dealii::parallel::distributed::Triangulation<3> &
-    triangulation() const
+    const dealii::parallel::distributed::Triangulation<3> &triangulation() const
     {
       return triangulation_;
     }
 
-    const dealii::DoFHandler<3> &
-    dof_handler() const
-    {
-      return dof_handler_;
-    }
+    const dealii::DoFHandler<3> &dof_handler() const { return dof_handler_; }
 
     /// The shape of the cells: of the degree of the elements, so that the
     /// nodes inside of edges and faces lie on curved boundaries, too. On a mesh
     /// of second order from a file all vertices and nodes lie in its cells.
-    const dealii::Mapping<3> &
-    mapping() const
-    {
-      return *mapping_;
-    }
+    const dealii::Mapping<3> &mapping() const { return *mapping_; }
 
-    const dealii::IndexSet &
-    locally_owned_dofs() const
+    const dealii::IndexSet &locally_owned_dofs() const
     {
       return dof_handler_.locally_owned_dofs();
     }
 
     /// Owned unknowns and those of neighbouring cells.
-    const dealii::IndexSet &
-    locally_relevant_dofs() const
+    const dealii::IndexSet &locally_relevant_dofs() const
     {
       return locally_relevant_dofs_;
     }
 
     /// C: how the unknowns of hanging nodes follow from others.
-    const dealii::AffineConstraints<double> &
-    hanging_nodes() const
+    const dealii::AffineConstraints<double> &hanging_nodes() const
     {
       return hanging_nodes_;
     }
-    bool
-    is_hanging(const dealii::types::global_dof_index dof) const
+    bool is_hanging(const dealii::types::global_dof_index dof) const
     {
       return hanging_nodes_.is_constrained(dof);
     }
 
     /// Hanging nodes of the whole mesh.
-    dealii::types::global_dof_index
-    n_hanging_nodes() const
-    {
-      return n_hanging_nodes_;
-    }
+    dealii::types::global_dof_index n_hanging_nodes() const { return n_hanging_nodes_; }
 
     /// A mesh node: its unknowns along x, y, z and where it is, in m.
     struct Node
@@ -130,67 +103,40 @@ namespace stiction
     };
 
     /// The nodes whose unknowns this rank owns, in the order of the unknowns.
-    const std::vector<Node> &
-    locally_owned_nodes() const
-    {
-      return nodes_;
-    }
+    const std::vector<Node> &locally_owned_nodes() const { return nodes_; }
 
     /// Nodes of the whole mesh, hanging ones included: a third of the
     /// unknowns.
-    dealii::types::global_dof_index
-    n_nodes() const
-    {
-      return dof_handler_.n_dofs() / 3;
-    }
+    dealii::types::global_dof_index n_nodes() const { return dof_handler_.n_dofs() / 3; }
 
     /// The smallest box around the body, in m.
-    const dealii::BoundingBox<3> &
-    bounding_box() const
-    {
-      return bounding_box_;
-    }
+    const dealii::BoundingBox<3> &bounding_box() const { return bounding_box_; }
 
     /// The boundaries of the mesh, with their names.
-    const MeshNames &
-    boundary_names() const
-    {
-      return boundary_names_;
-    }
+    const MeshNames &boundary_names() const { return boundary_names_; }
 
     /// The materials of the mesh, which are the material ids of its cells,
     /// with their names. Bodies that are not read from a file have the
     /// material 0 without a name.
-    const MeshNames &
-    material_names() const
-    {
-      return material_names_;
-    }
+    const MeshNames &material_names() const { return material_names_; }
 
     /// Gives all cells that came of a coarse cell the material id of the
     /// centre of that coarse cell. Nothing changes if the function throws.
-    void
-    set_material_ids(
-      const std::function<dealii::types::material_id(const dealii::Point<3> &)>
-        &id_at);
+    void set_material_ids(
+      const std::function<dealii::types::material_id(const dealii::Point<3> &)> &id_at);
 
   private:
-    void
-    make_grid(const GeometryParameters &geometry,
-              const std::function<void(double n_cells)> &check_size);
+    void make_grid(const GeometryParameters &geometry,
+                   const std::function<void(double n_cells)> &check_size);
 
     // Gives cells that were refined the shape of the coarse ones.
-    void
-    shape_cells();
+    void shape_cells();
 
-    void
-    find_bounding_box();
+    void find_bounding_box();
 
-    void
-    distribute_dofs();
+    void distribute_dofs();
 
-    void
-    collect_nodes();
+    void collect_nodes();
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;

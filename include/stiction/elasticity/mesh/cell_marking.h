@@ -20,10 +20,8 @@ namespace stiction
   /// @param values ≥ 0, by active cells of this rank; zero for those of other
   ///   ranks, which are not marked.
   /// @param fraction in (0, 1].
-  std::vector<bool>
-  mark_largest_cells(const dealii::Vector<double> &values,
-                     double fraction,
-                     MPI_Comm communicator);
+  std::vector<bool> mark_largest_cells(const dealii::Vector<double> &values,
+                                       double fraction, MPI_Comm communicator);
 } // namespace stiction
 
 #endif

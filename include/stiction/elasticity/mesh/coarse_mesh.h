@@ -26,51 +26,29 @@ namespace stiction
     /// degenerate.
     explicit CoarseMesh(const GeometryParameters &geometry);
 
-    const dealii::Triangulation<3> &
-    triangulation() const
-    {
-      return triangulation_;
-    }
+    const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
 
     /// Of a file with elements of second order, otherwise empty.
-    const QuadraticCells &
-    quadratic_cells() const
-    {
-      return quadratic_cells_;
-    }
+    const QuadraticCells &quadratic_cells() const { return quadratic_cells_; }
 
-    const MeshNames &
-    boundary_names() const
-    {
-      return boundary_names_;
-    }
+    const MeshNames &boundary_names() const { return boundary_names_; }
 
-    const MeshNames &
-    material_names() const
-    {
-      return material_names_;
-    }
+    const MeshNames &material_names() const { return material_names_; }
 
   private:
-    void
-    make_cylinder(double radius, double length);
+    void make_cylinder(double radius, double length);
 
-    void
-    make_half_ball(double radius);
+    void make_half_ball(double radius);
 
-    void
-    generate(const GeometryParameters &geometry);
+    void generate(const GeometryParameters &geometry);
 
-    void
-    set_names(const std::map<std::string, MeshNames::Id> &boundaries,
-              const std::map<std::string, MeshNames::Id> &materials);
+    void set_names(const std::map<std::string, MeshNames::Id> &boundaries,
+                   const std::map<std::string, MeshNames::Id> &materials);
 
     dealii::Triangulation<3> triangulation_;
     QuadraticCells quadratic_cells_;
     MeshNames boundary_names_, material_names_;
   };
-
-
 
   /// Throws InputError naming a cell whose trilinear map has a determinant that
   /// is not positive at its vertices or Gauss points, or whose map of second
@@ -78,10 +56,9 @@ namespace stiction
   /// artificial.
   ///
   /// @param location the beginning of a sentence about the mesh.
-  void
-  require_valid_cells(const dealii::Triangulation<3> &triangulation,
-                      const QuadraticCells &quadratic_cells,
-                      const std::string &location);
+  void require_valid_cells(const dealii::Triangulation<3> &triangulation,
+                           const QuadraticCells &quadratic_cells,
+                           const std::string &location);
 } // namespace stiction
 
 #endif

@@ -11,8 +11,7 @@ namespace stiction
   ///
   /// Throws InputError if the contact boundary does not exist or the formula
   /// cannot be read.
-  void
-  refine_contact_boundary(Body &body, const Parameters &parameters);
+  void refine_contact_boundary(Body &body, const Parameters &parameters);
 } // namespace stiction
 
 #endif

@@ -42,49 +42,38 @@ namespace stiction
     /// must be numbered.
     MeshLevel(const Body &body, unsigned int level);
 
-    MPI_Comm
-    communicator() const;
+    MPI_Comm communicator() const;
 
-    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
-    partitioner() const
+    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner() const
     {
       return partitioner_;
     }
 
-    unsigned int
-    n_owned_nodes() const;
+    unsigned int n_owned_nodes() const;
 
     /// Owned ones and ghosts.
-    unsigned int
-    n_local_nodes() const;
+    unsigned int n_local_nodes() const;
 
     /// The number of unknowns on all ranks.
-    dealii::types::global_dof_index
-    n_dofs() const;
+    dealii::types::global_dof_index n_dofs() const;
 
     /// The local node with this unknown as its first; it must be known here.
-    unsigned int
-    local_node(dealii::types::global_dof_index first_dof) const;
+    unsigned int local_node(dealii::types::global_dof_index first_dof) const;
 
     /// The first unknown of a local node.
-    dealii::types::global_dof_index
-    first_dof(unsigned int local_node) const;
+    dealii::types::global_dof_index first_dof(unsigned int local_node) const;
 
     /// A vector of zeros with room for the ghosts.
     template<typename Number>
-    LA::VectorOf<Number>
-    zero_vector() const;
+    LA::VectorOf<Number> zero_vector() const;
 
     /// Calls back with every cell this rank owns, for trilinear elements alone,
     /// with its material id but without Lamé's numbers, see
     /// Materials::assign().
-    void
-    for_each_cell(
-      const std::function<void(const HexahedralCell &)> &callback) const;
+    void for_each_cell(const std::function<void(const HexahedralCell &)> &callback) const;
 
   private:
-    void
-    make_partitioner();
+    void make_partitioner();
 
     const Body &body_;
     const bool is_active_;

@@ -25,8 +25,7 @@ namespace stiction
   public:
     /// Throws InputError for entries that cannot be read, and for a load on a
     /// boundary that is held in all components.
-    Loads(const Body &body,
-          const PrescribedDisplacement &prescribed,
+    Loads(const Body &body, const PrescribedDisplacement &prescribed,
           const Parameters &parameters);
     ~Loads();
 
@@ -35,28 +34,23 @@ namespace stiction
     /// have. Unit: N. Collective.
     ///
     /// Throws InputError if a formula has no finite value.
-    void
-    assemble(const Materials &materials, LA::Vector &load) const;
+    void assemble(const Materials &materials, LA::Vector &load) const;
 
     /// The traction t − p n on a boundary, whose outward normal is n. Unit: Pa.
-    dealii::Tensor<1, 3>
-    traction(dealii::types::boundary_id boundary,
-             const dealii::Point<3> &x,
-             const dealii::Tensor<1, 3> &normal) const;
+    dealii::Tensor<1, 3> traction(dealii::types::boundary_id boundary,
+                                  const dealii::Point<3> &x,
+                                  const dealii::Tensor<1, 3> &normal) const;
 
     /// What is said to load a boundary, for people: "traction 0; 0; -1e8,
     /// pressure 1e6"; "" if nothing is.
-    std::string
-    description(dealii::types::boundary_id boundary) const;
+    std::string description(dealii::types::boundary_id boundary) const;
 
     /// The same of the inside of the body: "gravity 0; 0; -9.81".
-    std::string
-    description_inside() const;
+    std::string description_inside() const;
 
     /// The force b + ρ g at a place inside the body with this density ρ. Unit:
     /// N/m³.
-    dealii::Tensor<1, 3>
-    inside(double density, const dealii::Point<3> &x) const;
+    dealii::Tensor<1, 3> inside(double density, const dealii::Point<3> &x) const;
 
     /// A boundary's area (m²) and the resultant of its loads (N).
     struct OnBoundary
@@ -66,21 +60,15 @@ namespace stiction
     };
 
     /// Of all boundaries of the mesh. Collective.
-    std::map<dealii::types::boundary_id, OnBoundary>
-    on_boundaries() const;
+    std::map<dealii::types::boundary_id, OnBoundary> on_boundaries() const;
 
   private:
     /// Adds a force at an unknown; what hangs passes it on.
-    void
-    add(dealii::types::global_dof_index dof,
-        double force,
-        LA::Vector &load) const;
+    void add(dealii::types::global_dof_index dof, double force, LA::Vector &load) const;
 
-    void
-    add_boundary_loads(LA::Vector &load) const;
+    void add_boundary_loads(LA::Vector &load) const;
 
-    void
-    add_volume_loads(const Materials &materials, LA::Vector &load) const;
+    void add_volume_loads(const Materials &materials, LA::Vector &load) const;
 
     const Body &body_;
     BoundaryFunctions traction_, pressure_;

@@ -18,8 +18,7 @@ namespace stiction
   {
     /// @param youngs_modulus, poisson_ratio in Pa; from -1 to 0.5 without the
     ///   ends.
-    static Material
-    isotropic(double youngs_modulus, double poisson_ratio);
+    static Material isotropic(double youngs_modulus, double poisson_ratio);
 
     /// With the axes x, y, z.
     ///
@@ -28,12 +27,11 @@ namespace stiction
     ///   compliance has -ν12/E1 in row 1, column 2.
     ///
     /// Throws std::domain_error if the stiffness is not positive definite.
-    static Material
-    orthotropic(const std::array<double, 9> &E1_to_G23);
+    static Material orthotropic(const std::array<double, 9> &E1_to_G23);
 
     /// Of a small strain. Unit: Pa.
-    dealii::SymmetricTensor<2, 3>
-    stress(const dealii::SymmetricTensor<2, 3> &strain) const;
+    dealii::SymmetricTensor<2, 3> stress(
+      const dealii::SymmetricTensor<2, 3> &strain) const;
 
     bool is_isotropic;
 
@@ -51,8 +49,6 @@ namespace stiction
     double density = 0.;
   };
 
-
-
   /// The materials of a body by the material ids of its cells.
   class Materials
   {
@@ -64,41 +60,24 @@ namespace stiction
     Materials(const Body &body, const Parameters &parameters);
 
     /// The material of the cells with this id; there must be some.
-    const Material &
-    of(dealii::types::material_id id) const
-    {
-      return by_id_.at(id);
-    }
+    const Material &of(dealii::types::material_id id) const { return by_id_.at(id); }
 
     /// Gives a cell, whose material id is set, its Lamé numbers, in this unit.
-    void
-    assign(HexahedralCell &cell, double unit = 1.) const;
+    void assign(HexahedralCell &cell, double unit = 1.) const;
 
     /// Whether Lamé's two numbers say all of every cell.
-    bool
-    are_simple() const;
+    bool are_simple() const;
 
     /// Whether ∇·u is to be replaced by its mean over each cell.
-    bool
-    have_mean_dilatation() const
-    {
-      return have_mean_dilatation_;
-    }
+    bool have_mean_dilatation() const { return have_mean_dilatation_; }
 
     /// Whether all cells are made of the same.
-    bool
-    are_one() const
-    {
-      return by_id_.size() == 1;
-    }
+    bool are_one() const { return by_id_.size() == 1; }
 
     /// The extreme ones of all materials in the body, Pa.
-    double
-    smallest_youngs_modulus() const;
-    double
-    largest_youngs_modulus() const;
-    double
-    largest_shear_modulus() const;
+    double smallest_youngs_modulus() const;
+    double largest_youngs_modulus() const;
+    double largest_shear_modulus() const;
 
   private:
     /// Those in the body, and no other.
@@ -106,14 +85,11 @@ namespace stiction
     bool have_mean_dilatation_;
   };
 
-
-
   /// Gives the coarse cells, and all that came of them, the ids that the entry
   /// Material/Material ids says; if it is empty, they keep those they have.
   ///
   /// Throws InputError if the formula cannot be read or gives no id.
-  void
-  assign_material_ids(Body &body, const Parameters &parameters);
+  void assign_material_ids(Body &body, const Parameters &parameters);
 } // namespace stiction
 
 #endif

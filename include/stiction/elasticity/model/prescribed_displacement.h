@@ -28,17 +28,14 @@ namespace stiction
     /// What is prescribed where, for people: "front", "x y z" for what is held
     /// and "top", "x = 1e-3, y = 0" for what is moved, of boundaries by name
     /// and then of points.
-    std::vector<std::pair<std::string, std::string>>
-    description() const;
+    std::vector<std::pair<std::string, std::string>> description() const;
 
     /// The components prescribed on a boundary: "xyz", "x", "".
-    std::string
-    components(dealii::types::boundary_id boundary) const;
+    std::string components(dealii::types::boundary_id boundary) const;
 
     /// Whether all components are prescribed there, so that a load would go
     /// into the support at once.
-    bool
-    holds_completely(dealii::types::boundary_id boundary) const;
+    bool holds_completely(dealii::types::boundary_id boundary) const;
 
     /// Adds the prescribed values to constraints that are not closed. Unknowns
     /// that are constrained already are left alone. Collective.
@@ -46,13 +43,11 @@ namespace stiction
     /// Throws InputError if a formula has no finite value, if two boundaries
     /// prescribe different values at a node they share, or if there is no node
     /// at a prescribed point, or one that is prescribed otherwise or hangs.
-    void
-    add_to(dealii::AffineConstraints<double> &constraints) const;
+    void add_to(dealii::AffineConstraints<double> &constraints) const;
 
     /// Throws InputError, naming the free rigid-body motions, if the
     /// constraints do not hold the body. Collective.
-    void
-    require_support(const dealii::AffineConstraints<double> &constraints) const;
+    void require_support(const dealii::AffineConstraints<double> &constraints) const;
 
     /// The unknowns of own and neighbouring cells that boundaries prescribe,
     /// with the lowest id among those that do. Hanging nodes may be among them.
@@ -60,8 +55,7 @@ namespace stiction
     supporting_boundaries() const;
 
     /// All boundaries with prescribed components.
-    std::set<dealii::types::boundary_id>
-    boundaries() const;
+    std::set<dealii::types::boundary_id> boundaries() const;
 
     /// The node of a prescribed point, whoever owns it.
     struct SupportedNode
@@ -73,8 +67,7 @@ namespace stiction
 
     /// Of all prescribed points, in the order of the parameter file.
     /// Collective. Throws InputError if there is no node at one of them.
-    std::vector<SupportedNode>
-    supported_nodes() const;
+    std::vector<SupportedNode> supported_nodes() const;
 
   private:
     struct PrescribedPoint
@@ -83,11 +76,9 @@ namespace stiction
       BoundaryFunction displacement;
     };
 
-    void
-    add_points_to(dealii::AffineConstraints<double> &constraints) const;
+    void add_points_to(dealii::AffineConstraints<double> &constraints) const;
 
-    SupportedNode
-    node_of(const PrescribedPoint &point) const;
+    SupportedNode node_of(const PrescribedPoint &point) const;
 
     const Body &body_;
     const std::string location_;

@@ -17,19 +17,16 @@ namespace stiction
   /// unknowns in the order of locally_owned_dofs(): three translations, then
   /// rotations about x, y, z through the centre of the bounding box, scaled
   /// by half its diagonal so that all six are of size one.
-  std::vector<std::vector<double>>
-  rigid_body_modes(const Body &body);
+  std::vector<std::vector<double>> rigid_body_modes(const Body &body);
 
   /// The same for any nodes, three entries each.
-  std::vector<std::vector<double>>
-  rigid_body_modes(const Body &body,
-                   const std::vector<dealii::Point<3>> &positions);
+  std::vector<std::vector<double>> rigid_body_modes(
+    const Body &body, const std::vector<dealii::Point<3>> &positions);
 
   /// The rigid-body motions that the constraints leave free, in words; empty
   /// if the body is held. Collective.
-  std::string
-  free_rigid_body_motions(const Body &body,
-                          const dealii::AffineConstraints<double> &constraints);
+  std::string free_rigid_body_motions(
+    const Body &body, const dealii::AffineConstraints<double> &constraints);
 } // namespace stiction
 
 #endif

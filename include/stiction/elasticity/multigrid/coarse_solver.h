@@ -36,53 +36,38 @@ namespace stiction
     /// @param supported_nodes the first unknowns, on this level, of the nodes
     ///   that supports may hold; the same on all ranks.
     /// @param is_direct whether to factorise whatever the size. Collective.
-    CoarseSolver(
-      const LinearElasticity &elasticity,
-      const MeshLevel &level,
-      const LA::Vector &fixed,
-      const std::vector<dealii::types::global_dof_index> &supported_nodes,
-      const NodalSupports &supports,
-      bool is_direct);
+    CoarseSolver(const LinearElasticity &elasticity, const MeshLevel &level,
+                 const LA::Vector &fixed,
+                 const std::vector<dealii::types::global_dof_index> &supported_nodes,
+                 const NodalSupports &supports, bool is_direct);
     ~CoarseSolver();
 
     /// Takes supports for the nodes of the list, the same on all ranks.
     /// Collective.
-    void
-    set_supports(const NodalSupports &supports);
+    void set_supports(const NodalSupports &supports);
 
     /// Whether vmult() solves exactly.
-    bool
-    is_direct() const
-    {
-      return amg_ == nullptr;
-    }
+    bool is_direct() const { return amg_ == nullptr; }
 
     /// An approximation of dst = K⁻¹ src, symmetric; src and dst are zero in
     /// the directions that are held. Collective.
-    void
-    vmult(LA::Vector &dst, const LA::Vector &src) const;
+    void vmult(LA::Vector &dst, const LA::Vector &src) const;
 
   private:
-    void
-    make_pattern();
+    void make_pattern();
 
     /// Calls back with matrices to be added at indices, this rank's share.
-    using Add =
-      std::function<void(const std::vector<dealii::types::global_dof_index> &,
-                         const dealii::FullMatrix<double> &)>;
-    void
-    assemble(const NodalSupports &supports, const Add &add) const;
+    using Add = std::function<void(const std::vector<dealii::types::global_dof_index> &,
+                                   const dealii::FullMatrix<double> &)>;
+    void assemble(const NodalSupports &supports, const Add &add) const;
 
     /// With what the solver goes on from the matrix.
-    void
-    factorize(const LA::SparseMatrix &matrix, const NodalSupports &supports);
+    void factorize(const LA::SparseMatrix &matrix, const NodalSupports &supports);
 
-    void
-    factorize_dense(const NodalSupports &supports);
+    void factorize_dense(const NodalSupports &supports);
 
     /// The rigid-body modes, without the directions that are held.
-    std::vector<std::vector<double>>
-    held_modes(const NodalSupports &supports) const;
+    std::vector<std::vector<double>> held_modes(const NodalSupports &supports) const;
 
     const LinearElasticity &elasticity_;
     const MeshLevel &level_;

@@ -20,28 +20,25 @@ namespace stiction
   public:
     /// @param first_dofs the first unknown of each node of the list on the
     ///   mesh itself. Collective.
-    DofSubsetHierarchy(
-      const MeshHierarchy &hierarchy,
-      const std::vector<dealii::types::global_dof_index> &first_dofs);
+    DofSubsetHierarchy(const MeshHierarchy &hierarchy,
+                       const std::vector<dealii::types::global_dof_index> &first_dofs);
 
     /// The first unknowns of the nodes on a level.
-    const std::vector<dealii::types::global_dof_index> &
-    first_dofs(const unsigned int level) const
+    const std::vector<dealii::types::global_dof_index> &first_dofs(
+      const unsigned int level) const
     {
       return first_dofs_[level];
     }
 
     /// Where in the list of the next finer level the nodes of this one are.
-    const std::vector<Eigen::Index> &
-    on_finer_level(const unsigned int level) const
+    const std::vector<Eigen::Index> &on_finer_level(const unsigned int level) const
     {
       return on_finer_level_[level];
     }
 
     /// The interpolation from the list of level − 1 to that of a level > 0, a
     /// row a fine node; coarse nodes outside of the list are left out.
-    const Eigen::SparseMatrix<double> &
-    prolongation(const unsigned int level) const
+    const Eigen::SparseMatrix<double> &prolongation(const unsigned int level) const
     {
       return prolongation_[level - 1];
     }

@@ -24,41 +24,31 @@ namespace stiction
   public:
     /// @param fine_level the number of the finer level. All arguments must
     ///   outlive the object. Collective.
-    LevelTransfer(const Body &body,
-                  unsigned int fine_level,
-                  const MeshLevel &coarse,
+    LevelTransfer(const Body &body, unsigned int fine_level, const MeshLevel &coarse,
                   const MeshLevel &fine);
 
     /// fine = P coarse. Collective.
     template<typename Number>
-    void
-    prolongate(LA::VectorOf<Number> &fine,
-               const LA::VectorOf<Number> &coarse) const;
+    void prolongate(LA::VectorOf<Number> &fine, const LA::VectorOf<Number> &coarse) const;
 
     /// fine += P coarse. Collective.
     template<typename Number>
-    void
-    prolongate_add(LA::VectorOf<Number> &fine,
-                   const LA::VectorOf<Number> &coarse) const;
+    void prolongate_add(LA::VectorOf<Number> &fine,
+                        const LA::VectorOf<Number> &coarse) const;
 
     /// coarse = Pᵀ fine. Collective.
     template<typename Number>
-    void
-    restrict_to(LA::VectorOf<Number> &coarse,
-                const LA::VectorOf<Number> &fine) const;
+    void restrict_to(LA::VectorOf<Number> &coarse,
+                     const LA::VectorOf<Number> &fine) const;
 
     /// The values of the fine vector at the coarse vertices. Collective.
     template<typename Number>
-    void
-    inject(LA::VectorOf<Number> &coarse,
-           const LA::VectorOf<Number> &fine) const;
+    void inject(LA::VectorOf<Number> &coarse, const LA::VectorOf<Number> &fine) const;
 
     /// Calls back with every fine node this rank interpolates to, its coarse
     /// nodes and their number; each fine node is somebody's. Local numbers.
-    void
-    for_each_row(
-      const std::function<void(unsigned int fine_node,
-                               const unsigned int *coarse_nodes,
+    void for_each_row(
+      const std::function<void(unsigned int fine_node, const unsigned int *coarse_nodes,
                                unsigned int n_coarse_nodes)> &callback) const;
 
   private:

@@ -19,25 +19,20 @@ namespace stiction
     /// @param levels_in_use false: the mesh itself is the only level, whatever
     ///   it was refined from. All arguments must outlive the object.
     ///   Collective.
-    MeshHierarchy(const Body &body,
-                  const MeshLevel &mesh,
-                  bool levels_in_use = true);
+    MeshHierarchy(const Body &body, const MeshLevel &mesh, bool levels_in_use = true);
 
-    unsigned int
-    n_levels() const
+    unsigned int n_levels() const
     {
       return static_cast<unsigned int>(coarser_.size()) + 1;
     }
 
-    const MeshLevel &
-    level(const unsigned int l) const
+    const MeshLevel &level(const unsigned int l) const
     {
       return l < coarser_.size() ? *coarser_[l] : mesh_;
     }
 
     /// The transfer between levels l − 1 and l > 0.
-    const LevelTransfer &
-    transfer(const unsigned int l) const
+    const LevelTransfer &transfer(const unsigned int l) const
     {
       return *transfers_[l - 1];
     }

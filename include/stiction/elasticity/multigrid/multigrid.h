@@ -32,42 +32,32 @@ namespace stiction
   public:
     /// @param supported_nodes the nodes that supports may hold. All arguments
     ///   must outlive the object. Collective.
-    Multigrid(const LinearElasticity &elasticity,
-              const MeshHierarchy &hierarchy,
+    Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
               const DofSubsetHierarchy &supported_nodes);
     ~Multigrid() override;
 
-    void
-    set_supports(unsigned int level, const NodalSupports &supports) override;
+    void set_supports(unsigned int level, const NodalSupports &supports) override;
 
-    bool
-    is_direct(unsigned int level) const override;
+    bool is_direct(unsigned int level) const override;
 
-    bool
-    factorize(unsigned int level) override;
+    bool factorize(unsigned int level) override;
 
-    double
-    vmult(unsigned int level,
-          LA::VectorOf<float> &dst,
-          const LA::Vector &src) override;
+    double vmult(unsigned int level, LA::VectorOf<float> &dst,
+                 const LA::Vector &src) override;
 
   private:
     class Level;
     struct Coarse;
 
     /// The solver at the end of the cycles of a level.
-    std::unique_ptr<Coarse>
-    make_coarse(unsigned int level,
-                const NodalSupports &supports,
-                bool is_direct) const;
+    std::unique_ptr<Coarse> make_coarse(unsigned int level, const NodalSupports &supports,
+                                        bool is_direct) const;
 
     /// One at the unknowns of a level whose displacement is prescribed.
-    LA::Vector
-    fixed_on(unsigned int level) const;
+    LA::Vector fixed_on(unsigned int level) const;
 
     /// x of the level becomes one V-cycle for b of the level.
-    void
-    cycle(unsigned int level);
+    void cycle(unsigned int level);
 
     /// A power of two near the size of the entries of K, N/m.
     const double unit_;

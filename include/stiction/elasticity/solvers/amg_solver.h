@@ -17,8 +17,7 @@ namespace stiction
     ~AmgSolver() override;
 
   protected:
-    unsigned int
-    do_solve(LA::Vector &dst, const LA::Vector &src) override;
+    unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
     std::unique_ptr<AmgPreconditioner> amg_;

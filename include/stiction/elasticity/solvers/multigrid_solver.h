@@ -15,22 +15,19 @@ namespace stiction
   {
   public:
     /// Sets up the levels. Collective.
-    MultigridSolver(const LinearElasticity &elasticity,
-                    double relative_residual);
+    MultigridSolver(const LinearElasticity &elasticity, double relative_residual);
 
     /// With a preconditioner that exists already, without supports on the
     /// mesh, and outlives the object.
     ///
     /// @param level the number of its last level.
     MultigridSolver(const LinearElasticity &elasticity,
-                    StiffnessPreconditioner &preconditioner,
-                    unsigned int level,
+                    StiffnessPreconditioner &preconditioner, unsigned int level,
                     double relative_residual);
     ~MultigridSolver() override;
 
   protected:
-    unsigned int
-    do_solve(LA::Vector &dst, const LA::Vector &src) override;
+    unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
     struct Levels;

@@ -19,12 +19,10 @@ namespace stiction
     explicit MumpsSolver(const LinearElasticity &elasticity);
     ~MumpsSolver() override;
 
-    Eigen::MatrixXd
-    compliance(const DofSubset &trace) override;
+    Eigen::MatrixXd compliance(const DofSubset &trace) override;
 
   protected:
-    unsigned int
-    do_solve(LA::Vector &dst, const LA::Vector &src) override;
+    unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;
 
   private:
     std::unique_ptr<MumpsFactorization> factorization_;

@@ -25,43 +25,31 @@ namespace stiction
     /// @param relative_residual what an iterative solver has to reach,
     ///   ‖b − Kx‖ ≤ relative_residual ‖b‖; a factorisation goes as far as
     ///   rounding lets it.
-    static std::unique_ptr<StiffnessSolver>
-    create(const std::string &type,
-           const LinearElasticity &elasticity,
-           double relative_residual);
+    static std::unique_ptr<StiffnessSolver> create(const std::string &type,
+                                                   const LinearElasticity &elasticity,
+                                                   double relative_residual);
 
     /// dst = K⁻¹ src. Collective. Throws std::runtime_error if an iteration
     /// breaks down.
-    void
-    solve(LA::Vector &dst, const LA::Vector &src);
+    void solve(LA::Vector &dst, const LA::Vector &src);
 
     /// The compliance of a list of unknowns: the block of K⁻¹ in their rows
     /// and columns, the same on every rank. Unit: m/N. Collective.
     ///
     /// Made by one solve a column unless the solver knows better.
-    virtual Eigen::MatrixXd
-    compliance(const DofSubset &trace);
+    virtual Eigen::MatrixXd compliance(const DofSubset &trace);
 
     /// Number of right-hand sides solved for.
-    unsigned long
-    n_solves() const
-    {
-      return n_solves_;
-    }
+    unsigned long n_solves() const { return n_solves_; }
 
     /// Sum of the iterations of all solves; 0 for a factorisation.
-    unsigned long
-    n_iterations() const
-    {
-      return n_iterations_;
-    }
+    unsigned long n_iterations() const { return n_iterations_; }
 
   protected:
     explicit StiffnessSolver(const LinearElasticity &elasticity);
 
     /// Does the work of solve(); returns the number of iterations.
-    virtual unsigned int
-    do_solve(LA::Vector &dst, const LA::Vector &src) = 0;
+    virtual unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) = 0;
 
     const LinearElasticity &elasticity_;
 

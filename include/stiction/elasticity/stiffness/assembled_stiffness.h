@@ -14,14 +14,14 @@ namespace stiction
   struct CellMaterial;
 
   /// What a cell is made of.
-  using MaterialOfCell = std::function<CellMaterial(
-    const dealii::DoFHandler<3>::active_cell_iterator &)>;
+  using MaterialOfCell =
+    std::function<CellMaterial(const dealii::DoFHandler<3>::active_cell_iterator &)>;
 
   /// K_c = CᵀKC without boundary conditions: the stiffness matrix of any body,
   /// the unknowns of hanging nodes eliminated. Their rows and columns are
   /// empty but for a zero on the diagonal. Unit: N/m. Collective.
-  std::unique_ptr<LA::SparseMatrix>
-  assemble_stiffness(const Body &body, const MaterialOfCell &material);
+  std::unique_ptr<LA::SparseMatrix> assemble_stiffness(const Body &body,
+                                                       const MaterialOfCell &material);
 } // namespace stiction
 
 #endif

@@ -28,24 +28,17 @@ namespace stiction
     /// @param supported_nodes the first unknowns of the nodes that supports may
     ///   hold; the same on all ranks. Collective.
     ConstrainedMatrix(
-      const LA::SparseMatrix &stiffness,
-      const LA::Vector &fixed,
+      const LA::SparseMatrix &stiffness, const LA::Vector &fixed,
       const std::vector<dealii::types::global_dof_index> &supported_nodes);
     ~ConstrainedMatrix();
 
     /// Takes supports for the nodes of the list, the same on all ranks.
-    void
-    set_supports(const NodalSupports &supports);
+    void set_supports(const NodalSupports &supports);
 
-    const LA::SparseMatrix &
-    matrix() const
-    {
-      return *matrix_;
-    }
+    const LA::SparseMatrix &matrix() const { return *matrix_; }
 
     /// Hands the matrix over; the object is of no more use.
-    std::unique_ptr<LA::SparseMatrix>
-    release();
+    std::unique_ptr<LA::SparseMatrix> release();
 
   private:
     /// A node with columns on this rank, and which of its unknowns are fixed.
@@ -55,12 +48,10 @@ namespace stiction
       std::array<bool, 3> is_fixed;
     };
 
-    void
-    find_nodes(const LA::Vector &fixed);
+    void find_nodes(const LA::Vector &fixed);
 
     /// What is free at a node.
-    Eigen::Matrix3d
-    projection(const Node &node, const NodalSupports &supports) const;
+    Eigen::Matrix3d projection(const Node &node, const NodalSupports &supports) const;
 
     const LA::SparseMatrix &stiffness_;
     std::unique_ptr<LA::SparseMatrix> matrix_;

@@ -14,15 +14,12 @@ namespace stiction
   public:
     /// The matrix of a cell; valid until the next call. A cell that is the last
     /// one shifted costs nothing.
-    const dealii::FullMatrix<double> &
-    operator()(const HexahedralCell &cell);
+    const dealii::FullMatrix<double> &operator()(const HexahedralCell &cell);
 
   private:
-    bool
-    is_translation(const HexahedralCell &cell) const;
+    bool is_translation(const HexahedralCell &cell) const;
 
-    void
-    integrate(const HexahedralCell &cell);
+    void integrate(const HexahedralCell &cell);
 
     HexahedralCell last_{};
     bool has_last_ = false;

@@ -35,26 +35,23 @@ namespace stiction
 
     /// The matrix of a cell, in the order of the cell's unknowns; valid until
     /// the next call. A cell that is the last one shifted costs nothing.
-    const dealii::FullMatrix<double> &
-    operator()(const dealii::DoFHandler<3>::active_cell_iterator &cell,
-               const CellMaterial &material);
+    const dealii::FullMatrix<double> &operator()(
+      const dealii::DoFHandler<3>::active_cell_iterator &cell,
+      const CellMaterial &material);
 
   private:
-    std::vector<dealii::Point<3>>
-    places_of_nodes(const dealii::DoFHandler<3>::active_cell_iterator &cell);
+    std::vector<dealii::Point<3>> places_of_nodes(
+      const dealii::DoFHandler<3>::active_cell_iterator &cell);
 
     /// Whether it is the last cell shifted, by its nodes.
-    bool
-    is_translation(const std::vector<dealii::Point<3>> &nodes,
-                   const CellMaterial &material) const;
+    bool is_translation(const std::vector<dealii::Point<3>> &nodes,
+                        const CellMaterial &material) const;
 
-    void
-    integrate(const CellMaterial &material);
+    void integrate(const CellMaterial &material);
 
     /// The rows of B at one quadrature point: the strains εxx, εyy, εzz, 2εyz,
     /// 2εxz, 2εxy of all shape functions.
-    void
-    fill_strains(unsigned int q);
+    void fill_strains(unsigned int q);
 
     std::unique_ptr<dealii::FEValues<3, 3>> values_;
     std::unique_ptr<dealii::FEValues<3, 3>> at_nodes_;

@@ -39,124 +39,83 @@ namespace stiction
     LinearElasticity(const Body &body, const Parameters &parameters);
     ~LinearElasticity();
 
-    const Body &
-    body() const
-    {
-      return body_;
-    }
+    const Body &body() const { return body_; }
 
-    const Materials &
-    materials() const
-    {
-      return *materials_;
-    }
+    const Materials &materials() const { return *materials_; }
 
     /// Whether the displacement of an owned unknown, or one of a neighbouring
     /// cell, is prescribed, and where.
-    bool
-    is_prescribed(const dealii::types::global_dof_index dof) const
+    bool is_prescribed(const dealii::types::global_dof_index dof) const
     {
       return constraints_.is_constrained(dof) && !is_hanging(dof);
     }
-    double
-    prescribed_value(const dealii::types::global_dof_index dof) const
+    double prescribed_value(const dealii::types::global_dof_index dof) const
     {
       return constraints_.get_inhomogeneity(dof);
     }
 
     /// Whether an unknown follows from those of other nodes.
-    bool
-    is_hanging(dealii::types::global_dof_index dof) const;
+    bool is_hanging(dealii::types::global_dof_index dof) const;
 
     /// Gives hanging nodes the displacement that follows from the others.
     /// Collective.
-    void
-    distribute(LA::Vector &u) const;
+    void distribute(LA::Vector &u) const;
 
     /// The prescribed displacements and the hanging nodes.
-    const dealii::AffineConstraints<double> &
-    constraints() const
-    {
-      return constraints_;
-    }
+    const dealii::AffineConstraints<double> &constraints() const { return constraints_; }
 
     /// K with prescribed displacements eliminated symmetrically: positive
     /// definite if the body is held. Unit: N/m. Throws std::logic_error if it
     /// was not assembled.
-    const LA::SparseMatrix &
-    constrained_stiffness() const;
+    const LA::SparseMatrix &constrained_stiffness() const;
 
     /// The diagonal of K; zero at hanging nodes. Collective.
-    LA::Vector
-    stiffness_diagonal() const;
+    LA::Vector stiffness_diagonal() const;
 
     /// The right-hand side that goes with it. Unit: N (m × diagonal entry in
     /// constrained rows).
-    const LA::Vector &
-    constrained_load() const;
+    const LA::Vector &constrained_load() const;
 
     /// The nodal forces of the loads, at constrained unknowns too. Unit:
     /// N.
-    const LA::Vector &
-    load() const;
+    const LA::Vector &load() const;
 
     /// A distributed vector of zeros for displacements or nodal forces.
-    LA::Vector
-    zero_vector() const;
+    LA::Vector zero_vector() const;
 
     /// K u, prescribed displacements being displacements like any. Unit: N.
     /// Collective.
-    LA::Vector
-    internal_force(const LA::Vector &u) const;
+    LA::Vector internal_force(const LA::Vector &u) const;
 
     /// The nodes of the mesh, and K on them.
-    const MeshLevel &
-    mesh() const
-    {
-      return *mesh_;
-    }
-    const StiffnessOperator<double> &
-    stiffness() const
-    {
-      return *stiffness_;
-    }
+    const MeshLevel &mesh() const { return *mesh_; }
+    const StiffnessOperator<double> &stiffness() const { return *stiffness_; }
 
     /// Where the body is held, and what pulls at it.
-    const PrescribedDisplacement &
-    prescribed_displacement() const
+    const PrescribedDisplacement &prescribed_displacement() const
     {
       return *prescribed_displacement_;
     }
-    const Loads &
-    loads() const
-    {
-      return *loads_;
-    }
+    const Loads &loads() const { return *loads_; }
 
     /// Throws InputError, naming the free rigid-body motions, if the
     /// prescribed displacements do not hold the body.
-    void
-    require_support() const;
+    void require_support() const;
 
   private:
-    void
-    make_constraints();
+    void make_constraints();
 
     /// K, cell by cell or assembled.
-    void
-    make_stiffness();
+    void make_stiffness();
 
     /// K with prescribed displacements eliminated.
-    void
-    constrain_stiffness();
+    void constrain_stiffness();
 
     /// That of a simple body.
-    void
-    assemble_simple_stiffness();
+    void assemble_simple_stiffness();
 
     /// The right-hand side with prescribed displacements eliminated.
-    void
-    constrain_load();
+    void constrain_load();
 
     const Body &body_;
     std::unique_ptr<Materials> materials_;

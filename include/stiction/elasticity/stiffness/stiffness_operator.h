@@ -23,8 +23,7 @@ namespace stiction
 
     /// @param unit of the entries of K, in N/m. The level must outlive the
     ///   object.
-    StiffnessOperator(const MeshLevel &level,
-                      const Materials &materials,
+    StiffnessOperator(const MeshLevel &level, const Materials &materials,
                       double unit = 1.);
 
     /// @param matrix K of the mesh itself, in double precision alone. The level
@@ -34,26 +33,16 @@ namespace stiction
     ~StiffnessOperator();
 
     /// The matrix, null if there is none.
-    const LA::SparseMatrix *
-    matrix() const
-    {
-      return matrix_.get();
-    }
+    const LA::SparseMatrix *matrix() const { return matrix_.get(); }
 
-    const MeshLevel &
-    level() const
-    {
-      return level_;
-    }
+    const MeshLevel &level() const { return level_; }
 
     /// dst = K src, both made by the level's zero_vector(). Collective.
-    void
-    vmult(Vector &dst, const Vector &src) const;
+    void vmult(Vector &dst, const Vector &src) const;
 
     /// The 3 × 3 blocks of the owned nodes on the diagonal, by rows: nine
     /// numbers a node; zero at hanging nodes. Collective.
-    std::vector<Number>
-    diagonal_blocks() const;
+    std::vector<Number> diagonal_blocks() const;
 
   private:
     const MeshLevel &level_;

@@ -20,28 +20,23 @@ namespace stiction
     ///
     /// @param supports for the nodes of the list on this level, in its order;
     ///   the same on all ranks.
-    virtual void
-    set_supports(unsigned int level, const NodalSupports &supports) = 0;
+    virtual void set_supports(unsigned int level, const NodalSupports &supports) = 0;
 
     /// Whether vmult() on this level solves exactly.
-    virtual bool
-    is_direct(unsigned int level) const = 0;
+    virtual bool is_direct(unsigned int level) const = 0;
 
     /// Makes it do so from the next supports on, by a factorisation for each
     /// set of them. Collective.
     ///
     /// @return whether that is something new, and the level small enough.
-    virtual bool
-    factorize(unsigned int level) = 0;
+    virtual bool factorize(unsigned int level) = 0;
 
     /// dst times the returned number is the approximate inverse times src, a
     /// symmetric linear map. What src has in held directions is ignored, dst is
     /// zero there. Single precision is enough for a preconditioner, the number
     /// keeps it in its range whatever the units are. Collective.
-    virtual double
-    vmult(unsigned int level,
-          LA::VectorOf<float> &dst,
-          const LA::Vector &src) = 0;
+    virtual double vmult(unsigned int level, LA::VectorOf<float> &dst,
+                         const LA::Vector &src) = 0;
   };
 } // namespace stiction
 

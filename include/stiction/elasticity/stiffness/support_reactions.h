@@ -30,17 +30,12 @@ namespace stiction
     ///
     /// @param u the displacement, hanging nodes following the others.
     /// @param contact_force c, the nodal forces on the body besides the loads.
-    SupportReactions(const LinearElasticity &elasticity,
-                     const LA::Vector &u,
+    SupportReactions(const LinearElasticity &elasticity, const LA::Vector &u,
                      const LA::Vector &contact_force);
     ~SupportReactions();
 
     /// R. Unit: of force.
-    const LA::Vector &
-    nodal() const
-    {
-      return *nodal_;
-    }
+    const LA::Vector &nodal() const { return *nodal_; }
 
     /// A resultant and its moment about the origin.
     struct OnBoundary
@@ -49,8 +44,7 @@ namespace stiction
     };
 
     /// Of all boundaries with prescribed components.
-    const std::map<dealii::types::boundary_id, OnBoundary> &
-    boundaries() const
+    const std::map<dealii::types::boundary_id, OnBoundary> &boundaries() const
     {
       return boundaries_;
     }
@@ -63,11 +57,7 @@ namespace stiction
     };
 
     /// Of the prescribed points, in the order of the parameter file.
-    const std::vector<AtPoint> &
-    points() const
-    {
-      return points_;
-    }
+    const std::vector<AtPoint> &points() const { return points_; }
 
   private:
     std::unique_ptr<LA::Vector> nodal_;

@@ -25,11 +25,9 @@ namespace stiction
   ///
   /// Of Q the lower triangle is read. Throws InputError if the file cannot be
   /// written or there is no contact node.
-  void
-  write_fclib(const std::string &path,
-              const DualProblem &problem,
-              const Eigen::VectorXd &lambda   = {},
-              const Eigen::VectorXd &gradient = {});
+  void write_fclib(const std::string &path, const DualProblem &problem,
+                   const Eigen::VectorXd &lambda   = {},
+                   const Eigen::VectorXd &gradient = {});
 
   /// Reads what write_fclib() or FCLIB itself has written: W as triplets, by
   /// columns or by rows, repeated entries being added. Components are put in
@@ -42,8 +40,7 @@ namespace stiction
   /// positive diagonal.
   ///
   /// @param symmetric_part of any W its symmetric part is taken.
-  DualProblem
-  read_fclib(const std::string &path, bool symmetric_part = false);
+  DualProblem read_fclib(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
 
 #endif

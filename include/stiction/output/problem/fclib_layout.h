@@ -28,8 +28,7 @@ namespace stiction
     constexpr Eigen::Index batch = 1 << 16;
 
     /// FCLIB's unknown k, component k % 3 of node k / 3, in our blocks.
-    inline Eigen::Index
-    in_blocks(const Eigen::Index k, const Eigen::Index n)
+    inline Eigen::Index in_blocks(const Eigen::Index k, const Eigen::Index n)
     {
       return k % 3 * (n / 3) + k / 3;
     }
@@ -44,14 +43,10 @@ namespace stiction
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
       }
 
-      ~Silence()
-      {
-        H5Eset_auto2(H5E_DEFAULT, function_, data_);
-      }
+      ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
 
-      Silence(const Silence &) = delete;
-      Silence &
-      operator=(const Silence &) = delete;
+      Silence(const Silence &)            = delete;
+      Silence &operator=(const Silence &) = delete;
 
     private:
       H5E_auto2_t function_ = nullptr;
@@ -81,16 +76,11 @@ namespace stiction
         other.id_ = -1;
       }
 
-      Handle(const Handle &) = delete;
-      Handle &
-      operator=(const Handle &) = delete;
-      Handle &
-      operator=(Handle &&) = delete;
+      Handle(const Handle &)            = delete;
+      Handle &operator=(const Handle &) = delete;
+      Handle &operator=(Handle &&)      = delete;
 
-      operator hid_t() const
-      {
-        return id_;
-      }
+      operator hid_t() const { return id_; }
 
     private:
       hid_t id_;

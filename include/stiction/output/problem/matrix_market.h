@@ -21,11 +21,9 @@ namespace stiction
   ///
   /// Of Q the lower triangle is read. Throws InputError if a file cannot be
   /// written or there is no contact node.
-  void
-  write_matrix_market(const std::string &directory,
-                      const DualProblem &problem,
-                      const Eigen::VectorXd &lambda   = {},
-                      const Eigen::VectorXd &gradient = {});
+  void write_matrix_market(const std::string &directory, const DualProblem &problem,
+                           const Eigen::VectorXd &lambda   = {},
+                           const Eigen::VectorXd &gradient = {});
 
   /// Reads the files that write_matrix_market() names, from a directory or
   /// from the one where the given file, in the role of Q.mtx, is. Each may be
@@ -39,8 +37,7 @@ namespace stiction
   /// is symmetric to 1e-8 with a positive diagonal.
   ///
   /// @param symmetric_part of any Q its symmetric part is taken.
-  DualProblem
-  read_matrix_market(const std::string &path, bool symmetric_part = false);
+  DualProblem read_matrix_market(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
 
 #endif

@@ -27,21 +27,16 @@ namespace stiction
 
     /// Throws InputError unless the value is allowed. The place, such as
     /// "FILE, line 7", is only made up if it is needed.
-    void
-    require(double value,
-            Allowed allowed,
-            const std::function<std::string()> &place);
+    void require(double value, Allowed allowed,
+                 const std::function<std::string()> &place);
 
     /// The same for all entries of a vector.
-    void
-    require_all(const Eigen::VectorXd &values,
-                Allowed allowed,
-                const std::function<std::string(Eigen::Index)> &place);
+    void require_all(const Eigen::VectorXd &values, Allowed allowed,
+                     const std::function<std::string(Eigen::Index)> &place);
 
     /// Throws InputError if a dense matrix of that order would not fit into
     /// the memory of this machine. Not collective, but needs MPI.
-    void
-    require_memory(double order, const std::string &place);
+    void require_memory(double order, const std::string &place);
 
     /// Rounding of a symmetric matrix, relative to its diagonal.
     constexpr double symmetry = 1e-8;
@@ -55,25 +50,19 @@ namespace stiction
     /// most the constant symmetry.
     ///
     /// @param symmetric_part any such number will do.
-    double
-    make_symmetric(
-      Eigen::MatrixXd &Q,
-      bool symmetric_part,
+    double make_symmetric(
+      Eigen::MatrixXd &Q, bool symmetric_part,
       const std::function<std::string(Eigen::Index, Eigen::Index)> &place);
 
     /// For writers: throws InputError, beginning with @p place, if the problem
     /// has no contact node, which no file format can say, and
     /// std::invalid_argument if the sizes of its parts do not fit. The
     /// solution may be empty.
-    void
-    require_writable(const DualProblem &problem,
-                     const Eigen::VectorXd &lambda,
-                     const Eigen::VectorXd &gradient,
-                     const std::string &place);
+    void require_writable(const DualProblem &problem, const Eigen::VectorXd &lambda,
+                          const Eigen::VectorXd &gradient, const std::string &place);
 
     /// A number for a message.
-    std::string
-    text(double value);
+    std::string text(double value);
   } // namespace problem_check
 } // namespace stiction
 

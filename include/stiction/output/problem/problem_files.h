@@ -19,11 +19,9 @@ namespace stiction
   ///
   /// Throws InputError if a file cannot be written or there is no contact
   /// node.
-  void
-  export_problem(const std::string &directory,
-                 const DualProblem &problem,
-                 const Eigen::VectorXd &lambda   = {},
-                 const Eigen::VectorXd &gradient = {});
+  void export_problem(const std::string &directory, const DualProblem &problem,
+                      const Eigen::VectorXd &lambda   = {},
+                      const Eigen::VectorXd &gradient = {});
 
   /// Reads a discrete problem from a directory with Q.mtx (or else with
   /// problem.hdf5), a Matrix Market file *.mtx in the role of Q.mtx, or an
@@ -34,8 +32,7 @@ namespace stiction
   /// if the files do not make a problem.
   ///
   /// @param symmetric_part of any Q its symmetric part is taken.
-  DualProblem
-  import_problem(const std::string &path, bool symmetric_part = false);
+  DualProblem import_problem(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
 
 #endif

@@ -22,28 +22,20 @@ namespace stiction
     /// @param print whether lines are printed.
     /// @param has_meshes whether the problem is solved on one mesh after the
     ///   other: then a row tells which.
-    ConvergenceHistory(Log &log,
-                       const std::string &step_name,
-                       bool on_levels,
-                       bool print,
+    ConvergenceHistory(Log &log, const std::string &step_name, bool on_levels, bool print,
                        bool has_meshes = false);
 
     /// What follows belongs to the next mesh.
-    void
-    begin_mesh();
+    void begin_mesh();
 
-    void
-    add(const ContactStep &step);
+    void add(const ContactStep &step);
 
     /// Writes the table with ',' between columns.
-    void
-    write(std::ostream &out) const;
+    void write(std::ostream &out) const;
 
   private:
-    void
-    print_header();
-    void
-    print_row(const ContactStep &step);
+    void print_header();
+    void print_row(const ContactStep &step);
 
     Log &log_;
     const bool on_levels_;

@@ -23,23 +23,18 @@ namespace stiction
   /// digits are.
   ///
   /// Throws InputError if the file cannot be written; so does the other.
-  void
-  write_nodal_displacement(const std::string &directory,
-                           const Body &body,
-                           const LA::Vector &u,
-                           const LA::Vector &reaction);
+  void write_nodal_displacement(const std::string &directory, const Body &body,
+                                const LA::Vector &u, const LA::Vector &reaction);
 
   /// Writes contact.csv, a row for each contact node: its place, its normal
   /// towards the obstacle, its area and the id of its boundary, the force on
   /// the body and its normal part (compression positive), the slip bound (a
   /// force), the gap, the slip and the two numbers of its NodeStatus.
   /// Collective.
-  void
-  write_contact_nodes(const std::string &directory,
-                      const ContactSurface &surface,
-                      const Certificate &certificate,
-                      const std::vector<NodeStatus> &statuses,
-                      MPI_Comm communicator);
+  void write_contact_nodes(const std::string &directory, const ContactSurface &surface,
+                           const Certificate &certificate,
+                           const std::vector<NodeStatus> &statuses,
+                           MPI_Comm communicator);
 } // namespace stiction
 
 #endif

@@ -15,37 +15,28 @@ namespace stiction
 
   /// Throws InputError if the directories for output cannot be written to or
   /// be made. Changes nothing. Collective.
-  void
-  require_writable_output(const Parameters &parameters, MPI_Comm communicator);
+  void require_writable_output(const Parameters &parameters, MPI_Comm communicator);
 
   /// Makes the output directory, opens log.txt in it, removes the other files
   /// of an earlier run, which must not be read together with those of this one,
   /// and writes used_parameters.prm. Collective. Throws InputError, before
   /// anything is changed, if it cannot be written.
-  void
-  open_output_directory(const Parameters &parameters,
-                        Log &log,
-                        MPI_Comm communicator);
+  void open_output_directory(const Parameters &parameters, Log &log,
+                             MPI_Comm communicator);
 
   /// Writes convergence.csv. Collective.
-  void
-  write_history(const ConvergenceHistory &history,
-                const std::string &directory,
-                MPI_Comm communicator);
+  void write_history(const ConvergenceHistory &history, const std::string &directory,
+                     MPI_Comm communicator);
 
   /// Writes summary.json, the last file of a run. Collective.
-  void
-  write_summary(const nlohmann::json &summary,
-                const std::string &directory,
-                MPI_Comm communicator);
+  void write_summary(const nlohmann::json &summary, const std::string &directory,
+                     MPI_Comm communicator);
 
   /// The section "program" of summary.json. Collective.
-  nlohmann::json
-  program_to_json(MPI_Comm communicator);
+  nlohmann::json program_to_json(MPI_Comm communicator);
 
   /// The largest memory of all ranks together so far, in MB. Collective.
-  double
-  peak_memory(MPI_Comm communicator);
+  double peak_memory(MPI_Comm communicator);
 } // namespace stiction
 
 #endif

@@ -11,20 +11,15 @@ namespace stiction
   /// Prints what is applied where, as the entries say it and the program
   /// understands it: what is held or moved, loads with their resultants,
   /// contact boundaries, materials. Collective.
-  void
-  print_applied(Log &log,
-                const LinearElasticity &elasticity,
-                const ContactSurface &surface);
+  void print_applied(Log &log, const LinearElasticity &elasticity,
+                     const ContactSurface &surface);
 
   /// Prints what else a user wants to see before solving: the size of the body,
   /// its boundaries with their names, areas, supports and load resultants, the
   /// contact boundaries with their initial gaps, and the memory that solving
   /// will take. Collective.
-  void
-  print_overview(Log &log,
-                 const LinearElasticity &elasticity,
-                 const ContactSurface &surface,
-                 const Parameters &parameters);
+  void print_overview(Log &log, const LinearElasticity &elasticity,
+                      const ContactSurface &surface, const Parameters &parameters);
 } // namespace stiction
 
 #endif

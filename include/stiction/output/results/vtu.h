@@ -32,12 +32,10 @@ namespace stiction
   /// @param reaction nodal forces of the supports on the body.
   /// @param error_indicators by active cells, J^½, for another field; none if
   ///   empty.
-  void
-  write_solution(const LinearElasticity &elasticity,
-                 const LA::Vector &u,
-                 const LA::Vector &reaction,
-                 const dealii::Vector<double> &error_indicators,
-                 const OutputParameters &parameters);
+  void write_solution(const LinearElasticity &elasticity, const LA::Vector &u,
+                      const LA::Vector &reaction,
+                      const dealii::Vector<double> &error_indicators,
+                      const OutputParameters &parameters);
 
   /// Writes contact.pvtu (with its pieces and contact.pvd): the contact
   /// boundary with pressure, traction on the body and its tangential part,
@@ -46,13 +44,10 @@ namespace stiction
   /// are not contact nodes because their displacement is prescribed, or because
   /// they face away from the obstacle, both statuses are −1 and the other
   /// fields but the displacement are zero. Collective.
-  void
-  write_contact(const LinearElasticity &elasticity,
-                const LA::Vector &u,
-                const ContactSurface &surface,
-                const Certificate &certificate,
-                const std::vector<NodeStatus> &statuses,
-                const OutputParameters &parameters);
+  void write_contact(const LinearElasticity &elasticity, const LA::Vector &u,
+                     const ContactSurface &surface, const Certificate &certificate,
+                     const std::vector<NodeStatus> &statuses,
+                     const OutputParameters &parameters);
 
   /// Writes obstacle.vtu, one file from rank 0: the surfaces of the obstacles
   /// near the contact boundaries where they are now, with the id of the contact
@@ -60,10 +55,8 @@ namespace stiction
   /// moved by its initial gap; of other obstacles it is the zero set of their
   /// distance in a box around the contact boundary, or their own triangles.
   /// Vertices lie on the surface, faces between them are plane. Collective.
-  void
-  write_obstacles(const std::string &directory,
-                  const LinearElasticity &elasticity,
-                  const ContactSurface &surface);
+  void write_obstacles(const std::string &directory, const LinearElasticity &elasticity,
+                       const ContactSurface &surface);
 } // namespace stiction
 
 #endif

@@ -15,15 +15,10 @@ namespace stiction
   ///   and for the observer.
   /// @param statistics are added to.
   /// @param show called with x before the observer is called.
-  DualMethodResult
-  run_active_set_method(
-    qp::ActiveSetMethod &solver,
-    Eigen::VectorXd &x,
-    Eigen::VectorXd &gradient,
-    const qp::Scaling &scaling,
-    const StoppingRule &rule,
-    unsigned int products_in_an_iteration,
-    DualMethodStatistics &statistics,
+  DualMethodResult run_active_set_method(
+    qp::ActiveSetMethod &solver, Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+    const qp::Scaling &scaling, const StoppingRule &rule,
+    unsigned int products_in_an_iteration, DualMethodStatistics &statistics,
     const std::function<void(const Eigen::VectorXd &)> &show,
     const DualMethod::Observer &observer);
 } // namespace stiction

@@ -17,24 +17,13 @@ namespace stiction
     /// it has no matrix.
     explicit Admm(const DualOperator &Q);
 
-    DualMethodResult
-    solve(DualIterate &iterate,
-          const qp::SlipBound &slip_bound,
-          const qp::Scaling &scaling,
-          const StoppingRule &rule,
-          const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling, const StoppingRule &rule,
+                           const Observer &observer) override;
 
-    bool
-    solves_coulomb() const override
-    {
-      return true;
-    }
+    bool solves_coulomb() const override { return true; }
 
-    DualMethodStatistics
-    statistics() const override
-    {
-      return statistics_;
-    }
+    DualMethodStatistics statistics() const override { return statistics_; }
 
   private:
     DualOperatorBlock block_;

@@ -24,8 +24,6 @@ namespace stiction
     unsigned int max_iterations = 0;
   };
 
-
-
   /// How a run of a dual method ended.
   struct DualMethodResult
   {
@@ -37,8 +35,6 @@ namespace stiction
     /// If it stagnated and knows why: that.
     std::string reason;
   };
-
-
 
   /// What a method did so far; the same list for every method, what does not
   /// apply stays zero.
@@ -53,13 +49,12 @@ namespace stiction
     unsigned int expansion_steps          = 0; ///< the active set grew
     unsigned int release_steps            = 0; ///< the active set shrank
     unsigned int admm_iterations          = 0;
-    unsigned int dense_factorizations     = 0; ///< Cholesky, order 3m
-    unsigned int fallbacks                = 0; ///< to a method with a proof
-    double contraction = 0.; ///< of the last successive approximations
+    unsigned int dense_factorizations     = 0;  ///< Cholesky, order 3m
+    unsigned int fallbacks                = 0;  ///< to a method with a proof
+    double contraction                    = 0.; ///< of the last successive approximations
 
     /// Adds what another method did that this one called.
-    DualMethodStatistics &
-    operator+=(const DualMethodStatistics &other)
+    DualMethodStatistics &operator+=(const DualMethodStatistics &other)
     {
       coulomb_iterations += other.coulomb_iterations;
       gauss_seidel_iterations += other.gauss_seidel_iterations;
@@ -75,8 +70,6 @@ namespace stiction
       return *this;
     }
   };
-
-
 
   /// A method for the contact problem in its dual form, the paper's (D): with
   /// given friction min ½ λᵀQλ − λᵀh over λ_ν ≥ 0, ‖λ_t,i‖ ≤ g_i; with Coulomb
@@ -99,30 +92,21 @@ namespace stiction
     /// again, with a stricter rule or other scales.
     ///
     /// @param iterate in: any λ with its gradient; out: a feasible one.
-    virtual DualMethodResult
-    solve(DualIterate &iterate,
-          const qp::SlipBound &slip_bound,
-          const qp::Scaling &scaling,
-          const StoppingRule &rule,
-          const Observer &observer) = 0;
+    virtual DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                                   const qp::Scaling &scaling, const StoppingRule &rule,
+                                   const Observer &observer) = 0;
 
     /// Whether solve() takes the slip bound of Coulomb friction. If not, the
     /// method is one for given friction, to be used in successive
     /// approximations.
-    virtual bool
-    solves_coulomb() const = 0;
+    virtual bool solves_coulomb() const = 0;
 
     /// If the method solves another problem than the one given: which, and
     /// what to choose instead; otherwise empty.
-    virtual std::string
-    limitation() const
-    {
-      return {};
-    }
+    virtual std::string limitation() const { return {}; }
 
     /// Sums over all runs so far.
-    virtual DualMethodStatistics
-    statistics() const = 0;
+    virtual DualMethodStatistics statistics() const = 0;
   };
 } // namespace stiction
 

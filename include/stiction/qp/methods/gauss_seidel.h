@@ -33,38 +33,22 @@ namespace stiction
       const DualOperator &Q,
       std::optional<qp::DiscActiveSet::Variant> variant = std::nullopt);
 
-    DualMethodResult
-    solve(DualIterate &iterate,
-          const qp::SlipBound &slip_bound,
-          const qp::Scaling &scaling,
-          const StoppingRule &rule,
-          const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling, const StoppingRule &rule,
+                           const Observer &observer) override;
 
-    bool
-    solves_coulomb() const override
-    {
-      return true;
-    }
+    bool solves_coulomb() const override { return true; }
 
-    DualMethodStatistics
-    statistics() const override
-    {
-      return statistics_;
-    }
+    DualMethodStatistics statistics() const override { return statistics_; }
 
   private:
     /// λ_ν^(i) of ALGORITHM GS.
-    void
-    normal_half_sweep(DualIterate &iterate,
-                      const qp::Scaling &scaling,
-                      double tolerance);
+    void normal_half_sweep(DualIterate &iterate, const qp::Scaling &scaling,
+                           double tolerance);
 
     /// λ_t^(i) of ALGORITHM GS.
-    void
-    tangential_half_sweep(DualIterate &iterate,
-                          const Eigen::VectorXd &slip_bound,
-                          const qp::Scaling &scaling,
-                          double tolerance);
+    void tangential_half_sweep(DualIterate &iterate, const Eigen::VectorXd &slip_bound,
+                               const qp::Scaling &scaling, double tolerance);
 
     /// A solver of a quadratic program, as a function of the point and its
     /// gradient.
@@ -72,11 +56,9 @@ namespace stiction
 
     /// Solves the quadratic program of one block and updates the gradient of
     /// the other one.
-    void
-    half_sweep(DualIterate &iterate, DualBlock block, const Solver &solver);
+    void half_sweep(DualIterate &iterate, DualBlock block, const Solver &solver);
 
-    void
-    add(const qp::ActiveSetStatistics &inner);
+    void add(const qp::ActiveSetStatistics &inner);
 
     const DualOperator &Q_;
     DualOperatorBlock normal_block_, tangential_block_;

@@ -24,24 +24,13 @@ namespace stiction
     /// Estimates the norm of Q. The operator must outlive the method.
     explicit Mpgp(const DualOperator &Q);
 
-    DualMethodResult
-    solve(DualIterate &iterate,
-          const qp::SlipBound &slip_bound,
-          const qp::Scaling &scaling,
-          const StoppingRule &rule,
-          const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling, const StoppingRule &rule,
+                           const Observer &observer) override;
 
-    bool
-    solves_coulomb() const override
-    {
-      return false;
-    }
+    bool solves_coulomb() const override { return false; }
 
-    DualMethodStatistics
-    statistics() const override
-    {
-      return statistics_;
-    }
+    DualMethodStatistics statistics() const override { return statistics_; }
 
   private:
     const DualOperator &Q_;

@@ -30,39 +30,26 @@ namespace stiction
     ///
     /// @param max_steps_in_a_run of Newton before falling back; finite only
     ///   where a test forces the fallbacks.
-    explicit Newton(const DualOperator &Q,
-                    unsigned int max_steps_in_a_run = 1000);
+    explicit Newton(const DualOperator &Q, unsigned int max_steps_in_a_run = 1000);
 
-    DualMethodResult
-    solve(DualIterate &iterate,
-          const qp::SlipBound &slip_bound,
-          const qp::Scaling &scaling,
-          const StoppingRule &rule,
-          const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling, const StoppingRule &rule,
+                           const Observer &observer) override;
 
-    bool
-    solves_coulomb() const override
-    {
-      return true;
-    }
+    bool solves_coulomb() const override { return true; }
 
-    DualMethodStatistics
-    statistics() const override;
+    DualMethodStatistics statistics() const override;
 
   private:
     /// A call of solve(): its arguments and how far it came.
     struct Run;
 
-    bool
-    can_factorize() const;
+    bool can_factorize() const;
 
     /// The parts of solve().
-    void
-    run_newton(Run &run);
-    void
-    run_interior_point(Run &run);
-    void
-    fall_back(Run &run);
+    void run_newton(Run &run);
+    void run_interior_point(Run &run);
+    void fall_back(Run &run);
 
     const DualOperator &Q_;
     DualOperatorBlock block_;

@@ -21,27 +21,15 @@ namespace stiction
 
     /// The iterate ends feasible for the polygons, not for the discs, and the
     /// residual is that of the problem with polygons.
-    DualMethodResult
-    solve(DualIterate &iterate,
-          const qp::SlipBound &slip_bound,
-          const qp::Scaling &scaling,
-          const StoppingRule &rule,
-          const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling, const StoppingRule &rule,
+                           const Observer &observer) override;
 
-    bool
-    solves_coulomb() const override
-    {
-      return false;
-    }
+    bool solves_coulomb() const override { return false; }
 
-    std::string
-    limitation() const override;
+    std::string limitation() const override;
 
-    DualMethodStatistics
-    statistics() const override
-    {
-      return statistics_;
-    }
+    DualMethodStatistics statistics() const override { return statistics_; }
 
   private:
     const DualOperator &Q_;

@@ -15,8 +15,6 @@ namespace stiction
     all         ///< all 3m rows
   };
 
-
-
   /// The dual Hessian Q (m/N) and the dual right-hand side h (m) of the
   /// paper's problem (D), wherever they come from.
   ///
@@ -28,75 +26,44 @@ namespace stiction
     virtual ~DualOperator() = default;
 
     /// m.
-    Eigen::Index
-    n_nodes() const
-    {
-      return n_nodes_;
-    }
+    Eigen::Index n_nodes() const { return n_nodes_; }
 
     /// h, length 3m.
-    const Eigen::VectorXd &
-    right_hand_side() const
-    {
-      return h_;
-    }
+    const Eigen::VectorXd &right_hand_side() const { return h_; }
 
     /// dst = Q_{rows,columns} src. Collective; counted.
-    void
-    vmult(DualBlock rows,
-          DualBlock columns,
-          Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const;
+    void vmult(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
+               const Eigen::VectorXd &src) const;
 
     /// Products so far in units of one with all of Q: a product with Q_νν
     /// counts 1/9, with Q_tt 4/9, with Q_νt or Q_tν 2/9.
-    double
-    n_multiplications() const
-    {
-      return static_cast<double>(n_ninths_) / 9.;
-    }
+    double n_multiplications() const { return static_cast<double>(n_ninths_) / 9.; }
 
     /// tr(Q_ii)/3 at every node, or an estimate of it: how much a node gives
     /// way to its own force. Length m, > 0. Computed when first asked for;
     /// collective.
-    const Eigen::VectorXd &
-    nodal_compliance() const;
+    const Eigen::VectorXd &nodal_compliance() const;
 
     /// Q itself, or nullptr if it is known by its action only.
-    virtual const Eigen::MatrixXd *
-    matrix() const
-    {
-      return nullptr;
-    }
+    virtual const Eigen::MatrixXd *matrix() const { return nullptr; }
 
     /// h += change: obstacles have moved.
-    void
-    shift_right_hand_side(const Eigen::VectorXd &change)
-    {
-      h_ += change;
-    }
+    void shift_right_hand_side(const Eigen::VectorXd &change) { h_ += change; }
 
   protected:
     explicit DualOperator(Eigen::Index n_nodes);
 
-    void
-    set_right_hand_side(Eigen::VectorXd h);
+    void set_right_hand_side(Eigen::VectorXd h);
 
     /// Computes what nodal_compliance() returns. Collective.
-    virtual Eigen::VectorXd
-    compute_nodal_compliance() const = 0;
+    virtual Eigen::VectorXd compute_nodal_compliance() const = 0;
 
-    virtual void
-    apply(DualBlock rows,
-          DualBlock columns,
-          Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const = 0;
+    virtual void apply(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
+                       const Eigen::VectorXd &src) const = 0;
 
     /// The first entry and the length of a block.
-    Eigen::Index
-    begin(DualBlock block) const;
-    Eigen::Index
-    length(DualBlock block) const;
+    Eigen::Index begin(DualBlock block) const;
+    Eigen::Index length(DualBlock block) const;
 
   private:
     Eigen::Index n_nodes_;
@@ -105,8 +72,6 @@ namespace stiction
     mutable unsigned long n_ninths_ = 0;
   };
 
-
-
   /// Q as a dense symmetric matrix.
   class DenseDualOperator : public DualOperator
   {
@@ -114,27 +79,17 @@ namespace stiction
     /// @param Q symmetric positive definite, 3m × 3m; @param h length 3m.
     DenseDualOperator(Eigen::MatrixXd Q, Eigen::VectorXd h);
 
-    const Eigen::MatrixXd *
-    matrix() const override
-    {
-      return &Q_;
-    }
+    const Eigen::MatrixXd *matrix() const override { return &Q_; }
 
   protected:
-    Eigen::VectorXd
-    compute_nodal_compliance() const override;
+    Eigen::VectorXd compute_nodal_compliance() const override;
 
-    void
-    apply(DualBlock rows,
-          DualBlock columns,
-          Eigen::VectorXd &dst,
-          const Eigen::VectorXd &src) const override;
+    void apply(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
+               const Eigen::VectorXd &src) const override;
 
   private:
     Eigen::MatrixXd Q_;
   };
-
-
 
   /// What it would take to undo h node by node, its overlaps (not its open
   /// gaps) and its slips, with c the nodal compliance: a scale of forces and of
@@ -146,10 +101,7 @@ namespace stiction
   };
 
   /// Collective.
-  DecoupledScales
-  decoupled_scales(const DualOperator &Q);
-
-
+  DecoupledScales decoupled_scales(const DualOperator &Q);
 
   /// A diagonal block of the dual operator, as the quadratic programs see it.
   class DualOperatorBlock : public qp::SymmetricOperator
@@ -158,12 +110,10 @@ namespace stiction
     /// The operator must outlive the block.
     DualOperatorBlock(const DualOperator &Q, DualBlock block);
 
-    Eigen::Index
-    size() const override;
+    Eigen::Index size() const override;
 
   protected:
-    void
-    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
+    void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
 
   private:
     const DualOperator &Q_;

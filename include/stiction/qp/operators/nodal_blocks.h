@@ -9,18 +9,15 @@ namespace stiction
 {
   /// The entries (ν; t1; t2) of a node in a vector over the contact nodes,
   /// which is stored by blocks.
-  inline Eigen::Vector3d
-  at_node(const Eigen::VectorXd &v, const Eigen::Index node)
+  inline Eigen::Vector3d at_node(const Eigen::VectorXd &v, const Eigen::Index node)
   {
     const Eigen::Index m = v.size() / 3;
     return {v(node), v(node + m), v(node + 2 * m)};
   }
 
   /// Sets them.
-  inline void
-  set_at_node(Eigen::VectorXd &v,
-              const Eigen::Index node,
-              const Eigen::Vector3d &entries)
+  inline void set_at_node(Eigen::VectorXd &v, const Eigen::Index node,
+                          const Eigen::Vector3d &entries)
   {
     const Eigen::Index m = v.size() / 3;
     v(node)              = entries(0);
@@ -29,8 +26,7 @@ namespace stiction
   }
 
   /// max_i ‖v_i‖/scale_i over the nodes.
-  inline double
-  largest_at_nodes(const Eigen::VectorXd &v, const Eigen::VectorXd &scale)
+  inline double largest_at_nodes(const Eigen::VectorXd &v, const Eigen::VectorXd &scale)
   {
     double largest = 0.;
     for (Eigen::Index i = 0; i < scale.size(); ++i)

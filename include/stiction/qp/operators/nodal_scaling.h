@@ -25,33 +25,22 @@ namespace stiction::qp
     /// mean is not positive and finite.
     ///
     /// @param diagonal the diagonal of A, in blocks of @p n_nodes entries
-    static NodalScaling
-    from_diagonal(const Eigen::VectorXd &diagonal, Eigen::Index n_nodes);
+    static NodalScaling from_diagonal(const Eigen::VectorXd &diagonal,
+                                      Eigen::Index n_nodes);
 
-    Eigen::Index
-    n_nodes() const
-    {
-      return scales_.size();
-    }
+    Eigen::Index n_nodes() const { return scales_.size(); }
 
     /// d, length n_nodes().
-    const Eigen::VectorXd &
-    scales() const
-    {
-      return scales_;
-    }
+    const Eigen::VectorXd &scales() const { return scales_; }
 
     /// D v: a point from y to x, a gradient from x to y.
-    Eigen::VectorXd
-    times(const Eigen::VectorXd &v) const;
+    Eigen::VectorXd times(const Eigen::VectorXd &v) const;
 
     /// D⁻¹ v: a point and radii from x to y, a gradient from y to x.
-    Eigen::VectorXd
-    divide(const Eigen::VectorXd &v) const;
+    Eigen::VectorXd divide(const Eigen::VectorXd &v) const;
 
     /// The units in which the natural residual in y is that in x.
-    Scaling
-    scaled(const Scaling &scaling) const;
+    Scaling scaled(const Scaling &scaling) const;
 
   private:
     Eigen::VectorXd scales_;

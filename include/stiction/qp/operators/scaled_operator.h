@@ -14,12 +14,10 @@ namespace stiction::qp
   public:
     ScaledOperator(const SymmetricOperator &A, const NodalScaling &scaling);
 
-    Eigen::Index
-    size() const override;
+    Eigen::Index size() const override;
 
   protected:
-    void
-    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
+    void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
 
   private:
     const SymmetricOperator &A_;

@@ -13,10 +13,8 @@ namespace stiction::qp
   /// Ritz value θ is below @p accuracy·θ; returned is θ plus that residual.
   /// Costs at most @p max_multiplications products, typically about ten.
   /// Returns 0 for an operator of size 0 and for the zero operator.
-  double
-  spectral_norm(const SymmetricOperator &A,
-                double accuracy                  = 0.05,
-                unsigned int max_multiplications = 30);
+  double spectral_norm(const SymmetricOperator &A, double accuracy = 0.05,
+                       unsigned int max_multiplications = 30);
 } // namespace stiction::qp
 
 #endif

@@ -16,12 +16,10 @@ namespace stiction::qp
   public:
     SquaresOperator(const SymmetricOperator &Q, const RotatedSquares &squares);
 
-    Eigen::Index
-    size() const override;
+    Eigen::Index size() const override;
 
   protected:
-    void
-    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
+    void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
 
   private:
     const SymmetricOperator &Q_;

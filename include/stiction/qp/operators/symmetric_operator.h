@@ -17,29 +17,20 @@ namespace stiction::qp
     virtual ~SymmetricOperator() = default;
 
     /// Number of rows and of columns.
-    virtual Eigen::Index
-    size() const = 0;
+    virtual Eigen::Index size() const = 0;
 
     /// dst = A src, both of length size(); counted.
-    void
-    vmult(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const;
+    void vmult(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const;
 
     /// How many times vmult() was called.
-    unsigned long
-    n_multiplications() const
-    {
-      return n_multiplications_;
-    }
+    unsigned long n_multiplications() const { return n_multiplications_; }
 
   protected:
-    virtual void
-    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const = 0;
+    virtual void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const = 0;
 
   private:
     mutable unsigned long n_multiplications_ = 0;
   };
-
-
 
   /// A dense symmetric matrix as an operator. The matrix is not copied and
   /// must outlive the operator.
@@ -48,12 +39,10 @@ namespace stiction::qp
   public:
     explicit DenseOperator(const Eigen::MatrixXd &matrix);
 
-    Eigen::Index
-    size() const override;
+    Eigen::Index size() const override;
 
   protected:
-    void
-    apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
+    void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
 
   private:
     const Eigen::MatrixXd &matrix_;

@@ -23,57 +23,32 @@ namespace stiction::qp
     /// @param x, gradient the point and r = Qx − h there, entries (ν; t1; t2),
     ///   or (t1; t2) only where the normal forces are held fixed.
     /// @param rho length m, > 0, unit N/m.
-    ContactLinearization(const Eigen::VectorXd &x,
-                         const Eigen::VectorXd &gradient,
-                         const Eigen::VectorXd &rho,
-                         const SlipBound &slip_bound);
+    ContactLinearization(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                         const Eigen::VectorXd &rho, const SlipBound &slip_bound);
 
     /// Number of free components, the length of y.
-    Eigen::Index
-    n_free() const
-    {
-      return static_cast<Eigen::Index>(free_.size());
-    }
+    Eigen::Index n_free() const { return static_cast<Eigen::Index>(free_.size()); }
 
     /// d0, the length of x.
-    const Eigen::VectorXd &
-    prescribed() const
-    {
-      return prescribed_;
-    }
+    const Eigen::VectorXd &prescribed() const { return prescribed_; }
 
     /// μ ≥ 0, length n_free(), unit m/N.
-    const Eigen::VectorXd &
-    curvature() const
-    {
-      return curvature_;
-    }
+    const Eigen::VectorXd &curvature() const { return curvature_; }
 
     /// Z y, the length of x.
-    Eigen::VectorXd
-    embed(const Eigen::VectorXd &y) const;
+    Eigen::VectorXd embed(const Eigen::VectorXd &y) const;
 
     /// Wᵀ v, length n_free().
-    Eigen::VectorXd
-    test(const Eigen::VectorXd &v) const;
+    Eigen::VectorXd test(const Eigen::VectorXd &v) const;
 
     /// Zᵀ v, length n_free().
-    Eigen::VectorXd
-    transpose_embed(const Eigen::VectorXd &v) const;
+    Eigen::VectorXd transpose_embed(const Eigen::VectorXd &v) const;
 
     /// The node of each free component.
-    Eigen::Index
-    node(const Eigen::Index k) const
-    {
-      return free_[k].node;
-    }
+    Eigen::Index node(const Eigen::Index k) const { return free_[k].node; }
 
     /// ‖x − P(x − ρr)‖ with the slip bound at x − ρr: zero at solutions only.
-    double
-    residual() const
-    {
-      return residual_;
-    }
+    double residual() const { return residual_; }
 
   private:
     /// A free component: a direction in the three components of one node.

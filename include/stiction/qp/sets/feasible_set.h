@@ -17,14 +17,11 @@ namespace stiction::qp
     double displacement    = 1.; ///< > 0
     Eigen::VectorXd weight = {}; ///< length n_nodes, > 0, or empty: all are 1
 
-    double
-    displacement_at(const Eigen::Index node) const
+    double displacement_at(const Eigen::Index node) const
     {
       return weight.size() == 0 ? displacement : weight(node) * displacement;
     }
   };
-
-
 
   /// A closed convex set that is a product of small sets, one a node.
   ///
@@ -37,61 +34,40 @@ namespace stiction::qp
     FeasibleSet(Eigen::Index n_nodes, unsigned int n_components);
     virtual ~FeasibleSet() = default;
 
-    Eigen::Index
-    n_nodes() const
-    {
-      return n_nodes_;
-    }
+    Eigen::Index n_nodes() const { return n_nodes_; }
 
-    unsigned int
-    n_components() const
-    {
-      return n_components_;
-    }
+    unsigned int n_components() const { return n_components_; }
 
-    Eigen::Index
-    size() const
-    {
-      return n_nodes_ * n_components_;
-    }
+    Eigen::Index size() const { return n_nodes_ * n_components_; }
 
     /// Replaces x by the nearest point of the set (Euclidean, node by node).
-    virtual void
-    project(Eigen::VectorXd &x) const = 0;
+    virtual void project(Eigen::VectorXd &x) const = 0;
 
     /// The largest α ≥ 0 with x + α d in the set, for feasible x; infinity
     /// where the set does not end along d.
-    virtual double
-    largest_feasible_step(const Eigen::VectorXd &x,
-                          const Eigen::VectorXd &d) const = 0;
+    virtual double largest_feasible_step(const Eigen::VectorXd &x,
+                                         const Eigen::VectorXd &d) const = 0;
 
     /// Splits the gradient at the feasible x into its free part (the gradient
     /// at nodes inside their set, zero on the boundary) and its chopped part:
     /// on the boundary (x − P(x − step·gradient))/step, zero inside.
     ///
     /// x solves the quadratic program if and only if both are zero.
-    virtual void
-    split(const Eigen::VectorXd &x,
-          const Eigen::VectorXd &gradient,
-          double step,
-          Eigen::VectorXd &free,
-          Eigen::VectorXd &chopped) const = 0;
+    virtual void split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                       double step, Eigen::VectorXd &free,
+                       Eigen::VectorXd &chopped) const = 0;
 
     /// The distance from optimality of the feasible x, without a unit:
     /// max over the nodes of ‖π − P(π − w)‖ with π = x_i/force_i and
     /// w = gradient_i/(weight_i displacement). Zero if and only if x is
     /// optimal.
-    double
-    natural_residual(const Eigen::VectorXd &x,
-                     const Eigen::VectorXd &gradient,
-                     const Scaling &scaling) const;
+    double natural_residual(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                            const Scaling &scaling) const;
 
   private:
     Eigen::Index n_nodes_;
     unsigned int n_components_;
   };
-
-
 
   /// x_i ≥ 0: the normal contact forces, Λ_ν of the paper's problem (D).
   class HalfLines : public FeasibleSet
@@ -99,22 +75,14 @@ namespace stiction::qp
   public:
     explicit HalfLines(Eigen::Index n_nodes);
 
-    void
-    project(Eigen::VectorXd &x) const override;
+    void project(Eigen::VectorXd &x) const override;
 
-    void
-    split(const Eigen::VectorXd &x,
-          const Eigen::VectorXd &gradient,
-          double step,
-          Eigen::VectorXd &free,
-          Eigen::VectorXd &chopped) const override;
+    void split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double step,
+               Eigen::VectorXd &free, Eigen::VectorXd &chopped) const override;
 
-    double
-    largest_feasible_step(const Eigen::VectorXd &x,
-                          const Eigen::VectorXd &d) const override;
+    double largest_feasible_step(const Eigen::VectorXd &x,
+                                 const Eigen::VectorXd &d) const override;
   };
-
-
 
   /// x_i² + x_{i+m}² ≤ g_i²: the tangential contact forces, Λ_t of the
   /// paper's problem (D). Radii may be zero.
@@ -124,36 +92,23 @@ namespace stiction::qp
     /// Throws std::invalid_argument if a radius is negative or not a number.
     explicit Discs(Eigen::VectorXd radii);
 
-    const Eigen::VectorXd &
-    radii() const
-    {
-      return radii_;
-    }
+    const Eigen::VectorXd &radii() const { return radii_; }
 
-    void
-    project(Eigen::VectorXd &x) const override;
+    void project(Eigen::VectorXd &x) const override;
 
-    void
-    split(const Eigen::VectorXd &x,
-          const Eigen::VectorXd &gradient,
-          double step,
-          Eigen::VectorXd &free,
-          Eigen::VectorXd &chopped) const override;
+    void split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double step,
+               Eigen::VectorXd &free, Eigen::VectorXd &chopped) const override;
 
-    double
-    largest_feasible_step(const Eigen::VectorXd &x,
-                          const Eigen::VectorXd &d) const override;
+    double largest_feasible_step(const Eigen::VectorXd &x,
+                                 const Eigen::VectorXd &d) const override;
 
     /// Whether x_i lies on its circle, up to rounding: i is in the paper's
     /// active set A(x). A node of radius zero always is.
-    bool
-    is_active(const Eigen::VectorXd &x, Eigen::Index i) const;
+    bool is_active(const Eigen::VectorXd &x, Eigen::Index i) const;
 
   private:
     Eigen::VectorXd radii_;
   };
-
-
 
   /// Half-lines times discs: the whole feasible set of the paper's problem
   /// (D), with entries (λ_ν; λ_t1; λ_t2).
@@ -163,19 +118,13 @@ namespace stiction::qp
     /// Throws as Discs.
     explicit HalfLinesTimesDiscs(Eigen::VectorXd radii);
 
-    void
-    project(Eigen::VectorXd &x) const override;
+    void project(Eigen::VectorXd &x) const override;
 
-    void
-    split(const Eigen::VectorXd &x,
-          const Eigen::VectorXd &gradient,
-          double step,
-          Eigen::VectorXd &free,
-          Eigen::VectorXd &chopped) const override;
+    void split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double step,
+               Eigen::VectorXd &free, Eigen::VectorXd &chopped) const override;
 
-    double
-    largest_feasible_step(const Eigen::VectorXd &x,
-                          const Eigen::VectorXd &d) const override;
+    double largest_feasible_step(const Eigen::VectorXd &x,
+                                 const Eigen::VectorXd &d) const override;
 
   private:
     HalfLines half_lines_;

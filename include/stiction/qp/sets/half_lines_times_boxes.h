@@ -15,21 +15,15 @@ namespace stiction::qp
     /// Throws std::invalid_argument if one is negative or not a number.
     HalfLinesTimesBoxes(Eigen::VectorXd half_widths, unsigned int n_intervals);
 
-    void
-    project(Eigen::VectorXd &x) const override;
+    void project(Eigen::VectorXd &x) const override;
 
     /// Bounds are met entry by entry: a node may have free and chopped entries
     /// at once.
-    void
-    split(const Eigen::VectorXd &x,
-          const Eigen::VectorXd &gradient,
-          double step,
-          Eigen::VectorXd &free,
-          Eigen::VectorXd &chopped) const override;
+    void split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double step,
+               Eigen::VectorXd &free, Eigen::VectorXd &chopped) const override;
 
-    double
-    largest_feasible_step(const Eigen::VectorXd &x,
-                          const Eigen::VectorXd &d) const override;
+    double largest_feasible_step(const Eigen::VectorXd &x,
+                                 const Eigen::VectorXd &d) const override;
 
   private:
     Eigen::VectorXd half_widths_;

@@ -29,38 +29,23 @@ namespace stiction::qp
     /// or not a number.
     RotatedSquares(unsigned int r, Eigen::VectorXd slip_bound);
 
-    Eigen::Index
-    n_nodes() const
-    {
-      return slip_bound_.size();
-    }
+    Eigen::Index n_nodes() const { return slip_bound_.size(); }
 
     /// r
-    unsigned int
-    n_squares() const
-    {
-      return n_squares_;
-    }
+    unsigned int n_squares() const { return n_squares_; }
 
     /// Length of a vector of box unknowns.
-    Eigen::Index
-    n_unknowns() const
-    {
-      return n_nodes() * (1 + 2 * n_squares_);
-    }
+    Eigen::Index n_unknowns() const { return n_nodes() * (1 + 2 * n_squares_); }
 
     /// tan(π/4r) g
-    Eigen::VectorXd
-    half_widths() const;
+    Eigen::VectorXd half_widths() const;
 
     /// C: the forces that box unknowns stand for.
-    Eigen::VectorXd
-    to_forces(const Eigen::VectorXd &unknowns) const;
+    Eigen::VectorXd to_forces(const Eigen::VectorXd &unknowns) const;
 
     /// Cᵀ: the gradient with respect to the box unknowns, from the one with
     /// respect to the forces.
-    Eigen::VectorXd
-    pull_back(const Eigen::VectorXd &gradient) const;
+    Eigen::VectorXd pull_back(const Eigen::VectorXd &gradient) const;
 
     /// Feasible box unknowns that stand for the given forces, or where these
     /// are not feasible for the nearest ones: to start from.
@@ -70,8 +55,7 @@ namespace stiction::qp
     /// to n carry ± tan(π/4r) n·λ_t, which adds up to (n·λ_t) n, and the one
     /// along τ carries τ·λ_t. (On the edge this is the only way to write λ_t;
     /// inside it is the same, shrunk.)
-    Eigen::VectorXd
-    lift(const Eigen::VectorXd &forces) const;
+    Eigen::VectorXd lift(const Eigen::VectorXd &forces) const;
 
   private:
     unsigned int n_squares_;

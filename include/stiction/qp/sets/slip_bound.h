@@ -17,67 +17,38 @@ namespace stiction::qp
     SlipBound() = default;
 
     /// g_i ≥ 0, unit: N.
-    static SlipBound
-    given(Eigen::VectorXd g);
+    static SlipBound given(Eigen::VectorXd g);
 
     /// g_i = F_i max(λ_ν,i, 0), F_i ≥ 0 without a unit.
-    static SlipBound
-    coulomb(Eigen::VectorXd F);
+    static SlipBound coulomb(Eigen::VectorXd F);
 
     /// Both, each at its own nodes: c_i ≥ 0 in N, F_i ≥ 0 without a unit.
-    static SlipBound
-    mixed(Eigen::VectorXd c, Eigen::VectorXd F);
+    static SlipBound mixed(Eigen::VectorXd c, Eigen::VectorXd F);
 
     /// Whether the bound depends on the contact forces.
-    bool
-    is_coulomb() const
-    {
-      return is_coulomb_;
-    }
+    bool is_coulomb() const { return is_coulomb_; }
 
     /// The largest F, 0 if there is none.
-    double
-    largest_coefficient() const
+    double largest_coefficient() const
     {
       return coefficient_.size() > 0 ? coefficient_.maxCoeff() : 0.;
     }
 
     /// Whether neither law alone describes it.
-    bool
-    is_mixed() const
-    {
-      return is_coulomb_ && !constant_.isZero(0.);
-    }
+    bool is_mixed() const { return is_coulomb_ && !constant_.isZero(0.); }
 
     /// The fixed part c, and the coefficients F.
-    const Eigen::VectorXd &
-    constant() const
-    {
-      return constant_;
-    }
-    const Eigen::VectorXd &
-    coefficient() const
-    {
-      return coefficient_;
-    }
+    const Eigen::VectorXd &constant() const { return constant_; }
+    const Eigen::VectorXd &coefficient() const { return coefficient_; }
 
     /// g with given friction, F with Coulomb's; not for a mixed bound.
-    const Eigen::VectorXd &
-    data() const
-    {
-      return is_coulomb_ ? coefficient_ : constant_;
-    }
+    const Eigen::VectorXd &data() const { return is_coulomb_ ? coefficient_ : constant_; }
 
-    Eigen::Index
-    n_nodes() const
-    {
-      return constant_.size();
-    }
+    Eigen::Index n_nodes() const { return constant_.size(); }
 
     /// The bound for contact forces (λ_ν; λ_t1; λ_t2); the first n_nodes()
     /// entries of @p lambda are looked at.
-    Eigen::VectorXd
-    at(const Eigen::VectorXd &lambda) const;
+    Eigen::VectorXd at(const Eigen::VectorXd &lambda) const;
 
   private:
     SlipBound(Eigen::VectorXd c, Eigen::VectorXd F, bool is_coulomb);
@@ -86,15 +57,11 @@ namespace stiction::qp
     bool is_coulomb_ = false;
   };
 
-
   /// The natural residual (FeasibleSet::natural_residual()) of contact forces
   /// with the slip bound that they themselves ask for, entries (ν; t1; t2), or
   /// (t1; t2) for given friction on discs alone; NaN where an entry is none.
-  double
-  natural_residual(const Eigen::VectorXd &x,
-                   const Eigen::VectorXd &gradient,
-                   const SlipBound &slip_bound,
-                   const Scaling &scaling);
+  double natural_residual(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                          const SlipBound &slip_bound, const Scaling &scaling);
 } // namespace stiction::qp
 
 #endif

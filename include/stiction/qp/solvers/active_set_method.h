@@ -11,8 +11,6 @@ namespace stiction::qp
   class SymmetricOperator;
   struct Scaling;
 
-
-
   /// What a run of an active set method did.
   struct ActiveSetStatistics
   {
@@ -23,8 +21,6 @@ namespace stiction::qp
     double residual                       = 0.; ///< natural residual reached
     bool converged                        = false;
   };
-
-
 
   /// min ½ xᵀAx − xᵀb over a feasible set, by conjugate gradients on the nodes
   /// inside their set (the free ones) and two further kinds of steps: an
@@ -46,18 +42,14 @@ namespace stiction::qp
     /// The operator and the set must outlive this object. norm is an upper
     /// estimate of the largest eigenvalue of A, see spectral_norm(). One that
     /// is too small is noticed and corrected for good: it costs products.
-    ActiveSetMethod(const SymmetricOperator &A,
-                    const FeasibleSet &set,
-                    double norm);
+    ActiveSetMethod(const SymmetricOperator &A, const FeasibleSet &set, double norm);
     virtual ~ActiveSetMethod() = default;
 
     /// Called before each step with the products so far, the point and its
     /// natural residual.
     using Observer = std::function<void(unsigned int multiplications,
-                                        const Eigen::VectorXd &x,
-                                        double residual)>;
-    void
-    set_observer(Observer observer);
+                                        const Eigen::VectorXd &x, double residual)>;
+    void set_observer(Observer observer);
 
     /// Moves the feasible x until its natural residual is at most tolerance,
     /// or max_multiplications products were made.
@@ -65,63 +57,48 @@ namespace stiction::qp
     /// @param x in: a feasible point; out: the solution, feasible. Length
     ///   A.size().
     /// @param gradient in: Ax − b at the given x; out: at the returned one.
-    ActiveSetStatistics
-    solve(Eigen::VectorXd &x,
-          Eigen::VectorXd &gradient,
-          const Scaling &scaling,
-          double tolerance,
-          unsigned int max_multiplications);
+    ActiveSetStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                              const Scaling &scaling, double tolerance,
+                              unsigned int max_multiplications);
 
   protected:
     /// Called once by each solve(), before its first step.
-    virtual void
-    start()
-    {
-    }
+    virtual void start() {}
 
     /// Whether the boundary nodes are to be released before the free nodes
     /// are improved further. @p tolerance is the one asked of solve().
-    virtual bool
-    must_release(const Scaling &scaling, double tolerance) const = 0;
+    virtual bool must_release(const Scaling &scaling, double tolerance) const = 0;
 
     /// Changes x_ and gradient_ by a step that lets nodes leave the boundary.
-    virtual void
-    release() = 0;
+    virtual void release() = 0;
 
     /// Changes x_ and gradient_ when the conjugate gradient step −α_cg p
     /// leaves the set at −α_feasible p. Unless overridden: the projected step
     /// P(x − α_cg p) if it lowers the energy, otherwise standard_expansion().
-    virtual void
-    expand(double alpha_cg, double alpha_feasible);
+    virtual void expand(double alpha_cg, double alpha_feasible);
 
     /// The step to the boundary followed by a projected gradient step of fixed
     /// length, which always lowers the energy; one product.
-    void
-    standard_expansion(double alpha_feasible);
+    void standard_expansion(double alpha_feasible);
 
     /// Goes to the boundary: x − α_feasible p; needs no product.
-    void
-    go_to_boundary(double alpha_feasible);
+    void go_to_boundary(double alpha_feasible);
 
     /// Moves by P(x − fixed_step_·direction) − x, direction being the gradient
     /// or its free part; one product. If the step turns out to be longer than
     /// 2/‖A‖, it is shortened and done again, one product each time.
-    void
-    fixed_projected_step(const Eigen::VectorXd &direction);
+    void fixed_projected_step(const Eigen::VectorXd &direction);
 
     /// Moves by P(x − step·direction) − x, but only if the energy falls, up to
     /// rounding; one product.
-    bool
-    guarded_projected_step(double step, const Eigen::VectorXd &direction);
+    bool guarded_projected_step(double step, const Eigen::VectorXd &direction);
 
     /// Recomputes free_ and chopped_ at x_.
-    void
-    split();
+    void split();
 
     /// Proportioning: the boundary asks for more than the free nodes,
     /// ‖chopped‖² > Γ² (reduced free)ᵀ(free).
-    bool
-    is_disproportionate(double gamma) const;
+    bool is_disproportionate(double gamma) const;
 
     const SymmetricOperator &A_;
     const FeasibleSet &set_;
@@ -134,8 +111,8 @@ namespace stiction::qp
   private:
     Observer observer_;
 
-    Eigen::VectorXd
-    step_to_projection(double step, const Eigen::VectorXd &direction) const;
+    Eigen::VectorXd step_to_projection(double step,
+                                       const Eigen::VectorXd &direction) const;
   };
 } // namespace stiction::qp
 

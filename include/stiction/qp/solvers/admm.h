@@ -12,8 +12,6 @@ namespace stiction::qp
   class SymmetricOperator;
   struct Scaling;
 
-
-
   /// What a run of the method did.
   struct AdmmStatistics
   {
@@ -22,8 +20,6 @@ namespace stiction::qp
     double residual             = 0.; ///< natural residual reached
     bool converged              = false;
   };
-
-
 
   /// Contact with friction by the alternating direction method of multipliers:
   /// x minimises ½ xᵀQx − xᵀh with a quadratic pull towards z, z is x moved to
@@ -50,19 +46,14 @@ namespace stiction::qp
     /// is feasible for its own slip bound.
     ///
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
-    AdmmStatistics
-    solve(Eigen::VectorXd &x,
-          Eigen::VectorXd &gradient,
-          const SlipBound &slip_bound,
-          const Scaling &scaling,
-          double tolerance,
-          unsigned int max_iterations,
-          const Observer &observer);
+    AdmmStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                         const SlipBound &slip_bound, const Scaling &scaling,
+                         double tolerance, unsigned int max_iterations,
+                         const Observer &observer);
 
   private:
     /// Factorises Q + factor·D.
-    void
-    factorize(double factor);
+    void factorize(double factor);
 
     const Eigen::MatrixXd &matrix_;
     const SymmetricOperator &Q_;

@@ -8,19 +8,14 @@ namespace stiction::qp
 {
   class Discs;
 
-
-
   /// The paper's unbalanced boundary residual v_i = −r_i − (‖r_i‖/g_i) x_i at
   /// every node on its circle, zero elsewhere and where g_i = 0.
   ///
   /// It points into the disc, is a descent direction unless it is zero, and
   /// is zero exactly when the KKT boundary condition g r = −‖r‖ x holds.
-  Eigen::VectorXd
-  unbalanced_boundary_residual(const Discs &discs,
-                               const Eigen::VectorXd &x,
-                               const Eigen::VectorXd &gradient);
-
-
+  Eigen::VectorXd unbalanced_boundary_residual(const Discs &discs,
+                                               const Eigen::VectorXd &x,
+                                               const Eigen::VectorXd &gradient);
 
   /// How far the unbalanced boundary residual leads before a disc is left:
   /// min g_i/‖r_i‖ over the nodes with v_i ≠ 0, infinity if there is none.
@@ -28,12 +23,8 @@ namespace stiction::qp
   /// From ‖x_i + α v_i‖ = g_i one gets exactly α = g_i/‖r_i‖. The quadratic
   /// formula for the same number cancels when v_i is small, and the iteration
   /// would stall there for thousands of steps.
-  double
-  largest_release_step(const Discs &discs,
-                       const Eigen::VectorXd &x,
-                       const Eigen::VectorXd &gradient);
-
-
+  double largest_release_step(const Discs &discs, const Eigen::VectorXd &x,
+                              const Eigen::VectorXd &gradient);
 
   /// The paper's ALGORITHM QPQ: the quadratic program with disc constraints
   /// by an active set strategy with conjugate gradients.
@@ -68,23 +59,17 @@ namespace stiction::qp
     };
 
     /// As ActiveSetMethod.
-    DiscActiveSet(const SymmetricOperator &A,
-                  const Discs &discs,
-                  double norm,
+    DiscActiveSet(const SymmetricOperator &A, const Discs &discs, double norm,
                   Variant variant = Variant::spectral);
 
   protected:
-    void
-    start() override;
+    void start() override;
 
-    bool
-    must_release(const Scaling &scaling, double tolerance) const override;
+    bool must_release(const Scaling &scaling, double tolerance) const override;
 
-    void
-    release() override;
+    void release() override;
 
-    void
-    expand(double alpha_cg, double alpha_feasible) override;
+    void expand(double alpha_cg, double alpha_feasible) override;
 
   private:
     const Discs &discs_;

@@ -18,8 +18,6 @@ namespace stiction::qp
     bool converged     = false;
   };
 
-
-
   /// A primal-dual interior point method for contact with given or Coulomb
   /// friction, for operators that are known as a matrix.
   ///
@@ -49,14 +47,10 @@ namespace stiction::qp
     ///
     /// @param x entries (ν; t1; t2).
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
-    InteriorPointStatistics
-    solve(Eigen::VectorXd &x,
-          Eigen::VectorXd &gradient,
-          const SlipBound &slip_bound,
-          const Scaling &scaling,
-          double tolerance,
-          unsigned int max_steps,
-          const Observer &observer) const;
+    InteriorPointStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                  const SlipBound &slip_bound, const Scaling &scaling,
+                                  double tolerance, unsigned int max_steps,
+                                  const Observer &observer) const;
 
   private:
     class Path;

@@ -21,23 +21,19 @@ namespace stiction::qp
   {
   public:
     /// Remembers a direction d ≠ 0 of length 3m and Qd, while there is room.
-    void
-    add(const Eigen::VectorXd &d, const Eigen::VectorXd &Qd);
+    void add(const Eigen::VectorXd &d, const Eigen::VectorXd &Qd);
 
     /// Makes the preconditioner of a step.
     ///
     /// @param nodal_compliance about tr(Q_ii)/3, length m.
-    void
-    set_up(const ContactLinearization &step,
-           const Eigen::VectorXd &nodal_compliance);
+    void set_up(const ContactLinearization &step,
+                const Eigen::VectorXd &nodal_compliance);
 
     /// P⁻¹ v, of the length of the step's free components.
-    Eigen::VectorXd
-    apply(const Eigen::VectorXd &v) const;
+    Eigen::VectorXd apply(const Eigen::VectorXd &v) const;
 
   private:
-    void
-    update_root();
+    void update_root();
 
     Eigen::MatrixXd directions_, images_;
     Eigen::MatrixXd root_; ///< C with Q̂ = CCᵀ

@@ -27,8 +27,6 @@ namespace stiction::qp
     bool projected_cg_expansion = true;
   };
 
-
-
   /// Conjugate gradients with proportioning and gradient projections for any
   /// feasible set: the paper's reference [1] for its first quadratic program
   /// (on half-lines), with the rules of MPRGP (Dostál and Schöberl 2005).
@@ -41,23 +39,17 @@ namespace stiction::qp
   {
   public:
     /// As ActiveSetMethod.
-    Proportioning(const SymmetricOperator &A,
-                  const FeasibleSet &set,
-                  double norm,
+    Proportioning(const SymmetricOperator &A, const FeasibleSet &set, double norm,
                   const ProportioningOptions &options = {});
 
   protected:
-    void
-    start() override;
+    void start() override;
 
-    bool
-    must_release(const Scaling &scaling, double tolerance) const override;
+    bool must_release(const Scaling &scaling, double tolerance) const override;
 
-    void
-    release() override;
+    void release() override;
 
-    void
-    expand(double alpha_cg, double alpha_feasible) override;
+    void expand(double alpha_cg, double alpha_feasible) override;
 
   private:
     const ProportioningOptions options_;

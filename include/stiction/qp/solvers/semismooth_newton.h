@@ -13,8 +13,6 @@ namespace stiction::qp
   class SymmetricOperator;
   struct Scaling;
 
-
-
   /// What a run of the Newton method did.
   struct NewtonStatistics
   {
@@ -25,8 +23,6 @@ namespace stiction::qp
     bool converged                 = false;
     bool stagnated                 = false; ///< no progress: fall back
   };
-
-
 
   /// Contact with friction by an inexact semismooth Newton method on the dual
   /// problem, in the form of Alart and Curnier: with given friction the
@@ -61,8 +57,7 @@ namespace stiction::qp
     /// @param ends_feasible whether the result is moved into its feasible set,
     ///   which costs a product. Without it may be outside by less than the
     ///   tolerance: good enough inside of another iteration.
-    SemismoothNewton(const SymmetricOperator &Q,
-                     Eigen::VectorXd nodal_compliance,
+    SemismoothNewton(const SymmetricOperator &Q, Eigen::VectorXd nodal_compliance,
                      bool ends_feasible = true);
 
     /// Moves x until its natural residual is at most tolerance.
@@ -71,30 +66,22 @@ namespace stiction::qp
     ///   the smallest residual seen if there is no progress, or x as it was if
     ///   none has a smaller one. Entries (ν; t1; t2) or (t1; t2).
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
-    NewtonStatistics
-    solve(Eigen::VectorXd &x,
-          Eigen::VectorXd &gradient,
-          const SlipBound &slip_bound,
-          const Scaling &scaling,
-          double tolerance,
-          unsigned int max_steps,
-          const Observer &observer);
+    NewtonStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                           const SlipBound &slip_bound, const Scaling &scaling,
+                           double tolerance, unsigned int max_steps,
+                           const Observer &observer);
 
     /// From now on linear systems are solved by LU factors instead of Krylov
     /// iterations: where Q is ill-conditioned.
     ///
     /// @param Q the operator as a matrix, must outlive the object.
-    void
-    solve_directly(const Eigen::MatrixXd &Q);
+    void solve_directly(const Eigen::MatrixXd &Q);
 
   private:
     /// One Newton step; returns its Krylov iterations.
-    unsigned int
-    step(Eigen::VectorXd &x,
-         Eigen::VectorXd &gradient,
-         const Eigen::VectorXd &rho,
-         const SlipBound &slip_bound,
-         double reduction);
+    unsigned int step(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                      const Eigen::VectorXd &rho, const SlipBound &slip_bound,
+                      double reduction);
 
     const SymmetricOperator &Q_;
     const Eigen::MatrixXd *matrix_ = nullptr; ///< for direct solves

@@ -17,15 +17,11 @@ namespace stiction::qp
   {
   public:
     /// Forgets all points.
-    void
-    reset();
+    void reset();
 
     /// The length of the step to be taken at x, whose gradient is given; never
     /// below @p least, and that where nothing is known yet.
-    double
-    next(const Eigen::VectorXd &x,
-         const Eigen::VectorXd &gradient,
-         double least);
+    double next(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double least);
 
   private:
     Eigen::VectorXd last_x_, last_gradient_;

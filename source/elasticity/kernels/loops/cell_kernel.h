@@ -47,12 +47,8 @@ namespace stiction::cell_kernel
   template<typename Number>
   struct Kernels
   {
-    using Affine  = void (*)(const AffineElements<Number> &,
-                            Number *,
-                            const Number *);
-    using General = void (*)(const GeneralCells<Number> &,
-                             Number *,
-                             const Number *);
+    using Affine  = void (*)(const AffineElements<Number> &, Number *, const Number *);
+    using General = void (*)(const GeneralCells<Number> &, Number *, const Number *);
 
     unsigned int lanes;
     unsigned int n_copies;

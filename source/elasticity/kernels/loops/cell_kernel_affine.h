@@ -25,8 +25,7 @@ namespace stiction::cell_kernel
   {
     // ------------------------------------------------------- the transform
     template<typename V>
-    STICTION_INLINE void
-    line_to_modes(V &a, V &b)
+    STICTION_INLINE void line_to_modes(V &a, V &b)
     {
       const V sum = a + b;
       b           = b - a;
@@ -34,8 +33,7 @@ namespace stiction::cell_kernel
     }
 
     template<typename V>
-    STICTION_INLINE void
-    line_to_modes(V &a, V &b, V &c)
+    STICTION_INLINE void line_to_modes(V &a, V &b, V &c)
     {
       const V sum = a + c, middle = b;
       b = c - a;
@@ -45,8 +43,7 @@ namespace stiction::cell_kernel
 
     // The transposed transforms.
     template<typename V>
-    STICTION_INLINE void
-    line_to_nodes(V &a, V &b)
+    STICTION_INLINE void line_to_nodes(V &a, V &b)
     {
       const V sum = a + b;
       a           = a - b;
@@ -54,8 +51,7 @@ namespace stiction::cell_kernel
     }
 
     template<typename V>
-    STICTION_INLINE void
-    line_to_nodes(V &a, V &b, V &c)
+    STICTION_INLINE void line_to_nodes(V &a, V &b, V &c)
     {
       const V sum = a + c, half = a - c;
       a = sum - b;
@@ -64,8 +60,7 @@ namespace stiction::cell_kernel
     }
 
     template<typename V>
-    STICTION_INLINE void
-    to_modes(V (&u)[8])
+    STICTION_INLINE void to_modes(V (&u)[8])
     {
       V a = u[0], b = u[1], c = u[2], d = u[3];
       V e = u[4], f = u[5], g = u[6], h = u[7];
@@ -80,8 +75,7 @@ namespace stiction::cell_kernel
     }
 
     template<typename V>
-    STICTION_INLINE void
-    to_nodes(V (&u)[8])
+    STICTION_INLINE void to_nodes(V (&u)[8])
     {
       V a = u[0], b = u[1], c = u[2], d = u[3];
       V e = u[4], f = u[5], g = u[6], h = u[7];
@@ -96,8 +90,7 @@ namespace stiction::cell_kernel
     }
 
     template<typename V>
-    STICTION_INLINE void
-    to_modes(V (&u)[27])
+    STICTION_INLINE void to_modes(V (&u)[27])
     {
       for (int i = 0; i < 27; i += 9)
         {
@@ -119,8 +112,7 @@ namespace stiction::cell_kernel
     }
 
     template<typename V>
-    STICTION_INLINE void
-    to_nodes(V (&u)[27])
+    STICTION_INLINE void to_nodes(V (&u)[27])
     {
       for (int i = 0; i < 9; ++i)
         line_to_nodes(u[i], u[i + 9], u[i + 18]);
@@ -147,28 +139,24 @@ namespace stiction::cell_kernel
     {
       static constexpr int size = n * n * n;
 
-      static constexpr int
-      stride(const int direction)
+      static constexpr int stride(const int direction)
       {
         return direction == 0 ? 1 : direction == 1 ? n : n * n;
       }
 
-      static constexpr int
-      index(const int mode, const int direction)
+      static constexpr int index(const int mode, const int direction)
       {
         return mode / stride(direction) % n;
       }
 
       // Whether mode couples with another one by a derivative of its own in
       // direction a and of the other's in direction b; and with which.
-      static constexpr bool
-      couples(const int mode, const int a, const int b)
+      static constexpr bool couples(const int mode, const int a, const int b)
       {
         return index(mode, a) >= 1 && index(mode, b) <= n - 2;
       }
 
-      static constexpr int
-      other(const int mode, const int a, const int b)
+      static constexpr int other(const int mode, const int a, const int b)
       {
         return mode - stride(a) + stride(b);
       }
@@ -176,10 +164,8 @@ namespace stiction::cell_kernel
 
     // Boxes: direction d derives component d alone, but for shear.
     template<int n, int mode, int c, int d, typename V, typename Coefficient>
-    STICTION_INLINE void
-    add_box_coupling(V &sum,
-                     const V (&u)[3][n * n * n],
-                     const Coefficient *const coefficients)
+    STICTION_INLINE void add_box_coupling(V &sum, const V (&u)[3][n * n * n],
+                                          const Coefficient *const coefficients)
     {
       using G               = Grid<n>;
       constexpr int third   = 3 - c - d;
@@ -192,10 +178,8 @@ namespace stiction::cell_kernel
     }
 
     template<int n, int mode, int c, typename V, typename Coefficient>
-    STICTION_INLINE void
-    box_component(V (&f)[3][n * n * n],
-                  const V (&u)[3][n * n * n],
-                  const Coefficient *const coefficients)
+    STICTION_INLINE void box_component(V (&f)[3][n * n * n], const V (&u)[3][n * n * n],
+                                       const Coefficient *const coefficients)
     {
       V sum = coefficients[Grid<n>::size * c + mode] * u[c][mode];
       add_box_coupling<n, mode, c, (c + 1) % 3>(sum, u, coefficients);
@@ -204,11 +188,9 @@ namespace stiction::cell_kernel
     }
 
     template<int n, typename V, typename Coefficient, int... modes>
-    STICTION_INLINE void
-    box_modes(V (&f)[3][n * n * n],
-              const V (&u)[3][n * n * n],
-              const Coefficient *const coefficients,
-              std::integer_sequence<int, modes...>)
+    STICTION_INLINE void box_modes(V (&f)[3][n * n * n], const V (&u)[3][n * n * n],
+                                   const Coefficient *const coefficients,
+                                   std::integer_sequence<int, modes...>)
     {
       (box_component<n, modes, 0>(f, u, coefficients), ...);
       (box_component<n, modes, 1>(f, u, coefficients), ...);
@@ -217,37 +199,30 @@ namespace stiction::cell_kernel
 
     // Any affine map: 3×3 matrices instead of numbers.
     template<int n, int mode, int a, int b, typename V, typename Coefficient>
-    STICTION_INLINE void
-    add_affine_coupling(V &x,
-                        V &y,
-                        V &z,
-                        const V (&u)[3][n * n * n],
-                        const Coefficient *const coefficients)
+    STICTION_INLINE void add_affine_coupling(V &x, V &y, V &z, const V (&u)[3][n * n * n],
+                                             const Coefficient *const coefficients)
     {
       using G = Grid<n>;
       if constexpr (G::couples(mode, a, b))
         {
           constexpr int third = 3 - a - b;
           // the matrix of (a, b) is stored, that of (b, a) is its transpose
-          constexpr bool is_stored   = b == (a + 1) % 3;
-          constexpr int i            = is_stored ? 3 : 1;
-          constexpr int j            = is_stored ? 1 : 3;
-          constexpr int other        = G::other(mode, a, b);
-          const Coefficient *const m = coefficients + 6 * G::size +
-                                       9 * (n * third + G::index(mode, third));
+          constexpr bool is_stored = b == (a + 1) % 3;
+          constexpr int i          = is_stored ? 3 : 1;
+          constexpr int j          = is_stored ? 1 : 3;
+          constexpr int other      = G::other(mode, a, b);
+          const Coefficient *const m =
+            coefficients + 6 * G::size + 9 * (n * third + G::index(mode, third));
           x += m[0] * u[0][other] + m[j] * u[1][other] + m[2 * j] * u[2][other];
-          y += m[i] * u[0][other] + m[i + j] * u[1][other] +
-               m[i + 2 * j] * u[2][other];
+          y += m[i] * u[0][other] + m[i + j] * u[1][other] + m[i + 2 * j] * u[2][other];
           z += m[2 * i] * u[0][other] + m[2 * i + j] * u[1][other] +
                m[2 * i + 2 * j] * u[2][other];
         }
     }
 
     template<int n, int mode, typename V, typename Coefficient>
-    STICTION_INLINE void
-    affine_mode(V (&f)[3][n * n * n],
-                const V (&u)[3][n * n * n],
-                const Coefficient *const coefficients)
+    STICTION_INLINE void affine_mode(V (&f)[3][n * n * n], const V (&u)[3][n * n * n],
+                                     const Coefficient *const coefficients)
     {
       const Coefficient *const s = coefficients + 6 * mode;
       const V p = u[0][mode], q = u[1][mode], r = u[2][mode];
@@ -266,21 +241,17 @@ namespace stiction::cell_kernel
     }
 
     template<int n, typename V, typename Coefficient, int... modes>
-    STICTION_INLINE void
-    affine_modes(V (&f)[3][n * n * n],
-                 const V (&u)[3][n * n * n],
-                 const Coefficient *const coefficients,
-                 std::integer_sequence<int, modes...>)
+    STICTION_INLINE void affine_modes(V (&f)[3][n * n * n], const V (&u)[3][n * n * n],
+                                      const Coefficient *const coefficients,
+                                      std::integer_sequence<int, modes...>)
     {
       (affine_mode<n, modes>(f, u, coefficients), ...);
     }
 
     // --------------------------------------------------------- the product
     template<typename Number, int n, bool is_box>
-    static void
-    add_affine(const AffineElements<Number> &elements,
-               Number *const dst,
-               const Number *const src)
+    static void add_affine(const AffineElements<Number> &elements, Number *const dst,
+                           const Number *const src)
     {
       constexpr int n_nodes        = n * n * n;
       constexpr unsigned int lanes = Register<Number>::lanes;

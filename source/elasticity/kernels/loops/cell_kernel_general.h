@@ -28,8 +28,7 @@ namespace stiction::cell_kernel
 
     // The derivative in a direction at its four places, from scaled modes.
     template<int direction, typename V>
-    STICTION_INLINE void
-    differentiate(V *const values, const V *const modes)
+    STICTION_INLINE void differentiate(V *const values, const V *const modes)
     {
       constexpr int a = 1 << direction, b = first_other[direction],
                     c = second_other[direction];
@@ -43,8 +42,7 @@ namespace stiction::cell_kernel
 
     // Its transpose: derivative_modes are those of 1, b, c and bc.
     template<typename V>
-    STICTION_INLINE void
-    integrate(V *const derivative_modes, const V *const values)
+    STICTION_INLINE void integrate(V *const derivative_modes, const V *const values)
     {
       const V p = values[3] + values[1], r = values[3] - values[1];
       const V q = values[2] + values[0], s = values[2] - values[0];
@@ -62,8 +60,7 @@ namespace stiction::cell_kernel
     };
 
     // The index of a point among the places of a direction.
-    static constexpr int
-    place(const int point, const int direction)
+    static constexpr int place(const int point, const int direction)
     {
       return direction == 0   ? point >> 1
              : direction == 1 ? (point & 1) | (point >> 1 & 2)
@@ -72,8 +69,8 @@ namespace stiction::cell_kernel
 
     // Adds what a point contributes to a place, unless it is the first to.
     template<int point, int direction, typename V>
-    STICTION_INLINE void
-    add_to_place(PointMatrix<V> &sum, const int component, const V value)
+    STICTION_INLINE void add_to_place(PointMatrix<V> &sum, const int component,
+                                      const V value)
     {
       V &of_place = sum.of[component][direction][place(point, direction)];
       if constexpr (point >> direction & 1)
@@ -85,26 +82,18 @@ namespace stiction::cell_kernel
     // Stress times surface element of the reference cell at a point. du:
     // reference gradient, dx: Jacobian matrix.
     template<int point, typename V>
-    STICTION_INLINE void
-    add_stress(PointMatrix<V> &stress,
-               const PointMatrix<V> &du,
-               const PointMatrix<V> &dx,
-               const V lambda,
-               const V mu)
+    STICTION_INLINE void add_stress(PointMatrix<V> &stress, const PointMatrix<V> &du,
+                                    const PointMatrix<V> &dx, const V lambda, const V mu)
     {
-      constexpr int i = place(point, 0), j = place(point, 1),
-                    k = place(point, 2);
+      constexpr int i = place(point, 0), j = place(point, 1), k = place(point, 2);
       const V xx = dx.of[0][0][i], xy = dx.of[0][1][j], xz = dx.of[0][2][k];
       const V yx = dx.of[1][0][i], yy = dx.of[1][1][j], yz = dx.of[1][2][k];
       const V zx = dx.of[2][0][i], zy = dx.of[2][1][j], zz = dx.of[2][2][k];
 
       // the cofactors: J⁻¹ is their transpose over the determinant
-      const V cxx = yy * zz - yz * zy, cxy = yz * zx - yx * zz,
-              cxz = yx * zy - yy * zx;
-      const V cyx = zy * xz - zz * xy, cyy = zz * xx - zx * xz,
-              cyz = zx * xy - zy * xx;
-      const V czx = xy * yz - xz * yy, czy = xz * yx - xx * yz,
-              czz     = xx * yy - xy * yx;
+      const V cxx = yy * zz - yz * zy, cxy = yz * zx - yx * zz, cxz = yx * zy - yy * zx;
+      const V cyx = zy * xz - zz * xy, cyy = zz * xx - zx * xz, cyz = zx * xy - zy * xx;
+      const V czx = xy * yz - xz * yy, czy = xz * yx - xx * yz, czz = xx * yy - xy * yx;
       const V inverse = V{} + 1 / (xx * cxx + xy * cxy + xz * cxz);
       const V l = lambda * inverse, m = mu * inverse, twice_m = m + m;
 
@@ -119,12 +108,9 @@ namespace stiction::cell_kernel
       const V sxx   = trace + twice_m * gxx;
       const V syy   = trace + twice_m * gyy;
       const V szz   = trace + twice_m * gzz;
-      const V sxy =
-        m * (ux * cyx + uy * cyy + uz * cyz + vx * cxx + vy * cxy + vz * cxz);
-      const V sxz =
-        m * (ux * czx + uy * czy + uz * czz + wx * cxx + wy * cxy + wz * cxz);
-      const V syz =
-        m * (vx * czx + vy * czy + vz * czz + wx * cyx + wy * cyy + wz * cyz);
+      const V sxy = m * (ux * cyx + uy * cyy + uz * cyz + vx * cxx + vy * cxy + vz * cxz);
+      const V sxz = m * (ux * czx + uy * czy + uz * czz + wx * cxx + wy * cxy + wz * cxz);
+      const V syz = m * (vx * czx + vy * czy + vz * czz + wx * cyx + wy * cyy + wz * cyz);
 
       add_to_place<point, 0>(stress, 0, sxx * cxx + sxy * cyx + sxz * czx);
       add_to_place<point, 1>(stress, 0, sxx * cxy + sxy * cyy + sxz * czy);
@@ -138,21 +124,16 @@ namespace stiction::cell_kernel
     }
 
     template<typename V, int... points>
-    STICTION_INLINE void
-    add_stresses(PointMatrix<V> &stress,
-                 const PointMatrix<V> &du,
-                 const PointMatrix<V> &dx,
-                 const V lambda,
-                 const V mu,
-                 std::integer_sequence<int, points...>)
+    STICTION_INLINE void add_stresses(PointMatrix<V> &stress, const PointMatrix<V> &du,
+                                      const PointMatrix<V> &dx, const V lambda,
+                                      const V mu, std::integer_sequence<int, points...>)
     {
       (add_stress<points>(stress, du, dx, lambda, mu), ...);
     }
 
     // The derivatives of the displacement in all places, from nodal values.
     template<typename Number, typename V>
-    STICTION_INLINE void
-    differentiate_nodal_values(PointMatrix<V> &du, V (&u)[3][8])
+    STICTION_INLINE void differentiate_nodal_values(PointMatrix<V> &du, V (&u)[3][8])
     {
       for (int c = 0; c < 3; ++c)
         {
@@ -169,8 +150,7 @@ namespace stiction::cell_kernel
 
     // Its transpose.
     template<typename Number, typename V>
-    STICTION_INLINE void
-    integrate_to_nodes(V (&f)[3][8], const PointMatrix<V> &stress)
+    STICTION_INLINE void integrate_to_nodes(V (&f)[3][8], const PointMatrix<V> &stress)
     {
       for (int c = 0; c < 3; ++c)
         {
@@ -191,15 +171,13 @@ namespace stiction::cell_kernel
     }
 
     template<typename Number>
-    static void
-    add_general(const GeneralCells<Number> &cells,
-                Number *const dst,
-                const Number *const src)
+    static void add_general(const GeneralCells<Number> &cells, Number *const dst,
+                            const Number *const src)
     {
       using V                      = Vector<Number>;
       constexpr unsigned int lanes = Register<Number>::lanes;
       const std::uint32_t *entries = cells.entries;
-      const V *numbers = reinterpret_cast<const V *>(cells.geometry);
+      const V *numbers             = reinterpret_cast<const V *>(cells.geometry);
       Values<Number, 8> u;
       PointMatrix<V> dx, du, stress;
       for (std::size_t first = 0; first < cells.n_elements; first += lanes)
@@ -213,11 +191,7 @@ namespace stiction::cell_kernel
               differentiate<1>(dx.of[c][1], modes);
               differentiate<2>(dx.of[c][2], modes);
             }
-          add_stresses(stress,
-                       du,
-                       dx,
-                       numbers[21],
-                       numbers[22],
+          add_stresses(stress, du, dx, numbers[21], numbers[22],
                        std::make_integer_sequence<int, 8>());
           integrate_to_nodes<Number>(u.of, stress);
           scatter_add(dst, entries, u, cells.n_elements - first);

@@ -8,8 +8,7 @@ namespace stiction::cell_kernel
   namespace
   {
     template<typename Number>
-    constexpr Kernels<Number>
-    kernels()
+    constexpr Kernels<Number> kernels()
     {
       return {Register<Number>::lanes,
               Register<Number>::repeats ? Register<Number>::lanes : 1,

@@ -15,8 +15,7 @@ namespace stiction::cell_kernel
     template<typename Number>
     struct Register
     {
-      static constexpr unsigned int lanes =
-        STICTION_VECTOR_BYTES / sizeof(Number);
+      static constexpr unsigned int lanes = STICTION_VECTOR_BYTES / sizeof(Number);
       typedef Number Type __attribute__((vector_size(STICTION_VECTOR_BYTES)));
 
       // Wide registers are filled with one number at no cost, narrow ones

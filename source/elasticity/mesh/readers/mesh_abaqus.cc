@@ -9,34 +9,28 @@ namespace stiction
 {
   namespace
   {
-    bool
-    begins_with_any(const std::string &text,
-                    const std::vector<std::string> &beginnings)
+    bool begins_with_any(const std::string &text,
+                         const std::vector<std::string> &beginnings)
     {
-      return std::any_of(beginnings.begin(),
-                         beginnings.end(),
-                         [&](const std::string &beginning) {
-                           return text.rfind(beginning, 0) == 0;
-                         });
+      return std::any_of(
+        beginnings.begin(), beginnings.end(),
+        [&](const std::string &beginning) { return text.rfind(beginning, 0) == 0; });
     }
 
     // 0 if it is none. Other letters, as for reduced integration, say nothing
     // of the shape.
-    unsigned int
-    nodes_of_hexahedron(const std::string &type)
+    unsigned int nodes_of_hexahedron(const std::string &type)
     {
       for (const unsigned int n : {8, 20, 27})
         {
           const std::string name = "C3D" + std::to_string(n);
-          if (type == name ||
-              begins_with_any(type, {name + 'R', name + 'I', name + 'H'}))
+          if (type == name || begins_with_any(type, {name + 'R', name + 'I', name + 'H'}))
             return n;
         }
       return 0;
     }
 
-    std::vector<std::string>
-    split_at_commas(const std::string &line)
+    std::vector<std::string> split_at_commas(const std::string &line)
     {
       std::vector<std::string> items;
       std::istringstream in(line);
@@ -59,8 +53,7 @@ namespace stiction
       {
       }
 
-      MeshData
-      read()
+      MeshData read()
       {
         std::string line;
         while (text_.next_line(line))
@@ -88,8 +81,7 @@ namespace stiction
       }
 
     private:
-      void
-      read_keyword(const std::string &line)
+      void read_keyword(const std::string &line)
       {
         end_of_data();
         keyword_ = "";
@@ -100,11 +92,9 @@ namespace stiction
           else
             {
               const std::size_t equals = item.find('=');
-              std::string value        = equals == std::string::npos
-                                           ? ""
-                                           : trim(item.substr(equals + 1));
-              if (value.size() > 1 && value.front() == '"' &&
-                  value.back() == '"')
+              std::string value =
+                equals == std::string::npos ? "" : trim(item.substr(equals + 1));
+              if (value.size() > 1 && value.front() == '"' && value.back() == '"')
                 value = value.substr(1, value.size() - 2);
               options_[upper(trim(item.substr(0, equals)))] = value;
             }
@@ -124,8 +114,7 @@ namespace stiction
           text_.refuse("another file is included, must be one file");
       }
 
-      void
-      read_data(const std::string &line)
+      void read_data(const std::string &line)
       {
         // an element may go on after a ',' at the end of a line
         if (keyword_ == "*ELEMENT")
@@ -154,44 +143,37 @@ namespace stiction
           text_.refuse("the instance is moved, must stand where its part does");
       }
 
-      void
-      end_of_data()
+      void end_of_data()
       {
         if (!unfinished_.empty())
           text_.refuse("an element is not complete before this line");
       }
 
-      void
-      read_node(const std::vector<std::string> &items)
+      void read_node(const std::vector<std::string> &items)
       {
         if (items.size() < 4)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
         mesh_.add_node(text_.to_integer(items[0]),
-                       items[1] + ' ' + items[2] + ' ' + items[3],
-                       text_);
+                       items[1] + ' ' + items[2] + ' ' + items[3], text_);
       }
 
-      void
-      read_element(const std::vector<std::string> &items)
+      void read_element(const std::vector<std::string> &items)
       {
         const std::string type = upper(options_["TYPE"]);
         if (const unsigned int n_nodes = nodes_of_hexahedron(type))
           {
             if (items.size() != n_nodes + 1)
-              text_.refuse("a hexahedron with its number and " +
-                           std::to_string(n_nodes) +
+              text_.refuse("a hexahedron with its number and " + std::to_string(n_nodes) +
                            " nodes should stand here");
             const std::int64_t number = text_.to_integer(items[0]);
             if (!numbers_.emplace(number, hexahedra_.size()).second)
-              text_.refuse("element " + items[0] +
-                           " stands twice, must stand once");
+              text_.refuse("element " + items[0] + " stands twice, must stand once");
             hexahedra_.push_back({{items.begin() + 1, items.end()}, 0});
             add_element(n_nodes == 8    ? 5
                         : n_nodes == 20 ? 17
                                         : 12,
-                        0,
-                        hexahedra_.back().nodes);
+                        0, hexahedra_.back().nodes);
             add_to_set(options_["ELSET"], number);
             if (!options_["ELSET"].empty())
               element_sets_.insert(upper(options_["ELSET"]));
@@ -210,23 +192,18 @@ namespace stiction
           ++mesh_.mesh.other_elements["elements of type " + type];
       }
 
-      void
-      add_element(const std::int64_t type,
-                  const unsigned int id,
-                  const std::vector<std::string> &nodes)
+      void add_element(const std::int64_t type, const unsigned int id,
+                       const std::vector<std::string> &nodes)
       {
         std::string line;
         for (const std::string &node : nodes)
           line += node + ' ';
-        mesh_.add_element(type,
-                          id,
+        mesh_.add_element(type, id,
                           // nodes inside: the centre, then faces S1 to S6
-                          in_gmsh_order(line, {{21, 23, 26, 24, 25, 22, 20}}),
-                          text_);
+                          in_gmsh_order(line, {{21, 23, 26, 24, 25, 22, 20}}), text_);
       }
 
-      void
-      add_to_set(const std::string &set, const std::int64_t element)
+      void add_to_set(const std::string &set, const std::int64_t element)
       {
         if (set.empty())
           return;
@@ -234,8 +211,7 @@ namespace stiction
         sets_[upper(set)].push_back(element);
       }
 
-      void
-      read_set(const std::vector<std::string> &items)
+      void read_set(const std::vector<std::string> &items)
       {
         const std::string &set = options_["ELSET"];
         if (set.empty())
@@ -246,13 +222,11 @@ namespace stiction
               text_.refuse("the first and the last element should stand here");
             const std::int64_t first = text_.to_integer(items[0]);
             const std::int64_t last  = text_.to_integer(items[1]);
-            const std::int64_t step  = items.size() > 2 && !items[2].empty()
-                                         ? text_.to_integer(items[2])
-                                         : 1;
+            const std::int64_t step =
+              items.size() > 2 && !items[2].empty() ? text_.to_integer(items[2]) : 1;
             if (step < 1 || last - first > 1000000000)
               text_.refuse("the elements from " + items[0] + " to " + items[1] +
-                           " in steps of " + std::to_string(step) +
-                           " are no set");
+                           " in steps of " + std::to_string(step) + " are no set");
             for (std::int64_t e = first; e <= last; e += step)
               add_to_set(set, e);
             return;
@@ -261,33 +235,27 @@ namespace stiction
           if (item.empty())
             continue;
           else if (sets_.count(upper(item)) != 0)
-            for (const std::int64_t e :
-                 std::vector<std::int64_t>(sets_.at(upper(item))))
+            for (const std::int64_t e : std::vector<std::int64_t>(sets_.at(upper(item))))
               add_to_set(set, e);
           else
             add_to_set(set, text_.to_integer(item));
       }
 
-      unsigned int
-      face_number(const std::string &face) const
+      unsigned int face_number(const std::string &face) const
       {
-        if (face.size() != 2 || (face[0] != 'S' && face[0] != 's') ||
-            face[1] < '1' || face[1] > '6')
+        if (face.size() != 2 || (face[0] != 'S' && face[0] != 's') || face[1] < '1' ||
+            face[1] > '6')
           text_.refuse("'" + face.substr(0, 40) +
                        "' is no face of a hexahedron, must be from S1 to S6");
         return static_cast<unsigned int>(face[1] - '1');
       }
 
-      void
-      add_surfaces()
+      void add_surfaces()
       {
         // the faces S1 to S6 in Abaqus' manual
-        static const unsigned int face_vertices[6][4] = {{0, 1, 2, 3},
-                                                         {4, 7, 6, 5},
-                                                         {0, 4, 5, 1},
-                                                         {1, 5, 6, 2},
-                                                         {2, 6, 7, 3},
-                                                         {3, 7, 4, 0}};
+        static const unsigned int face_vertices[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5},
+                                                         {0, 4, 5, 1}, {1, 5, 6, 2},
+                                                         {2, 6, 7, 3}, {3, 7, 4, 0}};
         unsigned int id                               = 0;
         for (const Surface &surface : surfaces_)
           {
@@ -303,8 +271,7 @@ namespace stiction
           }
       }
 
-      void
-      name_materials()
+      void name_materials()
       {
         if (sections_.empty())
           for (const std::string &set : element_sets_)
@@ -315,8 +282,7 @@ namespace stiction
           {
             const auto id = ids.emplace(upper(section.second), last + 1);
             if (id.second)
-              add_name(
-                section.second, ++last, mesh_.mesh.material_names, text_);
+              add_name(section.second, ++last, mesh_.mesh.material_names, text_);
             for (const std::int64_t element : elements(section.first))
               {
                 unsigned int &material = hexahedron(element).material;
@@ -329,16 +295,13 @@ namespace stiction
       }
 
       // Of a set, or the one with the number.
-      std::vector<std::int64_t>
-      elements(const std::string &what) const
+      std::vector<std::int64_t> elements(const std::string &what) const
       {
         const auto set = sets_.find(upper(what));
         if (set != sets_.end())
           return set->second;
-        if (what.empty() ||
-            what.find_first_not_of("0123456789") != std::string::npos)
-          text_.refuse("there is no set of elements '" + what.substr(0, 40) +
-                       "'");
+        if (what.empty() || what.find_first_not_of("0123456789") != std::string::npos)
+          text_.refuse("there is no set of elements '" + what.substr(0, 40) + "'");
         return {text_.to_integer(what)};
       }
 
@@ -348,8 +311,7 @@ namespace stiction
         unsigned int material;
       };
 
-      Hexahedron &
-      hexahedron(const std::int64_t element)
+      Hexahedron &hexahedron(const std::int64_t element)
       {
         const auto found = numbers_.find(element);
         if (found == numbers_.end())
@@ -380,10 +342,7 @@ namespace stiction
     };
   } // namespace
 
-
-
-  MeshData
-  read_abaqus(MeshText &text)
+  MeshData read_abaqus(MeshText &text)
   {
     return AbaqusReader(text).read();
   }

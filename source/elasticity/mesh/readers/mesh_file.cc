@@ -23,8 +23,7 @@ namespace stiction
 
   namespace
   {
-    MeshData
-    read_by_extension(const std::string &file, const std::string &location)
+    MeshData read_by_extension(const std::string &file, const std::string &location)
     {
       const std::string kind = upper(std::filesystem::path(file).extension());
       if (kind != ".MSH" && kind != ".INP" && kind != ".VTK")
@@ -36,17 +35,16 @@ namespace stiction
                               : read_vtk(text);
     }
 
-    void
-    require_hexahedra(const MeshData &mesh, const std::string &location)
+    void require_hexahedra(const MeshData &mesh, const std::string &location)
     {
       std::string others;
       bool is_solid = !mesh.cells.empty();
       for (const auto &kind : mesh.other_elements)
         {
-          others += (others.empty() ? "" : ", ") + std::to_string(kind.second) +
-                    " " + kind.first;
-          is_solid = is_solid || kind.first == "tetrahedra" ||
-                     kind.first == "wedges" || kind.first == "pyramids";
+          others +=
+            (others.empty() ? "" : ", ") + std::to_string(kind.second) + " " + kind.first;
+          is_solid = is_solid || kind.first == "tetrahedra" || kind.first == "wedges" ||
+                     kind.first == "pyramids";
         }
       if (!is_solid && (!others.empty() || !mesh.faces.boundary_quads.empty()))
         throw InputError(location + ", has faces but no cells, must be a mesh "
@@ -64,15 +62,13 @@ namespace stiction
 
     // "hexahedron 7 with its centre at (1, 2, 3)", counted from 1 in the order
     // of the file
-    std::string
-    describe_cell(const MeshData &mesh, const std::size_t number)
+    std::string describe_cell(const MeshData &mesh, const std::size_t number)
     {
       Point<3> centre;
       for (const unsigned int v : mesh.cells[number].vertices)
         centre += mesh.vertices[v] / 8.;
       std::ostringstream out;
-      out << "hexahedron " << number + 1 << " with its centre at (" << centre
-          << ')';
+      out << "hexahedron " << number + 1 << " with its centre at (" << centre << ')';
       return out.str();
     }
 
@@ -89,8 +85,7 @@ namespace stiction
           add_cell(i);
       }
 
-      void
-      require_one_piece()
+      void require_one_piece()
       {
         const std::size_t first = 0;
         for (std::size_t i = first; i < mesh_.cells.size(); ++i)
@@ -103,8 +98,7 @@ namespace stiction
 
       // Cells that meet at an edge or a vertex alone: neither has deal.II a
       // mesh of them, nor do they make a body.
-      void
-      require_manifold()
+      void require_manifold()
       {
         std::vector<Part> edges, vertices;
         for (unsigned int e = 0; e < GeometryInfo<3>::lines_per_cell; ++e)
@@ -117,16 +111,14 @@ namespace stiction
       }
 
       // and marks what is inside, which is no boundary
-      void
-      require_boundaries_fit()
+      void require_boundaries_fit()
       {
         std::map<Key, unsigned int> ids;
         for (CellData<2> &face : mesh_.faces.boundary_quads)
           {
             const Key key = sorted(face.vertices);
             if (cells_.count(key) == 0)
-              throw InputError(location_ +
-                               ", has a quadrilateral of boundary " +
+              throw InputError(location_ + ", has a quadrilateral of boundary " +
                                std::to_string(face.boundary_id) +
                                " that is no face of a hexahedron, faces and "
                                "hexahedra must have the same nodes.");
@@ -136,8 +128,7 @@ namespace stiction
                                describe_cell(mesh_, cells_.at(key).first) +
                                " on the boundaries " +
                                std::to_string(known.first->second) + " and " +
-                               std::to_string(face.boundary_id) +
-                               ", must be on one.");
+                               std::to_string(face.boundary_id) + ", must be on one.");
             if (cells_.at(key).n == 2)
               face.boundary_id = numbers::internal_face_boundary_id;
           }
@@ -146,8 +137,7 @@ namespace stiction
     private:
       using Key = std::vector<unsigned int>; // sorted
 
-      static Key
-      sorted(Key vertices)
+      static Key sorted(Key vertices)
       {
         std::sort(vertices.begin(), vertices.end());
         return vertices;
@@ -156,8 +146,7 @@ namespace stiction
       using Part = std::array<unsigned int, 2>; // local: an edge or, twice
                                                 // the same, a vertex
 
-      std::uint64_t
-      key(const std::size_t cell, const Part &part) const
+      std::uint64_t key(const std::size_t cell, const Part &part) const
       {
         const auto &of_cell = mesh_.cells[cell].vertices;
         const auto ends     = std::minmax(of_cell[part[0]], of_cell[part[1]]);
@@ -166,9 +155,8 @@ namespace stiction
 
       // All cells with an edge or vertex in common must be reached from each
       // other through faces that have it, too.
-      void
-      require_connected_around(const std::vector<Part> &parts,
-                               const std::string &name)
+      void require_connected_around(const std::vector<Part> &parts,
+                                    const std::string &name)
       {
         const std::size_t n = parts.size();
         boost::disjoint_sets_with_storage<> around(n * mesh_.cells.size());
@@ -189,28 +177,25 @@ namespace stiction
             const std::size_t other =
               first.emplace(key(i / n, parts[i % n]), i).first->second;
             if (around.find_set(i) != around.find_set(other))
-              throw InputError(
-                location_ + ", " + describe_cell(mesh_, other / n) + " and " +
-                describe_cell(mesh_, i / n) + " meet at a single " + name +
-                ", hexahedra that touch must be connected by "
-                "faces around it.");
+              throw InputError(location_ + ", " + describe_cell(mesh_, other / n) +
+                               " and " + describe_cell(mesh_, i / n) +
+                               " meet at a single " + name +
+                               ", hexahedra that touch must be connected by "
+                               "faces around it.");
           }
       }
 
-      static bool
-      is_in(const Key &face, const std::uint64_t part)
+      static bool is_in(const Key &face, const std::uint64_t part)
       {
         return std::binary_search(face.begin(), face.end(), part >> 32) &&
                std::binary_search(face.begin(), face.end(), part & 0xffffffff);
       }
 
-      void
-      add_cell(const std::size_t number)
+      void add_cell(const std::size_t number)
       {
         const auto &in_order = mesh_.cells[number].vertices;
         const Key vertices   = sorted(in_order);
-        if (std::adjacent_find(vertices.begin(), vertices.end()) !=
-            vertices.end())
+        if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
           throw InputError(location_ + ", " + describe_cell(mesh_, number) +
                            " has a node twice, must have eight nodes.");
 
@@ -218,8 +203,7 @@ namespace stiction
           {
             Key key;
             for (unsigned int v = 0; v < 4; ++v)
-              key.push_back(
-                in_order[GeometryInfo<3>::face_to_cell_vertices(f, v)]);
+              key.push_back(in_order[GeometryInfo<3>::face_to_cell_vertices(f, v)]);
             key                = sorted(key);
             Neighbours &shared = cells_[key];
             if (shared.n == 0)
@@ -253,10 +237,7 @@ namespace stiction
     };
   } // namespace
 
-
-
-  MeshData
-  read_mesh_file(const std::string &file, const std::string &location)
+  MeshData read_mesh_file(const std::string &file, const std::string &location)
   {
     MeshData mesh = read_by_extension(file, location);
     require_hexahedra(mesh, location);

@@ -21,10 +21,9 @@ namespace stiction
     class Kept : public Triangulation<3>
     {
     public:
-      void
-      create_triangulation(const std::vector<Point<3>> &vertices,
-                           const std::vector<CellData<3>> &cells,
-                           const SubCellData &faces) override
+      void create_triangulation(const std::vector<Point<3>> &vertices,
+                                const std::vector<CellData<3>> &cells,
+                                const SubCellData &faces) override
       {
         data.vertices = vertices;
         data.cells    = cells;
@@ -34,40 +33,37 @@ namespace stiction
       MeshData data;
     };
 
-    std::vector<std::string>
-    split_at_spaces(const std::string &text)
+    std::vector<std::string> split_at_spaces(const std::string &text)
     {
       std::istringstream in(text);
       return {std::istream_iterator<std::string>(in), {}};
     }
   } // namespace
 
-
-
-  const std::pair<unsigned int, std::string> &
-  element_kind(const std::int64_t type, const MeshText &text)
+  const std::pair<unsigned int, std::string> &element_kind(const std::int64_t type,
+                                                           const MeshText &text)
   {
-    static const std::map<std::int64_t, std::pair<unsigned int, std::string>>
-      kinds         = {{15, {1, ""}},
-                       {1, {2, ""}},
-                       {2, {3, "triangles"}},
-                       {3, {4, ""}},
-                       {4, {4, "tetrahedra"}},
-                       {5, {8, ""}},
-                       {6, {6, "wedges"}},
-                       {7, {5, "pyramids"}},
-                       // of second order
-                       {8, {3, ""}},
-                       {9, {6, "triangles"}},
-                       {10, {9, ""}},
-                       {11, {10, "tetrahedra"}},
-                       {12, {27, ""}},
-                       {13, {18, "wedges"}},
-                       {14, {14, "pyramids"}},
-                       {16, {8, ""}},
-                       {17, {20, ""}},
-                       {18, {15, "wedges"}},
-                       {19, {13, "pyramids"}}};
+    static const std::map<std::int64_t, std::pair<unsigned int, std::string>> kinds = {
+      {15, {1, ""}},
+      {1, {2, ""}},
+      {2, {3, "triangles"}},
+      {3, {4, ""}},
+      {4, {4, "tetrahedra"}},
+      {5, {8, ""}},
+      {6, {6, "wedges"}},
+      {7, {5, "pyramids"}},
+      // of second order
+      {8, {3, ""}},
+      {9, {6, "triangles"}},
+      {10, {9, ""}},
+      {11, {10, "tetrahedra"}},
+      {12, {27, ""}},
+      {13, {18, "wedges"}},
+      {14, {14, "pyramids"}},
+      {16, {8, ""}},
+      {17, {20, ""}},
+      {18, {15, "wedges"}},
+      {19, {13, "pyramids"}}};
     const auto kind = kinds.find(type);
     if (kind == kinds.end())
       text.refuse("has elements of Gmsh's type " + std::to_string(type) +
@@ -76,11 +72,8 @@ namespace stiction
     return kind->second;
   }
 
-
-
-  std::string
-  in_gmsh_order(const std::string &nodes,
-                const std::array<unsigned int, 7> &faces_and_centre)
+  std::string in_gmsh_order(const std::string &nodes,
+                            const std::array<unsigned int, 7> &faces_and_centre)
   {
     const std::vector<std::string> words = split_at_spaces(nodes);
     if (words.size() != 20 && words.size() != 27)
@@ -94,38 +87,27 @@ namespace stiction
     return line;
   }
 
-
-
-  void
-  MeshForGridIn::add_node(const std::int64_t number,
-                          const std::string &coordinates,
-                          const MeshText &text)
+  void MeshForGridIn::add_node(const std::int64_t number, const std::string &coordinates,
+                               const MeshText &text)
   {
     if (std::abs(number) > std::numeric_limits<int>::max())
       text.refuse("node " + std::to_string(number) +
                   " has a number that is too large, must be below 2147483648");
     const std::vector<std::string> words = split_at_spaces(coordinates);
     if (words.size() != 3)
-      text.refuse("node " + std::to_string(number) +
-                  " must have three coordinates");
+      text.refuse("node " + std::to_string(number) + " must have three coordinates");
     Point<3> point;
     for (unsigned int d = 0; d < 3; ++d)
       point[d] = text.to_real(words[d]);
     if (!numbers_.emplace(std::to_string(number), points_.size()).second)
-      text.refuse("node " + std::to_string(number) +
-                  " stands twice, must stand once");
+      text.refuse("node " + std::to_string(number) + " stands twice, must stand once");
     points_.push_back(point);
     is_corner_.push_back(false);
     nodes_ += std::to_string(number) + ' ' + coordinates + '\n';
   }
 
-
-
-  void
-  MeshForGridIn::add_element(const std::int64_t type,
-                             const unsigned int id,
-                             const std::string &nodes,
-                             const MeshText &text)
+  void MeshForGridIn::add_element(const std::int64_t type, const unsigned int id,
+                                  const std::string &nodes, const MeshText &text)
   {
     const std::vector<std::string> words = split_at_spaces(nodes);
     std::vector<unsigned int> positions;
@@ -154,11 +136,8 @@ namespace stiction
     add_inner_nodes(positions, text);
   }
 
-
-
-  unsigned int
-  MeshForGridIn::position_of_node(const std::string &number,
-                                  const MeshText &text) const
+  unsigned int MeshForGridIn::position_of_node(const std::string &number,
+                                               const MeshText &text) const
   {
     auto found = numbers_.find(number);
     if (found == numbers_.end()) // '007' is node 7
@@ -168,32 +147,13 @@ namespace stiction
     return found->second;
   }
 
-
-
-  void
-  MeshForGridIn::add_inner_nodes(const std::vector<unsigned int> &nodes,
-                                 const MeshText &text)
+  void MeshForGridIn::add_inner_nodes(const std::vector<unsigned int> &nodes,
+                                      const MeshText &text)
   {
     // what nodes 8 to 26 are inside of
-    static const std::array<std::string, 19> corners_of = {{"01",
-                                                            "03",
-                                                            "04",
-                                                            "12",
-                                                            "15",
-                                                            "23",
-                                                            "26",
-                                                            "37",
-                                                            "45",
-                                                            "47",
-                                                            "56",
-                                                            "67",
-                                                            "0123",
-                                                            "0145",
-                                                            "0347",
-                                                            "1256",
-                                                            "2367",
-                                                            "4567",
-                                                            "01234567"}};
+    static const std::array<std::string, 19> corners_of = {
+      {"01", "03", "04", "12", "15", "23", "26", "37", "45", "47", "56", "67", "0123",
+       "0145", "0347", "1256", "2367", "4567", "01234567"}};
     for (unsigned int i = 8; i < nodes.size(); ++i)
       {
         std::vector<unsigned int> corners;
@@ -208,10 +168,7 @@ namespace stiction
       }
   }
 
-
-
-  QuadraticCells::InnerNodes
-  MeshForGridIn::inner_nodes() const
+  QuadraticCells::InnerNodes MeshForGridIn::inner_nodes() const
   {
     std::vector<unsigned int> vertices; // by the position of their node
     unsigned int n = 0;
@@ -228,18 +185,12 @@ namespace stiction
     return points;
   }
 
-
-
-  bool
-  MeshForGridIn::is_of_hexahedra() const
+  bool MeshForGridIn::is_of_hexahedra() const
   {
     return !hexahedra_.empty() && mesh.other_elements.empty();
   }
 
-
-
-  MeshData
-  MeshForGridIn::read(const MeshText &text) const
+  MeshData MeshForGridIn::read(const MeshText &text) const
   {
     if (!is_of_hexahedra())
       {
@@ -273,12 +224,8 @@ namespace stiction
     return data;
   }
 
-
-
-  bool
-  MeshForGridIn::hand_over(const std::size_t first,
-                           const std::size_t n,
-                           Triangulation<3> &triangulation) const
+  bool MeshForGridIn::hand_over(const std::size_t first, const std::size_t n,
+                                Triangulation<3> &triangulation) const
   {
     // A triangle keeps GridIn from putting vertices and cells in order, which
     // it can do only if they fit together.

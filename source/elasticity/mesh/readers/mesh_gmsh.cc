@@ -17,8 +17,7 @@ namespace stiction
       {
       }
 
-      MeshData
-      read()
+      MeshData read()
       {
         std::string line;
         while (text_.next_line(line))
@@ -30,8 +29,7 @@ namespace stiction
       }
 
     private:
-      void
-      read_section(const std::string &name)
+      void read_section(const std::string &name)
       {
         if (!has_format_ && name != "$MeshFormat")
           text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
@@ -57,8 +55,7 @@ namespace stiction
             text_.refuse("section '" + name + "' has no end");
       }
 
-      void
-      read_format()
+      void read_format()
       {
         const std::string version = text_.word();
         if (version != "2.2" && version != "4.1")
@@ -73,8 +70,7 @@ namespace stiction
         has_format_ = true;
       }
 
-      void
-      read_physical_names()
+      void read_physical_names()
       {
         for (std::uint64_t n = text_.count(); n > 0; --n)
           {
@@ -90,16 +86,14 @@ namespace stiction
               text_.refuse("the physical group '" + name +
                            "' has the number 0, which is that of parts in no "
                            "group, must be a number > 0");
-            add_name(name,
-                     to_id(number, text_),
+            add_name(name, to_id(number, text_),
                      dimension == 2 ? mesh_.mesh.boundary_names
                                     : mesh_.mesh.material_names,
                      text_);
           }
       }
 
-      void
-      read_entities()
+      void read_entities()
       {
         std::array<std::uint64_t, 4> n;
         for (auto &count : n)
@@ -117,17 +111,15 @@ namespace stiction
               if (dimension > 0)
                 text_.words(text_.count());
               if (dimension >= 2 && groups.size() > 1)
-                text_.refuse(
-                  std::string(dimension == 2 ? "surface " : "volume ") +
-                  std::to_string(entity) +
-                  " is in two physical groups, must be in one at most");
+                text_.refuse(std::string(dimension == 2 ? "surface " : "volume ") +
+                             std::to_string(entity) +
+                             " is in two physical groups, must be in one at most");
               if (!groups.empty())
                 group_of_[dimension][entity] = *groups.begin();
             }
       }
 
-      void
-      read_nodes_2()
+      void read_nodes_2()
       {
         for (std::uint64_t n = text_.count(); n > 0; --n)
           {
@@ -136,8 +128,7 @@ namespace stiction
           }
       }
 
-      void
-      read_nodes_4()
+      void read_nodes_4()
       {
         std::uint64_t n_blocks = text_.count();
         text_.words(3); // how many, smallest and largest number
@@ -157,8 +148,7 @@ namespace stiction
           }
       }
 
-      void
-      read_elements_2()
+      void read_elements_2()
       {
         for (std::uint64_t n = text_.count(); n > 0; --n)
           {
@@ -171,8 +161,7 @@ namespace stiction
           }
       }
 
-      void
-      read_elements_4()
+      void read_elements_4()
       {
         std::uint64_t n_blocks = text_.count();
         text_.words(3);
@@ -184,19 +173,15 @@ namespace stiction
             for (std::uint64_t n = text_.count(); n > 0; --n)
               {
                 text_.integer();
-                read_element(type,
-                             dimension < 4 ? group_of_[dimension][entity] : 0);
+                read_element(type, dimension < 4 ? group_of_[dimension][entity] : 0);
               }
           }
       }
 
-      void
-      read_element(const std::int64_t type, const std::int64_t group)
+      void read_element(const std::int64_t type, const std::int64_t group)
       {
-        mesh_.add_element(type,
-                          to_id(std::abs(group), text_),
-                          text_.words(element_kind(type, text_).first),
-                          text_);
+        mesh_.add_element(type, to_id(std::abs(group), text_),
+                          text_.words(element_kind(type, text_).first), text_);
       }
 
       MeshText &text_;
@@ -207,10 +192,7 @@ namespace stiction
     };
   } // namespace
 
-
-
-  MeshData
-  read_gmsh(MeshText &text)
+  MeshData read_gmsh(MeshText &text)
   {
     return GmshReader(text).read();
   }

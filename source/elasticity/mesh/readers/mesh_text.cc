@@ -17,17 +17,12 @@ namespace stiction
     constexpr const char *spaces = " \t\r\n\f\v";
   }
 
-
-
-  std::string
-  upper(std::string text)
+  std::string upper(std::string text)
   {
     for (char &c : text)
       c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
   }
-
-
 
   MeshText::MeshText(const std::string &file, std::string location)
     : in_(file)
@@ -35,16 +30,12 @@ namespace stiction
   {
     // a directory opens, but cannot be read
     if (!in_ || (in_.peek(), in_.bad()))
-      throw InputError(location_ +
-                       ", cannot be read, must be the path of a mesh file.");
+      throw InputError(location_ + ", cannot be read, must be the path of a mesh file.");
     if (in_.eof())
       throw InputError(location_ + ", is empty, must be a mesh file.");
   }
 
-
-
-  bool
-  MeshText::read_line()
+  bool MeshText::read_line()
   {
     line_.clear();
     position_ = 0;
@@ -54,10 +45,7 @@ namespace stiction
     return true;
   }
 
-
-
-  bool
-  MeshText::next_line(std::string &line)
+  bool MeshText::next_line(std::string &line)
   {
     if (!read_line())
       return false;
@@ -65,20 +53,14 @@ namespace stiction
     return true;
   }
 
-
-
-  std::string
-  MeshText::rest_of_line()
+  std::string MeshText::rest_of_line()
   {
     const std::string rest = trim(line_.substr(position_));
     position_              = line_.size();
     return rest;
   }
 
-
-
-  std::string
-  MeshText::word()
+  std::string MeshText::word()
   {
     std::size_t first = line_.find_first_not_of(spaces, position_);
     while (first == std::string::npos)
@@ -91,10 +73,7 @@ namespace stiction
     return line_.substr(first, position_ - first);
   }
 
-
-
-  std::string
-  MeshText::words(const std::uint64_t n)
+  std::string MeshText::words(const std::uint64_t n)
   {
     std::string result;
     for (std::uint64_t i = 0; i < n; ++i)
@@ -102,26 +81,17 @@ namespace stiction
     return result;
   }
 
-
-
-  std::int64_t
-  MeshText::integer()
+  std::int64_t MeshText::integer()
   {
     return to_integer(word());
   }
 
-
-
-  std::uint64_t
-  MeshText::count()
+  std::uint64_t MeshText::count()
   {
     return to_count(word());
   }
 
-
-
-  std::int64_t
-  MeshText::to_integer(const std::string &word) const
+  std::int64_t MeshText::to_integer(const std::string &word) const
   {
     std::int64_t value = 0;
     const char *end    = word.data() + word.size();
@@ -131,10 +101,7 @@ namespace stiction
     return value;
   }
 
-
-
-  std::uint64_t
-  MeshText::to_count(const std::string &word) const
+  std::uint64_t MeshText::to_count(const std::string &word) const
   {
     const std::int64_t value = to_integer(word);
     if (value < 0)
@@ -142,10 +109,7 @@ namespace stiction
     return static_cast<std::uint64_t>(value);
   }
 
-
-
-  double
-  MeshText::to_real(const std::string &word) const
+  double MeshText::to_real(const std::string &word) const
   {
     char *end          = nullptr;
     const double value = std::strtod(word.c_str(), &end);
@@ -156,10 +120,7 @@ namespace stiction
     return value;
   }
 
-
-
-  void
-  MeshText::refuse(const std::string &reason) const
+  void MeshText::refuse(const std::string &reason) const
   {
     std::string message =
       location_ + ", line " + std::to_string(number_) + ": " + reason + ".";
@@ -167,10 +128,7 @@ namespace stiction
     throw InputError(message);
   }
 
-
-
-  unsigned int
-  to_id(const std::int64_t number, const MeshText &text)
+  unsigned int to_id(const std::int64_t number, const MeshText &text)
   {
     if (number < 0 || number > 999999999)
       text.refuse("'" + std::to_string(number) +
@@ -179,19 +137,13 @@ namespace stiction
     return static_cast<unsigned int>(number);
   }
 
-
-
-  void
-  add_name(const std::string &name,
-           const unsigned int id,
-           std::map<std::string, unsigned int> &names,
-           const MeshText &text)
+  void add_name(const std::string &name, const unsigned int id,
+                std::map<std::string, unsigned int> &names, const MeshText &text)
   {
     if (name.empty() || name.find_first_of(":|;#") != std::string::npos ||
         trim(name) != name ||
-        std::any_of(name.begin(), name.end(), [](const unsigned char c) {
-          return std::iscntrl(c) != 0;
-        }))
+        std::any_of(name.begin(), name.end(),
+                    [](const unsigned char c) { return std::iscntrl(c) != 0; }))
       text.refuse("'" + name +
                   "' is no name that a parameter file could use, must be a "
                   "word or words without ':', '|', ';' and '#'");
@@ -207,7 +159,6 @@ namespace stiction
     const auto known = names.emplace(name, id);
     if (known.first->second != id)
       text.refuse("'" + name + "' is the name of number " +
-                  std::to_string(known.first->second) +
-                  " already, must be that of one");
+                  std::to_string(known.first->second) + " already, must be that of one");
   }
 } // namespace stiction

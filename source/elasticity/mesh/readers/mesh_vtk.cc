@@ -18,8 +18,7 @@ namespace stiction
       {
       }
 
-      MeshData
-      read()
+      MeshData read()
       {
         read_header();
         std::string line;
@@ -31,8 +30,7 @@ namespace stiction
       }
 
     private:
-      void
-      read_header()
+      void read_header()
       {
         std::string line;
         if (!text_.next_line(line) || line.rfind("# vtk DataFile", 0) != 0)
@@ -48,8 +46,7 @@ namespace stiction
         text_.rest_of_line();
       }
 
-      void
-      read_section(const std::string &line)
+      void read_section(const std::string &line)
       {
         std::istringstream words(line);
         std::array<std::string, 4> header;
@@ -111,8 +108,7 @@ namespace stiction
                        "'SCALARS', 'VECTORS' or 'FIELD'");
       }
 
-      void
-      read_points(const std::uint64_t n)
+      void read_points(const std::uint64_t n)
       {
         for (std::uint64_t i = 0; i < n; ++i)
           mesh_.add_node(static_cast<std::int64_t>(i), text_.words(3), text_);
@@ -120,8 +116,7 @@ namespace stiction
 
       // "CELLS n size" and rows "n_vertices v v ..."; from 5.1 on "CELLS n + 1
       // size" and the arrays OFFSETS and CONNECTIVITY.
-      void
-      read_cells(const std::uint64_t n, const std::uint64_t size)
+      void read_cells(const std::uint64_t n, const std::uint64_t size)
       {
         const std::string first = n > 0 ? text_.word() : "";
         if (upper(first) != "OFFSETS")
@@ -151,8 +146,7 @@ namespace stiction
           cells_.push_back(text_.words(offsets[i + 1] - offsets[i]));
       }
 
-      void
-      read_array(const std::string &name, const std::uint64_t n)
+      void read_array(const std::string &name, const std::uint64_t n)
       {
         if (is_cell_data_ && name == "MaterialID")
           {
@@ -161,16 +155,14 @@ namespace stiction
               {
                 const double id = text_.to_real(text_.word());
                 // no integer has more digits; to_id() refuses what is left
-                ids_.push_back(
-                  static_cast<std::int64_t>(std::clamp(id, -1e15, 1e15)));
+                ids_.push_back(static_cast<std::int64_t>(std::clamp(id, -1e15, 1e15)));
               }
           }
         else
           text_.words(n);
       }
 
-      void
-      make_elements()
+      void make_elements()
       {
         if (cells_.size() != types_.size() ||
             (!ids_.empty() && ids_.size() != cells_.size()))
@@ -179,35 +171,20 @@ namespace stiction
                        std::to_string(ids_.size()) +
                        " numbers 'MaterialID', must be as many of each");
         // what Gmsh numbers them; the others are of no use
-        static const std::map<std::int64_t, std::int64_t> types = {{5, 2},
-                                                                   {9, 3},
-                                                                   {10, 4},
-                                                                   {12, 5},
-                                                                   {13, 6},
-                                                                   {14, 7},
-                                                                   {22, 9},
-                                                                   {23, 16},
-                                                                   {24, 11},
-                                                                   {25, 17},
-                                                                   {26, 18},
-                                                                   {27, 19},
-                                                                   {28, 10},
-                                                                   {29, 12},
-                                                                   {32, 13}};
+        static const std::map<std::int64_t, std::int64_t> types = {
+          {5, 2},   {9, 3},   {10, 4},  {12, 5},  {13, 6},  {14, 7},  {22, 9}, {23, 16},
+          {24, 11}, {25, 17}, {26, 18}, {27, 19}, {28, 10}, {29, 12}, {32, 13}};
         for (std::size_t i = 0; i < cells_.size(); ++i)
           {
             // deal.II writes -1 for what has no number
             const std::int64_t id = ids_.empty() ? 0 : ids_[i];
             if (types.count(types_[i]) == 1 && !(types_[i] == 9 && id == -1))
-              mesh_.add_element(
-                types.at(types_[i]),
-                to_id(id == -1 ? 0 : id, text_),
-                in_gmsh_order(cells_[i], {{24, 22, 20, 21, 23, 25, 26}}),
-                text_);
+              mesh_.add_element(types.at(types_[i]), to_id(id == -1 ? 0 : id, text_),
+                                in_gmsh_order(cells_[i], {{24, 22, 20, 21, 23, 25, 26}}),
+                                text_);
             else if (types_[i] < 1 ||
                      (types_[i] > 4 && types_[i] != 9 && types_[i] != 21))
-              text_.refuse("has cells of VTK's type " +
-                           std::to_string(types_[i]) +
+              text_.refuse("has cells of VTK's type " + std::to_string(types_[i]) +
                            ", must be hexahedra of type 12, 25 or 29 with 8, "
                            "20 or 27 points");
           }
@@ -222,10 +199,7 @@ namespace stiction
     };
   } // namespace
 
-
-
-  MeshData
-  read_vtk(MeshText &text)
+  MeshData read_vtk(MeshText &text)
   {
     return VtkReader(text).read();
   }

@@ -21,8 +21,7 @@ namespace stiction
   /// Throws InputError if the file cannot be read, is none of these, has other
   /// elements than such hexahedra, contradicts itself, or if its hexahedra
   /// do not make one body.
-  MeshData
-  read_mesh_file(const std::string &file, const std::string &location);
+  MeshData read_mesh_file(const std::string &file, const std::string &location);
 } // namespace stiction
 
 #endif

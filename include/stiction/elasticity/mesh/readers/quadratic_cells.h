@@ -28,27 +28,19 @@ namespace stiction
 
     /// Where an edge has no node it is straight; where a face or a cell has
     /// none it is the serendipity one, that of 8 or 20 nodes.
-    QuadraticCells(const dealii::Triangulation<3> &coarse,
-                   InnerNodes inner_nodes);
+    QuadraticCells(const dealii::Triangulation<3> &coarse, InnerNodes inner_nodes);
 
-    bool
-    empty() const
-    {
-      return nodes_.empty();
-    }
+    bool empty() const { return nodes_.empty(); }
 
     /// Where a point of a cell is, of any level, in m. The same to the last
     /// digit from all cells around the point, whichever rank asks.
-    dealii::Point<3>
-    position(const Cell &cell, const dealii::Point<3> &unit_point) const;
+    dealii::Point<3> position(const Cell &cell, const dealii::Point<3> &unit_point) const;
 
     /// Moves the vertices of all cells of all levels to where they belong.
-    void
-    place_vertices(dealii::Triangulation<3> &triangulation) const;
+    void place_vertices(dealii::Triangulation<3> &triangulation) const;
 
     /// The determinant of the map of a cell of any level, in m³.
-    double
-    determinant(const Cell &cell, const dealii::Point<3> &unit_point) const;
+    double determinant(const Cell &cell, const dealii::Point<3> &unit_point) const;
 
   private:
     // with x first, then y, z
