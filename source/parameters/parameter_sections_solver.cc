@@ -11,7 +11,8 @@ namespace stiction
     add_parameter("Method", method,
                   "newton: semismooth Newton on the dual problem, the fastest of the "
                   "dual methods; where it stands still, as with bodies that are held "
-                  "weakly, an interior point method takes over. newton multigrid: "
+                  "weakly, its systems are solved directly, and an interior point "
+                  "method and successive approximations help. newton multigrid: "
                   "semismooth Newton on the displacements, without Q, for about the "
                   "price of two elastic solves; the one for large bodies. gauss "
                   "seidel: the paper's ALGORITHM GS, alternating between the normal "

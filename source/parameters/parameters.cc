@@ -76,7 +76,7 @@ namespace stiction
     add(refinement.adaptive_steps > 0, "'Adaptive steps'");
     add(has_mean_dilatation(), "'Volume strain' cell mean");
     // the kind of a material stands after its name and a colon
-    add(std::regex_search(material.materials, std::regex(":\\s*orthotropic")),
+    add(std::regex_search(material.materials, std::regex(":\\s*orthotropic\\s*;")),
         "an orthotropic material");
     return all;
   }
@@ -123,6 +123,8 @@ namespace stiction
             "Geometry/Table 1 level",
             "says what 'Lengths' and 'Subdivisions' are, must be 0 where they "
             "are given");
+    require(geometry.global_refinement <= 1, "Geometry/Table 1 level",
+            "is a brick refined once, must be 0 for another 'Global refinement'");
     // refined once, so that a multigrid method finds two levels
     geometry.global_refinement = 1;
     if (geometry.table_1_reading == "nodes")

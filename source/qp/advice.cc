@@ -33,9 +33,8 @@ namespace stiction
     return out.str();
   }
 
-  std::string warning_on_friction(const qp::SlipBound &slip_bound)
+  std::string warning_on_friction(const double coefficient)
   {
-    const double coefficient = slip_bound.largest_coefficient();
     if (coefficient <= large_coefficient)
       return {};
     std::ostringstream out;

@@ -151,7 +151,7 @@ namespace stiction
                "'Material/Volume strain = cell mean' does not lock.",
                parameters_.material.largest_poisson_ratio()));
     const std::string friction =
-      warning_on_friction(discretization_->surface->slip_bound());
+      warning_on_friction(discretization_->surface->largest_coefficient());
     if (solution_->converged && !friction.empty())
       warnings.push_back(friction);
     const LA::Vector &u = displacement();

@@ -197,7 +197,8 @@ namespace stiction
     print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
                  explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
-    const std::string friction = warning_on_friction(problem_.slip_bound);
+    const std::string friction =
+      warning_on_friction(problem_.slip_bound.largest_coefficient());
     if (solution_->converged && !friction.empty())
       log_->line("WARNING: " + friction);
     if (problem_.asymmetry > problem_check::symmetry)

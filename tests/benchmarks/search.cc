@@ -11,7 +11,8 @@ int main(int argc, char *argv[])
       std::cerr << "benchmark_search FIRST LAST" << std::endl;
       return 1;
     }
-  for (unsigned int number = std::stoul(argv[1]); number <= std::stoul(argv[2]); ++number)
+  for (unsigned long number = std::stoul(argv[1]); number <= std::stoul(argv[2]);
+       ++number)
     {
       const RandomProblem problem(number);
       const Comparison comparison = solve_by_all_methods(problem);

@@ -17,6 +17,7 @@ from parts.errors import BenchmarkError
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SMALLEST = 1e-8  # tolerance
+LARGEST = 2**32  # of the seeds of the random numbers
 AT_ONCE = 10  # problems of one start of the program
 
 
@@ -27,7 +28,8 @@ def parse_options(arguments):
         description="Solves random small contact problems (boxes and half balls, "
         "contrasts of materials up to 1e8, F up to 5, far gaps) by all methods, "
         "and lists those whose certified forces differ or that newton does not "
-        "certify. The same numbers are the same problems.",
+        "certify. Tolerance 1e-8, or what newton advises where digits do not carry "
+        "so far. The same numbers are the same problems.",
         allow_abbrev=False,
     )
     parser.add_argument("--first", type=int, default=1, help="first number (1)")
@@ -48,6 +50,8 @@ def parse_options(arguments):
     options = parser.parse_args(arguments)
     if options.count < 1 or options.first < 0 or options.jobs < 1:
         raise BenchmarkError("--count and --jobs must be at least 1, --first 0")
+    if options.first + options.count > LARGEST:
+        raise BenchmarkError(f"the last number must be below {LARGEST}")
     return options
 
 
@@ -123,6 +127,16 @@ def table(problems):
 def main(arguments):
     """Solves, lists and writes."""
     options = parse_options(arguments)
+    try:
+        search(options)
+    except OSError as error:
+        raise BenchmarkError(
+            f"'{options.output}' cannot be written: {error.strerror}"
+        ) from error
+
+
+def search(options):
+    """The problems of the options."""
     os.makedirs(os.path.dirname(os.path.abspath(options.output)), exist_ok=True)
     end = options.first + options.count
     chunks = [(n, min(n + AT_ONCE, end) - 1) for n in range(options.first, end, AT_ONCE)]

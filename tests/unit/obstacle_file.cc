@@ -1,5 +1,6 @@
 // obstacle.vtu: for each kind of obstacle there are faces, and their vertices
-// lie on the surface where it is in the end: moved, with its gap.
+// lie on the surface where it is in the end: moved, with its gap; it is there
+// from one end of the body to the other.
 
 #include "tests.h"
 
@@ -75,11 +76,17 @@ int main(int argc, char *argv[])
     // no value far from the body, which is left out
     {"formula with an end", "formula : z + 0.001*sqrt(x+0.5)", "0",
      [](const auto &p) { return p[2] + 0.001 * std::sqrt(p[0] + 0.5); }},
+    // both halves lie on planes of the cubes that look for them
+    {"step", "formula : z + if(x < 2.02, 0, 0.2)", "0",
+     [](const auto &p) {
+       return std::abs(p[0] - 2.02) < 0.3 ? 0. : p[2] + (p[0] < 2.02 ? 0. : 0.2);
+     }},
     {"triangles", "file : stamp.stl", "0.02",
      [&](const auto &p) { return p[2] - stamp + 0.02; }}};
   for (const Kind &kind : kinds)
     {
-      const double moved[] = {1e-3, 2e-3, 3e-3};
+      const bool stays     = kind.name == "step";
+      const double moved[] = {stays ? 0. : 1e-3, stays ? 0. : 2e-3, stays ? 0. : 3e-3};
       const Run run(
         shipped("brick.prm"),
         {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
@@ -89,7 +96,8 @@ int main(int argc, char *argv[])
          "Boundary conditions/Contact boundary=bottom",
          "Boundary conditions/Obstacle=" + kind.obstacle,
          "Boundary conditions/Initial gap=" + kind.gap,
-         "Boundary conditions/Obstacle displacement=1e-3; 2e-3; 3e-3",
+         std::string("Boundary conditions/Obstacle displacement=") +
+           (stays ? "0; 0; 0" : "1e-3; 2e-3; 3e-3"),
          "Friction/Law=coulomb", "Friction/Coefficient=0.3",
          "Contact solver/Method=newton", "Output/Write solution=false"});
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
@@ -101,7 +109,9 @@ int main(int argc, char *argv[])
       const auto points      = numbers_after(text, "<DataArray type=\"Float64\"");
       const auto boundaries  = numbers_after(text, "Name=\"boundary\"");
       const auto types       = numbers_after(text, "Name=\"types\"");
-      double error           = 0.;
+      double error = 0., least = 1e30, most = -1e30; // of x
+      for (std::size_t i = 0; i < points.size(); i += 3)
+        least = std::min(least, points[i]), most = std::max(most, points[i]);
       for (std::size_t i = 0; i < points.size(); i += 3)
         error = std::max(error, std::abs(kind.distance(
                                   Point<3>(points[i] - moved[0], points[i + 1] - moved[1],
@@ -115,6 +125,7 @@ int main(int argc, char *argv[])
                   ? "yes"
                   : "NO")
             << ", of the boundary " << yes(is_bottom) << ", on the surface "
-            << yes(error < 1e-7) << std::endl;
+            << yes(error < 1e-7) << ", all along the body "
+            << yes(least < 0.05 && most > 3.95) << std::endl;
     }
 }

@@ -19,7 +19,9 @@ namespace stiction
 
   /// What a certificate does not say of a solution: that there may be others,
   /// where the coefficient of friction is that large; otherwise nothing.
-  std::string warning_on_friction(const qp::SlipBound &slip_bound);
+  ///
+  /// @param coefficient the largest, in any direction.
+  std::string warning_on_friction(double coefficient);
 
   /// How the residual falls, for those who meet the cap on iterations.
   class Pace

@@ -34,6 +34,15 @@ namespace stiction
     return index_of(boundaries_, id) < boundaries_.size();
   }
 
+  double ContactSurface::largest_coefficient() const
+  {
+    double largest = 0.;
+    for (const ContactNode &node : nodes_) // along t1 and along t2
+      largest = std::max(
+        {largest, node.coefficient * node.scale[0], node.coefficient * node.scale[1]});
+    return largest;
+  }
+
   double ContactSurface::penetration_of_facing_away(const LA::Vector &u) const
   {
     const Eigen::VectorXd moved = facing_away_dofs_.restriction(u);

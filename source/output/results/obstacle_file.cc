@@ -1,5 +1,7 @@
 // obstacle.vtu: what the contact boundaries may touch, for pictures.
 
+#include "zero_set.h"
+
 #include <stiction/base/errors.h>
 #include <stiction/base/files.h>
 #include <stiction/contact/interface/contact_boundary.h>
@@ -12,13 +14,7 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <array>
@@ -215,89 +211,23 @@ namespace stiction
       return box;
     }
 
-    // The cubes of a box that the surface of an obstacle cuts. At each corner
-    // of those the distance is known.
-    void make_cut_cubes(const MovedObstacle &obstacle, const BoundingBox<3> &box,
-                        const double longest, Triangulation<3> &cubes)
-    {
-      const Point<3> corner = box.get_boundary_points().first;
-      std::array<std::size_t, 3> n;
-      std::vector<std::vector<double>> widths(3);
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          // odd, so that planes through the middle cut the cells
-          n[c] =
-            2 * static_cast<std::size_t>(std::ceil(box.side_length(c) / longest * 20.)) +
-            1;
-          widths[c].assign(n[c], box.side_length(c) / n[c]);
-        }
-
-      Table<3, double> distance(n[0] + 1, n[1] + 1, n[2] + 1);
-      for (std::size_t i = 0; i <= n[0]; ++i)
-        for (std::size_t j = 0; j <= n[1]; ++j)
-          for (std::size_t k = 0; k <= n[2]; ++k)
-            {
-              const auto value = obstacle.at(
-                corner + Point<3>(i * widths[0][0], j * widths[1][0], k * widths[2][0]));
-              distance(i, j, k) =
-                value ? value->psi : std::numeric_limits<double>::quiet_NaN();
-            }
-
-      Table<3, types::material_id> is_cut(n[0], n[1], n[2]);
-      bool is_any_cut = false;
-      for (std::size_t i = 0; i < n[0]; ++i)
-        for (std::size_t j = 0; j < n[1]; ++j)
-          for (std::size_t k = 0; k < n[2]; ++k)
-            {
-              unsigned int below = 0, above = 0;
-              for (unsigned int v = 0; v < 8; ++v)
-                {
-                  const double d = distance(i + (v & 1), j + (v >> 1 & 1), k + (v >> 2));
-                  below += d < 0. ? 1 : 0;
-                  above += d >= 0. ? 1 : 0;
-                }
-              const bool cut  = below > 0 && above > 0 && below + above == 8;
-              is_cut(i, j, k) = cut ? 0 : numbers::invalid_material_id;
-              is_any_cut |= cut;
-            }
-      if (is_any_cut)
-        GridGenerator::subdivided_hyper_rectangle(cubes, widths, corner, is_cut);
-    }
-
-    // The zero set of the distance, by marching cubes, its vertices then moved
-    // onto the surface.
+    // The zero set of the distance, its vertices moved onto the surface.
     void add_zero_set(const MovedObstacle &obstacle, const BoundingBox<3> &box,
                       const types::boundary_id boundary, ObstacleFaces &faces)
     {
-      const double longest =
-        std::max({box.side_length(0), box.side_length(1), box.side_length(2)});
-      Triangulation<3> cubes;
-      make_cut_cubes(obstacle, box, longest, cubes);
-      if (cubes.n_active_cells() == 0)
-        return;
-      const FE_Q<3> fe(1);
-      DoFHandler<3> dof_handler(cubes);
-      dof_handler.distribute_dofs(fe);
-
-      Vector<double> distance(dof_handler.n_dofs());
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            // rounding may carry a vertex out of where the formula has a value
-            const auto value                       = obstacle.at(cell->vertex(v));
-            distance(cell->vertex_dof_index(v, 0)) = value ? value->psi : 0.;
-          }
-      std::vector<Point<3>> vertices;
-      std::vector<CellData<2>> triangles;
-      GridTools::MarchingCubeAlgorithm<3, Vector<double>>(StaticMappingQ1<3>::mapping, fe)
-        .process(dof_handler, distance, 0., vertices, triangles);
-      for (Point<3> &p : vertices)
-        p = obstacle.nearest(p, longest / 40.);
-      for (const auto &triangle : triangles)
+      const TriangulatedSurface surface = zero_set(
+        [&](const Point<3> &p) -> std::optional<double> {
+          const auto value = obstacle.at(p);
+          return value ? std::optional<double>(value->psi) : std::nullopt;
+        },
+        box);
+      const double reach =
+        std::max({box.side_length(0), box.side_length(1), box.side_length(2)}) / 40.;
+      for (const auto &triangle : surface.triangles)
         {
           std::array<Point<3>, 3> points;
           for (unsigned int k = 0; k < 3; ++k)
-            points[k] = vertices[triangle.vertices[k]];
+            points[k] = obstacle.nearest(surface.vertices[triangle[k]], reach);
           faces.add(points, boundary);
         }
     }

@@ -14,11 +14,12 @@ namespace stiction
     // The part of the error that is left to Newton again after a fallback.
     constexpr double fallback_reduction = 0.3;
 
-    // A fallback that gains nothing twice running has met rounding.
+    // Fallbacks that gain nothing so often running have met rounding, and one
+    // more ends the iteration.
     constexpr unsigned int max_idle_fallbacks = 2;
 
-    // A step of the interior point method factorises a matrix of three times
-    // this order, which takes about 10 s.
+    // A step that is solved directly and one of the interior point method
+    // factorise a matrix of three times this order, which takes about 10 s.
     constexpr Eigen::Index max_nodes_factorized = 2000;
 
     // It starts far away each time, and its last steps gain digits quickly: so
@@ -68,8 +69,8 @@ namespace stiction
   DualMethodStatistics Newton::statistics() const
   {
     DualMethodStatistics all = statistics_;
-    if (proven_)
-      all += proven_->statistics();
+    if (fallback_)
+      all += fallback_->statistics();
     return all;
   }
 
@@ -147,17 +148,17 @@ namespace stiction
   void Newton::fall_back(Run &run)
   {
     ++statistics_.fallbacks;
-    if (!proven_ && !run.slip_bound.is_coulomb())
-      proven_ = std::make_unique<Mpgp>(Q_);
-    else if (!proven_)
-      proven_ = std::make_unique<CoulombFixedPoint>(
+    if (!fallback_ && !run.slip_bound.is_coulomb())
+      fallback_ = std::make_unique<Mpgp>(Q_);
+    else if (!fallback_)
+      fallback_ = std::make_unique<CoulombFixedPoint>(
         std::make_unique<Newton>(Q_, max_steps_in_a_run_));
     StoppingRule stretch;
     stretch.residual       = fallback_reduction * run.result.residual;
     stretch.change         = std::numeric_limits<double>::infinity();
     stretch.max_iterations = run.iterations_left();
     const DualMethodResult stretch_result =
-      proven_->solve(run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
+      fallback_->solve(run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
     run.result.iterations += stretch_result.iterations;
     run.result.residual  = stretch_result.residual;
     run.result.change    = stretch_result.change;

@@ -135,6 +135,9 @@ namespace stiction
     /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
     const qp::SlipBound &slip_bound() const { return slip_bound_; }
 
+    /// The largest coefficient of Coulomb friction, in any direction.
+    double largest_coefficient() const;
+
   private:
     void collect_nodes(const LinearElasticity &elasticity);
 

@@ -50,7 +50,7 @@ namespace stiction
     unsigned int release_steps            = 0; ///< the active set shrank
     unsigned int admm_iterations          = 0;
     unsigned int dense_factorizations     = 0;  ///< Cholesky, order 3m
-    unsigned int fallbacks                = 0;  ///< to a method with a proof
+    unsigned int fallbacks                = 0;  ///< to another method
     double contraction                    = 0.; ///< of the last successive approximations
 
     /// Adds what another method did that this one called.
