@@ -82,7 +82,7 @@ namespace
   double in_held_directions(const Run &run)
   {
     return run.problem->contact_surface()
-      .held()
+      .B().held()
       .cwiseProduct(run.problem->solution().lambda)
       .norm();
   }

@@ -98,8 +98,9 @@ namespace stiction
         idle_fallbacks          = residual < 0.9 * smallest ? 0 : idle_fallbacks + 1;
         smallest                = std::min(smallest, residual);
         const bool stands_still = idle_fallbacks > max_idle_fallbacks;
-        // with Coulomb's law it may end at another solution than approximations
-        if (tries_inside && (stands_still || !slip_bound.is_coulomb()))
+        // of several solutions successive approximations lead to the same one
+        // as all other methods
+        if (tries_inside && (stands_still || !slip_bound.may_have_several_solutions()))
           {
             run_interior_point(run);
             tries_inside = false;

@@ -15,14 +15,15 @@ namespace stiction
   /// Newton steps solve their systems by products with Q, and stand still where
   /// Q is ill-conditioned, above all with bodies that are held weakly. If Q is
   /// a matrix of an order that can be factorised, they are solved directly from
-  /// then on. Where that is not enough, what leads on depends on the law. With
-  /// given friction, a convex problem, the interior point method has its turn,
-  /// or without a matrix a stretch of the monolithic active set method, whose
-  /// energy falls in every step. With Coulomb friction successive
-  /// approximations follow, each solved as a problem of given friction by this
-  /// method; of several solutions they lead to the same as all other methods.
-  /// Then Newton resumes. The interior point method with Coulomb's law is the
-  /// last resort.
+  /// then on, and where that is not enough, the interior point method has its
+  /// turn, which does not depend on where it starts. Without a matrix, or if it
+  /// stands still itself (it may with Coulomb friction alone), a stretch of
+  /// another method follows: with given friction the monolithic active set
+  /// method, whose energy falls in every step; with Coulomb friction successive
+  /// approximations, each solved as a problem of given friction by this method.
+  /// Then Newton resumes from there. Where there may be several solutions, the
+  /// interior point method is the last resort: the approximations lead to the
+  /// one that all other methods find.
   class Newton : public DualMethod
   {
   public:
