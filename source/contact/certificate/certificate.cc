@@ -28,6 +28,75 @@ namespace stiction
     // What rounding leaves of gaps that a prescribed displacement makes, as a
     // part of it.
     constexpr double rounding_of_gaps = 1e-12;
+
+    // Sums over all nodes of the body.
+    struct NodeSums
+    {
+      double loads = 0., reactions = 0.; // of the lengths of nodal forces
+      double imbalance = 0.;
+      double rounding  = 0.;      // of K u
+      double energy    = 0.;      // uᵀKu
+      double work      = 0.;      // of loads and reactions
+      Tensor<1, 3> force, moment; // the resultant, about the centre of the body
+    };
+
+    // In one pass. contact_force: −Bᵀλ. Collective.
+    NodeSums sum_over_nodes(const LinearElasticity &elasticity, const LA::Vector &u,
+                            const LA::Vector &contact_force)
+    {
+      const Body &body       = elasticity.body();
+      const LA::Vector &load = elasticity.load();
+      const LA::Vector Ku    = elasticity.internal_force(u);
+      const LA::Vector K     = elasticity.stiffness_diagonal();
+      const Point<3> centre  = body.bounding_box().center();
+      NodeSums sums;
+      for (const Body::Node &node : body.locally_owned_nodes())
+        {
+          Tensor<1, 3> applied, reaction, residual, all, inside, held;
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const auto dof = node.dofs[c];
+              const double f = load(dof);
+              (elasticity.is_prescribed(dof) ? held : inside)[c] =
+                unit_roundoff * K(dof) * u(dof);
+              applied[c] = f;
+              all[c]     = f + contact_force(dof);
+              if (elasticity.is_prescribed(dof))
+                {
+                  reaction[c] = Ku(dof) - all[c];
+                  all[c] += Ku(dof) - f;
+                  sums.work += reaction[c] * u(dof);
+                }
+              else
+                residual[c] = all[c] - Ku(dof);
+              sums.work += f * u(dof);
+              sums.energy += u(dof) * Ku(dof);
+            }
+          sums.loads += applied.norm();
+          sums.reactions += reaction.norm();
+          // a smaller residual than the rounding of its terms says nothing, such
+          // as one that is zero because λ was made from K u
+          sums.imbalance += std::max(residual.norm(), inside.norm());
+          sums.rounding += (inside + held).norm();
+          sums.force += all;
+          sums.moment += cross_product_3d(node.position - centre, all);
+        }
+
+      std::array<double, 12> all = {{sums.loads, sums.reactions, sums.imbalance,
+                                     sums.rounding, sums.energy, sums.work, sums.force[0],
+                                     sums.force[1], sums.force[2], sums.moment[0],
+                                     sums.moment[1], sums.moment[2]}};
+      Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
+                          body.communicator(), ArrayView<double>(all.data(), all.size()));
+      return {all[0],
+              all[1],
+              all[2],
+              all[3],
+              all[4],
+              all[5],
+              Tensor<1, 3>({all[6], all[7], all[8]}),
+              Tensor<1, 3>({all[9], all[10], all[11]})};
+    }
   } // namespace
 
   Certificate::Certificate(const LinearElasticity &elasticity,
@@ -42,108 +111,56 @@ namespace stiction
     compute_contact_figures();
   }
 
-  void Certificate::compute_body_figures(const LA::Vector &u)
+  double Certificate::add_contact_forces()
   {
-    const Body &body         = elasticity_.body();
-    const LA::Vector &load   = elasticity_.load();
-    const LA::Vector Ku      = elasticity_.internal_force(u);
-    const LA::Vector K       = elasticity_.stiffness_diagonal();
-    LA::Vector contact_force = elasticity_.zero_vector();
-    surface_.B().add_transpose(-1., lambda_, contact_force);
-
-    // Everything that is a sum over nodes, in one pass.
-    const Point<3> centre = body.bounding_box().center();
-    enum
-    {
-      loads,
-      reactions,
-      imbalance,
-      rounding,            // of K u
-      force,               // three entries: the resultant of all forces
-      moment = force + 3,  // three entries, about the centre of the body
-      energy = moment + 3, // uᵀKu
-      work,
-      n_sums
-    };
-    std::array<double, n_sums> sums{};
-    for (const Body::Node &node : body.locally_owned_nodes())
-      {
-        Tensor<1, 3> applied, reaction, residual, all, inside, held;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            const auto dof = node.dofs[c];
-            const double f = load(dof);
-            (elasticity_.is_prescribed(dof) ? held : inside)[c] =
-              unit_roundoff * K(dof) * u(dof);
-            applied[c] = f;
-            all[c]     = f + contact_force(dof);
-            if (elasticity_.is_prescribed(dof))
-              {
-                reaction[c] = Ku(dof) - all[c];
-                all[c] += Ku(dof) - f;
-                sums[work] += reaction[c] * u(dof);
-              }
-            else
-              residual[c] = all[c] - Ku(dof);
-            sums[work] += f * u(dof);
-            sums[energy] += u(dof) * Ku(dof);
-          }
-        sums[loads] += applied.norm();
-        sums[reactions] += reaction.norm();
-        // a smaller residual than the rounding of its terms says nothing, such
-        // as one that is zero because λ was made from K u
-        sums[imbalance] += std::max(residual.norm(), inside.norm());
-        sums[rounding] += (inside + held).norm();
-        const Tensor<1, 3> m = cross_product_3d(node.position - centre, all);
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            sums[force + c] += all[c];
-            sums[moment + c] += m[c];
-          }
-      }
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        body.communicator(), ArrayView<double>(sums.data(), sums.size()));
-
     const Eigen::Index m                  = surface_.n_nodes();
     const Eigen::VectorXd cartesian_force = -surface_.B().force_to_cartesian(lambda_);
-    double contact_forces                 = 0.;
+    double sum                            = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const Tensor<1, 3> at_node(
           {cartesian_force(i), cartesian_force(i + m), cartesian_force(i + 2 * m)});
-        contact_forces += at_node.norm();
+        sum += at_node.norm();
         force_on_body_ += at_node;
         moment_on_body_ += cross_product_3d(surface_.nodes()[i].position, at_node);
       }
+    return sum;
+  }
 
-    double S    = nonzero(std::max({sums[loads], sums[reactions], contact_forces}));
-    double S_u0 = sums[energy];
+  void Certificate::compute_body_figures(const LA::Vector &u)
+  {
+    LA::Vector contact_force = elasticity_.zero_vector();
+    surface_.B().add_transpose(-1., lambda_, contact_force);
+    const NodeSums sums         = sum_over_nodes(elasticity_, u, contact_force);
+    const double contact_forces = add_contact_forces();
+
+    double S            = nonzero(std::max({sums.loads, sums.reactions, contact_forces}));
+    double S_u0         = sums.energy;
     const double u_size = u.linfty_norm();
     // of a body that is only moved by its supports, and touches nothing, S is
     // rounding: then what the displacement would take if it strained the body
-    if (sums[loads] == 0. && contact_forces == 0. && slip_bound_.isZero(0.) &&
-        (gradient_.head(m).array() >= -rounding_of_gaps * u_size).all() &&
-        S < only_rounding * sums[rounding])
+    if (sums.loads == 0. && contact_forces == 0. && slip_bound_.isZero(0.) &&
+        (gradient_.head(surface_.n_nodes()).array() >= -rounding_of_gaps * u_size)
+          .all() &&
+        S < only_rounding * sums.rounding)
       {
-        S    = sums[rounding] / unit_roundoff;
+        S    = sums.rounding / unit_roundoff;
         S_u0 = S * u_size;
       }
-    const auto corners = body.bounding_box().get_boundary_points();
+    const auto corners = elasticity_.body().bounding_box().get_boundary_points();
     const double size  = corners.first.distance(corners.second);
 
-    body_figures_.equilibrium_residual = sums[imbalance] / S;
-    body_figures_.force_balance =
-      std::hypot(sums[force], sums[force + 1], sums[force + 2]) / S;
-    body_figures_.moment_balance =
-      std::hypot(sums[moment], sums[moment + 1], sums[moment + 2]) / (S * size);
+    body_figures_.equilibrium_residual = sums.imbalance / S;
+    body_figures_.force_balance        = sums.force.norm() / S;
+    body_figures_.moment_balance       = sums.moment.norm() / (S * size);
     if (surface_.pressing_forces().size() > 0)
       body_figures_.obstacle_force =
         largest_relative_error(-surface_.motion().directions().transpose() * lambda_,
                                surface_.pressing_forces());
-    rounding_      = sums[rounding] / S;
+    rounding_      = sums.rounding / S;
     force_scale_   = S;
-    strain_energy_ = sums[energy] / 2.;
-    load_work_     = sums[work];
+    strain_energy_ = sums.energy / 2.;
+    load_work_     = sums.work;
 
     scaling_ = contact_scaling(S, S_u0, surface_.areas(), surface_.boundary_area(),
                                surface_.stiffness());

@@ -1,5 +1,7 @@
 // Which nodes of the contact boundaries are contact nodes, and their data.
 
+#include "node_shares.h"
+
 #include <stiction/base/errors.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -11,8 +13,6 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
@@ -26,12 +26,6 @@ namespace stiction
 
   namespace
   {
-    // Whether the bit of a component is set.
-    bool has_component(const double bits, const unsigned int c)
-    {
-      return (static_cast<unsigned int>(bits) >> c & 1u) != 0;
-    }
-
     std::vector<types::global_dof_index> first_dofs(const std::vector<ContactNode> &nodes)
     {
       std::vector<types::global_dof_index> dofs;
@@ -66,156 +60,11 @@ namespace stiction
 
   void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
   {
-    const Body &body = elasticity.body();
-
-    // What a rank knows of a node, or all ranks together.
-    enum : unsigned int
-    {
-      first_dof,
-      boundary,
-      prescribed, // components, as bits
-      modulus,    // Young's, the largest
-      area,
-      normal,                // × area
-      value    = normal + 3, // of prescribed components
-      position = value + 3,  // from the owner of the node
-      n_data   = position + 3
-    };
-    using Share = std::array<double, n_data>;
-    std::map<types::global_dof_index, Share> shares;
-    // A node belongs to the first of its boundaries, which is why the others'
-    // shares are dropped.
-    const auto add = [&](const types::global_dof_index dof, const double weight,
-                         const Share &share) {
-      const auto place = shares.emplace(dof, share);
-      Share &sum       = place.first->second;
-      if (!place.second && share[boundary] > sum[boundary])
-        return;
-      const bool is_new = place.second || share[boundary] < sum[boundary];
-      for (unsigned int k = area; k < value; ++k)
-        sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
-      sum[modulus]    = std::max(share[modulus], is_new ? 0. : sum[modulus]);
-      sum[first_dof]  = static_cast<double>(dof);
-      sum[boundary]   = share[boundary];
-      sum[prescribed] = share[prescribed];
-      std::copy_n(&share[value], 3, &sum[value]);
-    };
-    const auto add_with_prescribed = [&](const types::global_dof_index dof,
-                                         const double weight, Share share) {
-      unsigned int components = 0;
-      for (unsigned int c = 0; c < 3; ++c)
-        if (elasticity.is_prescribed(dof + c))
-          {
-            components |= 1u << c;
-            share[value + c] = elasticity.prescribed_value(dof + c);
-          }
-      if (components == 7)
-        return;
-      share[prescribed] = components;
-      add(dof, weight, share);
-    };
-
-    const FiniteElement<3> &fe = body.dof_handler().get_fe();
-    const QGauss<2> quadrature(fe.degree + 1);
-    FEFaceValues<3> values(body.mapping(), fe, quadrature,
-                           update_values | update_normal_vectors | update_JxW_values);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-
-    for (const auto &cell : body.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              is_contact_boundary(cell->face(f)->boundary_id()))
-            {
-              values.reinit(cell, f);
-              cell->get_dof_indices(dofs);
-              for (unsigned int i = 0; i < dofs.size(); i += 3)
-                {
-                  if (!fe.has_support_on_face(i, f))
-                    continue;
-                  Share share{};
-                  share[modulus] =
-                    elasticity.materials().of(cell->material_id()).youngs_modulus;
-                  for (const unsigned int q : values.quadrature_point_indices())
-                    {
-                      const double w = values.shape_value(i, q) * values.JxW(q);
-                      share[area] += w;
-                      for (unsigned int c = 0; c < 3; ++c)
-                        share[normal + c] += w * values.normal_vector(q)[c];
-                    }
-                  boundary_area_ += share[area];
-                  share[boundary] = static_cast<double>(
-                    &this->boundary(cell->face(f)->boundary_id()) - boundaries_.data());
-                  if (!elasticity.is_hanging(dofs[i]))
-                    add_with_prescribed(dofs[i], 1., share);
-                  else
-                    for (const auto &master :
-                         *body.hanging_nodes().get_constraint_entries(dofs[i]))
-                      add_with_prescribed(master.first, master.second, share);
-                }
-            }
-    boundary_area_ = Utilities::MPI::sum(boundary_area_, body.communicator());
-
-    std::vector<Share> mine;
-    for (const auto &share : shares)
-      mine.push_back(share.second);
-    shares.clear();
-    for (const auto &theirs : Utilities::MPI::all_gather(body.communicator(), mine))
-      for (const Share &share : theirs)
-        add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
-
-    // a node that others hang on need not be on a face of this rank
-    const IndexSet &owned = body.locally_owned_dofs();
-    std::vector<double> positions;
-    for (const auto &share : shares)
-      for (unsigned int c = 0; c < 3; ++c)
-        positions.push_back(
-          owned.is_element(share.first)
-            ? body.locally_owned_nodes()[owned.index_within_set(share.first) / 3]
-                .position[c]
-            : 0.);
-    Utilities::MPI::sum(positions, body.communicator(), positions);
-
-    std::vector<Share> sorted;
-    for (const auto &share : shares)
-      {
-        const std::size_t begin = 3 * sorted.size();
-        sorted.push_back(share.second);
-        std::copy_n(&positions[begin], 3, &sorted.back()[position]);
-      }
-
-    // The unknowns' numbers depend on the partition, places do not. Rounded,
-    // because a vertex may have been computed along different edges.
-    const auto corners = body.bounding_box().get_boundary_points();
-    const double unit  = 1e-9 * corners.first.distance(corners.second);
-    const auto key     = [&](const Share &share) {
-      std::array<long long, 3> k;
-      for (unsigned int c = 0; c < 3; ++c)
-        k[c] = std::llround((share[position + c] - corners.first[c]) / unit);
-      return k;
-    };
-    std::sort(sorted.begin(), sorted.end(),
-              [&](const Share &a, const Share &b) { return key(a) < key(b); });
-
-    for (const Share &share : sorted)
-      {
-        ContactNode node;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            node.position[c]                = share[position + c];
-            node.normal[c]                  = share[normal + c];
-            node.prescribed[c]              = has_component(share[prescribed], c);
-            node.prescribed_displacement[c] = share[value + c];
-          }
-        node.normal /= node.normal.norm();
-        node.area           = share[area];
-        node.youngs_modulus = share[modulus];
-        node.boundary       = static_cast<unsigned int>(share[boundary]);
-        if (!set_tangents(node))
-          continue;
-        node.first_dof = static_cast<types::global_dof_index>(share[first_dof]);
+    const NodeShares shares(elasticity, boundaries_);
+    boundary_area_ = shares.boundary_area();
+    for (ContactNode node : shares.nodes())
+      if (set_tangents(node))
         nodes_.push_back(node);
-      }
   }
 
   void ContactSurface::require_nodes(const Parameters &parameters,

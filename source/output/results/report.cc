@@ -167,6 +167,129 @@ namespace stiction
 
     // A geometric mean above this deserves a word.
     constexpr double worrying_contraction = 0.9;
+
+    void print_contact(Log &log, const json &summary)
+    {
+      const json &contact = summary["contact"];
+      log.line();
+      log.line("Contact");
+      log.line(format("  %-24s ", "nodes") + normal_counts(contact));
+      if (const std::string friction = tangential_counts(contact); !friction.empty())
+        log.line(format("  %-24s ", "nodes with friction") + friction);
+      if (contact.contains("force_on_body"))
+        {
+          const json &units = summary["units"];
+          log.line(vector_line(label("force on the body", units["force"]),
+                               contact["force_on_body"]));
+          for (const json &boundary : contact["boundaries"])
+            if (boundary["obstacle_displacement"] != json({0., 0., 0.}))
+              log.line(vector_line(contact["boundaries"].size() == 1
+                                     ? label("obstacle moved by", units["length"])
+                                     : label("moved", units["length"]) + ", " +
+                                         boundary["name"].get<std::string>(),
+                                   boundary["obstacle_displacement"]));
+          log.line(format("  %-24s %.6g",
+                          label("largest pressure", units["stress"]).c_str(),
+                          contact["max_pressure"].get<double>()));
+          log.line(format("  %-24s %.6g",
+                          label("largest displacement", units["length"]).c_str(),
+                          summary["displacement"]["max"].get<double>()));
+          const auto energies =
+            without_rounding({{summary["energy"]["strain"].get<double>(),
+                               summary["energy"]["load_work"].get<double>(),
+                               summary["energy"]["friction_dissipation"].get<double>()}});
+          log.line(format("  %-24s strain %.6g, load %.6g, friction %.6g",
+                          label("energy", units["energy"]).c_str(), energies[0],
+                          energies[1], energies[2]));
+          if (contact["boundaries"].size() > 1)
+            print_contact_boundaries(log, summary);
+          print_supports(log, summary);
+        }
+    }
+
+    void print_certificate(Log &log, const json &summary, const double tolerance)
+    {
+      log.line();
+      log.line(format("Certificate (tolerance %g)", tolerance));
+      const json &figures = summary["certificate"];
+      struct Row
+      {
+        const char *name, *meaning;
+        bool decides;
+      };
+      static const std::array<Row, 10> rows = {
+        {{"equilibrium_residual", "forces in balance at every node", true},
+         {"kkt_residual", "contact and friction conditions", true},
+         {"penetration", "depth below the foundation", true},
+         {"complementarity", "pressure across an open gap", true},
+         {"cone_violation", "friction above its bound", true},
+         {"force_balance", "forces in balance as a whole", true},
+         {"moment_balance", "moments in balance as a whole", true},
+         {"obstacle_force", "obstacles press with their forces", true},
+         {"slip_angle", "degrees between friction and slip", false},
+         {"duality_gap", "bound on the relative energy error", false}}};
+      for (const Row &row : rows)
+        {
+          if (figures[row.name].is_null())
+            continue;
+          double value = figures[row.name].get<double>();
+          if (value < rounding_of_figures)
+            value = 0.;
+          log.line(format("  %-24s %9.2e  %-36s %s", row.name, value, row.meaning,
+                          !row.decides         ? ""
+                          : value <= tolerance ? "ok"
+                                               : "NOT REACHED"));
+        }
+      if ((summary["solver"]["law"] == "coulomb" ||
+           summary["solver"]["law"] == "mixed") &&
+          !figures["duality_gap"].is_null())
+        log.line("  (the duality gap is that of the last slip bound, held fixed)");
+    }
+
+    void print_costs(Log &log, const json &summary)
+    {
+      const json &solver = summary["solver"], &seconds = summary["seconds"];
+      log.line();
+      log.line("Cost");
+      log.line("  " + format("%-24s ", "iterations") + iterations(solver));
+      if (solver.contains("levels"))
+        log.line(format("  %-24s %u Krylov iterations", "on coarser meshes",
+                        solver["coarse_krylov_iterations"].get<unsigned int>()));
+      else
+        log.line(format("  %-24s %lu", "products with Q",
+                        solver["dual_multiplications"].get<unsigned long>()));
+      if (solver.contains("stiffness_solves") && !solver.contains("levels"))
+        log.line(format("  %-24s %u (%u Krylov iterations)", "solves with K",
+                        solver["stiffness_solves"].get<unsigned int>(),
+                        solver["stiffness_krylov_iterations"].get<unsigned int>()));
+      if (solver.contains("elastic_solve_equivalents"))
+        log.line("  " + format("%-24s ", "elastic solves' worth") +
+                 number(solver["elastic_solve_equivalents"]));
+      std::string phases;
+      for (const auto &phase : seconds.items())
+        if (!phase.value().is_null())
+          phases += (phases.empty() ? "" : ", ") + phase.key() +
+                    format(" %.2f", phase.value().get<double>());
+      log.line(format("  %-24s ", "seconds") + phases);
+      log.line(format("  %-24s %.0f", "peak memory [MB]",
+                      summary["peak_memory_MB"].get<double>()));
+    }
+
+    // A word on successive approximations that hardly contract.
+    void print_contraction(Log &log, const json &summary)
+    {
+      const json &contraction = summary["solver"]["contraction"];
+      if (!contraction.is_null() && contraction.get<double>() > worrying_contraction)
+        {
+          log.line();
+          log.line(format("WARNING: the successive approximations change the "
+                          "residual by a factor of %.3f a step; near 1 the "
+                          "answer may not be the only one. 'Contact "
+                          "solver/Method = newton' with 'Coulomb iteration = "
+                          "direct' does without them.",
+                          contraction.get<double>()));
+        }
+    }
   } // namespace
 
   std::string step_name(const ContactSolverParameters &parameters, const bool is_coulomb)
@@ -222,117 +345,11 @@ namespace stiction
   void print_report(Log &log, const json &summary, const double tolerance,
                     const std::string &reason, const bool with_costs)
   {
-    const json &contact = summary["contact"];
-    log.line();
-    log.line("Contact");
-    log.line(format("  %-24s ", "nodes") + normal_counts(contact));
-    if (const std::string friction = tangential_counts(contact); !friction.empty())
-      log.line(format("  %-24s ", "nodes with friction") + friction);
-    if (contact.contains("force_on_body"))
-      {
-        const json &units = summary["units"];
-        log.line(vector_line(label("force on the body", units["force"]),
-                             contact["force_on_body"]));
-        for (const json &boundary : contact["boundaries"])
-          if (boundary["obstacle_displacement"] != json({0., 0., 0.}))
-            log.line(vector_line(contact["boundaries"].size() == 1
-                                   ? label("obstacle moved by", units["length"])
-                                   : label("moved", units["length"]) + ", " +
-                                       boundary["name"].get<std::string>(),
-                                 boundary["obstacle_displacement"]));
-        log.line(format("  %-24s %.6g",
-                        label("largest pressure", units["stress"]).c_str(),
-                        contact["max_pressure"].get<double>()));
-        log.line(format("  %-24s %.6g",
-                        label("largest displacement", units["length"]).c_str(),
-                        summary["displacement"]["max"].get<double>()));
-        const auto energies =
-          without_rounding({{summary["energy"]["strain"].get<double>(),
-                             summary["energy"]["load_work"].get<double>(),
-                             summary["energy"]["friction_dissipation"].get<double>()}});
-        log.line(format("  %-24s strain %.6g, load %.6g, friction %.6g",
-                        label("energy", units["energy"]).c_str(), energies[0],
-                        energies[1], energies[2]));
-        if (contact["boundaries"].size() > 1)
-          print_contact_boundaries(log, summary);
-        print_supports(log, summary);
-      }
-
-    log.line();
-    log.line(format("Certificate (tolerance %g)", tolerance));
-    const json &figures = summary["certificate"];
-    struct Row
-    {
-      const char *name, *meaning;
-      bool decides;
-    };
-    static const std::array<Row, 10> rows = {
-      {{"equilibrium_residual", "forces in balance at every node", true},
-       {"kkt_residual", "contact and friction conditions", true},
-       {"penetration", "depth below the foundation", true},
-       {"complementarity", "pressure across an open gap", true},
-       {"cone_violation", "friction above its bound", true},
-       {"force_balance", "forces in balance as a whole", true},
-       {"moment_balance", "moments in balance as a whole", true},
-       {"obstacle_force", "obstacles press with their forces", true},
-       {"slip_angle", "degrees between friction and slip", false},
-       {"duality_gap", "bound on the relative energy error", false}}};
-    for (const Row &row : rows)
-      {
-        if (figures[row.name].is_null())
-          continue;
-        double value = figures[row.name].get<double>();
-        if (value < rounding_of_figures)
-          value = 0.;
-        log.line(format("  %-24s %9.2e  %-36s %s", row.name, value, row.meaning,
-                        !row.decides         ? ""
-                        : value <= tolerance ? "ok"
-                                             : "NOT REACHED"));
-      }
-    if ((summary["solver"]["law"] == "coulomb" || summary["solver"]["law"] == "mixed") &&
-        !figures["duality_gap"].is_null())
-      log.line("  (the duality gap is that of the last slip bound, held fixed)");
-
+    print_contact(log, summary);
+    print_certificate(log, summary, tolerance);
     if (with_costs)
-      {
-        const json &solver = summary["solver"], &seconds = summary["seconds"];
-        log.line();
-        log.line("Cost");
-        log.line("  " + format("%-24s ", "iterations") + iterations(solver));
-        if (solver.contains("levels"))
-          log.line(format("  %-24s %u Krylov iterations", "on coarser meshes",
-                          solver["coarse_krylov_iterations"].get<unsigned int>()));
-        else
-          log.line(format("  %-24s %lu", "products with Q",
-                          solver["dual_multiplications"].get<unsigned long>()));
-        if (solver.contains("stiffness_solves") && !solver.contains("levels"))
-          log.line(format("  %-24s %u (%u Krylov iterations)", "solves with K",
-                          solver["stiffness_solves"].get<unsigned int>(),
-                          solver["stiffness_krylov_iterations"].get<unsigned int>()));
-        if (solver.contains("elastic_solve_equivalents"))
-          log.line("  " + format("%-24s ", "elastic solves' worth") +
-                   number(solver["elastic_solve_equivalents"]));
-        std::string phases;
-        for (const auto &phase : seconds.items())
-          if (!phase.value().is_null())
-            phases += (phases.empty() ? "" : ", ") + phase.key() +
-                      format(" %.2f", phase.value().get<double>());
-        log.line(format("  %-24s ", "seconds") + phases);
-        log.line(format("  %-24s %.0f", "peak memory [MB]",
-                        summary["peak_memory_MB"].get<double>()));
-      }
-
-    const json &contraction = summary["solver"]["contraction"];
-    if (!contraction.is_null() && contraction.get<double>() > worrying_contraction)
-      {
-        log.line();
-        log.line(format("WARNING: the successive approximations change the "
-                        "residual by a factor of %.3f a step; near 1 the "
-                        "answer may not be the only one. 'Contact "
-                        "solver/Method = newton' with 'Coulomb iteration = "
-                        "direct' does without them.",
-                        contraction.get<double>()));
-      }
+      print_costs(log, summary);
+    print_contraction(log, summary);
 
     log.line();
     if (summary["converged"].get<bool>())

@@ -100,6 +100,9 @@ namespace stiction
   private:
     void compute_body_figures(const LA::Vector &u);
 
+    /// Adds up force and moment on the body. @return Σ‖λ_i‖, N.
+    double add_contact_forces();
+
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;

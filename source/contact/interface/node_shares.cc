@@ -1,0 +1,193 @@
+#include "node_shares.h"
+
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Whether the bit of a component is set.
+    bool has_component(const double bits, const unsigned int c)
+    {
+      return (static_cast<unsigned int>(bits) >> c & 1u) != 0;
+    }
+  } // namespace
+
+  NodeShares::NodeShares(const LinearElasticity &elasticity,
+                         const std::vector<ContactBoundary> &boundaries)
+    : elasticity_(elasticity)
+    , body_(elasticity.body())
+    , boundaries_(boundaries)
+  {
+    add_faces();
+    exchange();
+  }
+
+  void NodeShares::add_faces()
+  {
+    const FiniteElement<3> &fe = body_.dof_handler().get_fe();
+    const QGauss<2> quadrature(fe.degree + 1);
+    FEFaceValues<3> values(body_.mapping(), fe, quadrature,
+                           update_values | update_normal_vectors | update_JxW_values);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+
+    for (const auto &cell : body_.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary())
+              continue;
+            const auto place =
+              std::find_if(boundaries_.begin(), boundaries_.end(), [&](const auto &b) {
+                return b.id() == cell->face(f)->boundary_id();
+              });
+            if (place == boundaries_.end())
+              continue;
+            values.reinit(cell, f);
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); i += 3)
+              {
+                if (!fe.has_support_on_face(i, f))
+                  continue;
+                Share share{};
+                share[modulus] =
+                  elasticity_.materials().of(cell->material_id()).youngs_modulus;
+                for (const unsigned int q : values.quadrature_point_indices())
+                  {
+                    const double w = values.shape_value(i, q) * values.JxW(q);
+                    share[area] += w;
+                    for (unsigned int c = 0; c < 3; ++c)
+                      share[normal + c] += w * values.normal_vector(q)[c];
+                  }
+                boundary_area_ += share[area];
+                share[boundary] = static_cast<double>(place - boundaries_.begin());
+                if (!elasticity_.is_hanging(dofs[i]))
+                  add_with_prescribed(dofs[i], 1., share);
+                else
+                  for (const auto &master :
+                       *body_.hanging_nodes().get_constraint_entries(dofs[i]))
+                    add_with_prescribed(master.first, master.second, share);
+              }
+          }
+    boundary_area_ = Utilities::MPI::sum(boundary_area_, body_.communicator());
+  }
+
+  void NodeShares::add_with_prescribed(const types::global_dof_index dof,
+                                       const double weight, Share share)
+  {
+    unsigned int components = 0;
+    for (unsigned int c = 0; c < 3; ++c)
+      if (elasticity_.is_prescribed(dof + c))
+        {
+          components |= 1u << c;
+          share[value + c] = elasticity_.prescribed_value(dof + c);
+        }
+    if (components == 7)
+      return;
+    share[prescribed] = components;
+    add(dof, weight, share);
+  }
+
+  void NodeShares::add(const types::global_dof_index dof, const double weight,
+                       const Share &share)
+  {
+    const auto place = shares_.emplace(dof, share);
+    Share &sum       = place.first->second;
+    // A node belongs to the first of its boundaries, which is why the others'
+    // shares are dropped.
+    if (!place.second && share[boundary] > sum[boundary])
+      return;
+    const bool is_new = place.second || share[boundary] < sum[boundary];
+    for (unsigned int k = area; k < value; ++k)
+      sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
+    sum[modulus]    = std::max(share[modulus], is_new ? 0. : sum[modulus]);
+    sum[first_dof]  = static_cast<double>(dof);
+    sum[boundary]   = share[boundary];
+    sum[prescribed] = share[prescribed];
+    std::copy_n(&share[value], 3, &sum[value]);
+  }
+
+  void NodeShares::exchange()
+  {
+    std::vector<Share> mine;
+    for (const auto &share : shares_)
+      mine.push_back(share.second);
+    shares_.clear();
+    for (const auto &theirs : Utilities::MPI::all_gather(body_.communicator(), mine))
+      for (const Share &share : theirs)
+        add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
+  }
+
+  std::vector<NodeShares::Share> NodeShares::with_positions() const
+  {
+    // a node that others hang on need not be on a face of this rank
+    const IndexSet &owned = body_.locally_owned_dofs();
+    std::vector<double> positions;
+    for (const auto &share : shares_)
+      for (unsigned int c = 0; c < 3; ++c)
+        positions.push_back(
+          owned.is_element(share.first)
+            ? body_.locally_owned_nodes()[owned.index_within_set(share.first) / 3]
+                .position[c]
+            : 0.);
+    Utilities::MPI::sum(positions, body_.communicator(), positions);
+
+    std::vector<Share> all;
+    for (const auto &share : shares_)
+      {
+        const std::size_t begin = 3 * all.size();
+        all.push_back(share.second);
+        std::copy_n(&positions[begin], 3, &all.back()[position]);
+      }
+    return all;
+  }
+
+  std::vector<ContactNode> NodeShares::nodes() const
+  {
+    // The unknowns' numbers depend on the partition, places do not. Rounded,
+    // because a vertex may have been computed along different edges.
+    std::vector<Share> sorted = with_positions();
+    const auto corners        = body_.bounding_box().get_boundary_points();
+    const double unit         = 1e-9 * corners.first.distance(corners.second);
+    const auto key            = [&](const Share &share) {
+      std::array<long long, 3> k;
+      for (unsigned int c = 0; c < 3; ++c)
+        k[c] = std::llround((share[position + c] - corners.first[c]) / unit);
+      return k;
+    };
+    std::sort(sorted.begin(), sorted.end(),
+              [&](const Share &a, const Share &b) { return key(a) < key(b); });
+
+    std::vector<ContactNode> nodes;
+    for (const Share &share : sorted)
+      {
+        ContactNode node;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            node.position[c]                = share[position + c];
+            node.normal[c]                  = share[normal + c];
+            node.prescribed[c]              = has_component(share[prescribed], c);
+            node.prescribed_displacement[c] = share[value + c];
+          }
+        node.normal /= node.normal.norm();
+        node.area           = share[area];
+        node.youngs_modulus = share[modulus];
+        node.boundary       = static_cast<unsigned int>(share[boundary]);
+        node.first_dof      = static_cast<types::global_dof_index>(share[first_dof]);
+        nodes.push_back(node);
+      }
+    return nodes;
+  }
+} // namespace stiction
