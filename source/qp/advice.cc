@@ -20,6 +20,9 @@ namespace stiction
     // better.
     constexpr double worth_waiting_for     = 100.;
     constexpr double required_fall_in_half = 0.9;
+    // Where the residual as the method sees it is this part of the tolerance,
+    // and the certificate's is not, more iterations are no help.
+    constexpr double rounding_of_method = 0.01;
   } // namespace
 
   std::string advice_on_friction(const qp::SlipBound &slip_bound)
@@ -64,8 +67,10 @@ namespace stiction
     };
     const double before = smallest(rows_.begin(), middle);
     const double after  = smallest(middle, rows_.end());
-    const double steps  = rows_.back().first - (middle - 1)->first;
-    const double more   = steps * std::log(after / tolerance) / std::log(before / after);
+    if (rows_.back().second <= rounding_of_method * tolerance)
+      return "its own residual is below the tolerance already, " + otherwise;
+    const double steps = rows_.back().first - (middle - 1)->first;
+    const double more  = steps * std::log(after / tolerance) / std::log(before / after);
     if (!(after <= required_fall_in_half * before) || !(more <= max_more_iterations))
       return "the residual hardly falls any more, " + otherwise;
 

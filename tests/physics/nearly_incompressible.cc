@@ -2,7 +2,9 @@
 // strain of each cell and without: newton, gauss seidel and newton multigrid,
 // which factorises where multigrid comes no further, certify the same forces,
 // the last in a bounded number of iterations. For 0.49 to 0.49999 it had taken
-// 59 to 18,549 of them on a regular mesh, and on a graded one it had no end.
+// 59 to 18,549 of them on a regular mesh, and on a graded one it had no end. How
+// many it takes there depends on the last digits: 162 to 261 with loads that
+// differ by a per cent and with other options of the compiler.
 
 #include "tests.h"
 
@@ -74,6 +76,6 @@ int main(int argc, char *argv[])
           }
         out() << mesh.name << ", " << poisson << ": certified " << yes(certified)
               << ", forces agree to 1e-6 " << yes(largest < 1e-6)
-              << ", at most 250 iterations " << yes(n <= 250) << std::endl;
+              << ", at most 400 iterations " << yes(n <= 400) << std::endl;
       }
 }

@@ -34,6 +34,10 @@ namespace stiction::qp
     // Steps without a new smallest residual before giving up.
     constexpr unsigned int max_idle_steps = 15;
 
+    // A point that is good enough has to be so in the feasible set, too; after
+    // so many that were not there is no hope.
+    constexpr unsigned int max_ends = 5;
+
     // d = d0 + Z y by LU factors of the reduced matrix.
     Eigen::VectorXd direct_step(const ContactLinearization &conditions,
                                 const Eigen::VectorXd &gradient, const Eigen::MatrixXd &Q)
@@ -107,7 +111,7 @@ namespace stiction::qp
     double smallest               = statistics.residual;
     const Eigen::VectorXd first_x = x, first_gradient = gradient;
     Eigen::VectorXd best_x = x, best_gradient = gradient;
-    unsigned int idle_steps = 0;
+    unsigned int idle_steps = 0, n_ends = 0;
     while (true)
       {
         if (statistics.residual <= tolerance)
@@ -119,6 +123,8 @@ namespace stiction::qp
             statistics.converged = statistics.residual <= tolerance;
             if (statistics.converged)
               break;
+            // where Q is ill-conditioned, this step alone may be too large
+            statistics.stagnated = ++n_ends > max_ends;
             reduction /= 3.;
           }
         if (statistics.steps >= max_steps || statistics.stagnated)
