@@ -149,6 +149,7 @@ int main(int argc, char *argv[])
              "of what is reached then;\na second one ends it at once.");
 
   const auto refuse = [&](const std::string &sentence) {
+    stiction::ignore_interrupts();
     if (speaks)
       std::cerr << "stiction: " << printable(sentence) << std::endl;
     return input_error;

@@ -51,6 +51,12 @@ namespace stiction
     has_iterate = 1;
   }
 
+  void ignore_interrupts()
+  {
+    for (const int signal : interrupting_signals)
+      std::signal(signal, SIG_IGN);
+  }
+
   bool is_interrupted(MPI_Comm communicator)
   {
     int noted = interrupt_noted;

@@ -18,6 +18,10 @@ namespace stiction
   /// noted, the second one ends the process.
   void keep_iterate_when_interrupted();
 
+  /// From now on the program ends by itself: mpirun ends all ranks once one of
+  /// them has ended with a status other than 0, and nobody should speak of that.
+  void ignore_interrupts();
+
   /// Whether a signal came on any rank. Collective.
   bool is_interrupted(MPI_Comm communicator);
 
