@@ -106,10 +106,10 @@ int main(int argc, char *argv[])
   for (const Case &c : cases)
     {
       // each advice may be followed by another one
-      Settings settings   = c.settings;
-      bool is_certified   = false;
-      bool names_own      = false;
-      std::string changed = "";
+      Settings settings = c.settings;
+      bool is_certified = false;
+      bool names_own    = false;
+      std::string changed, last;
       for (unsigned int k = 0; k < 4 && !is_certified; ++k)
         {
           const Run run(shipped("brick.prm"), settings);
@@ -128,8 +128,13 @@ int main(int argc, char *argv[])
           if (changes.empty())
             break;
           for (const std::string &change : changes)
-            changed +=
-              (changed.empty() ? "" : ", then ") + change.substr(0, change.find('='));
+            {
+              // more iterations may be advised more than once
+              const std::string entry = change.substr(0, change.find('='));
+              if (entry != last)
+                changed += (changed.empty() ? "" : ", then ") + entry;
+              last = entry;
+            }
           settings = settings + changes;
         }
       out() << c.name << ": advised [" << changed << "], certified in the end "
