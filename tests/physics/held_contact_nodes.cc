@@ -82,7 +82,8 @@ namespace
   double in_held_directions(const Run &run)
   {
     return run.problem->contact_surface()
-      .B().held()
+      .B()
+      .held()
       .cwiseProduct(run.problem->solution().lambda)
       .norm();
   }
