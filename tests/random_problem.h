@@ -8,6 +8,8 @@
 
 #include "tests.h"
 
+#include <stiction/output/results/report.h>
+
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -205,7 +207,7 @@ inline double tolerance_of(const RandomProblem &problem)
       for (const auto &figure : certificate.deciding_figures())
         reached = std::max(reached, figure.second);
       const std::string reason =
-        run.problem->solution().reason + certificate.why_out_of_reach(tolerance);
+        stiction::explain(run.problem->solution(), certificate, tolerance);
       if (run.converged || 3. * reached > largest ||
           reason.find("rounding") == std::string::npos)
         return tolerance;

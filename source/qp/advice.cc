@@ -9,10 +9,6 @@ namespace stiction
 {
   namespace
   {
-    // Solutions are proved to exist and to be unique for small coefficients
-    // only; examples of none or several are known from about 1 on.
-    constexpr double large_coefficient = 1.;
-
     // Fewer steps show no pace, and more iterations are none.
     constexpr std::size_t min_rows       = 4;
     constexpr double max_more_iterations = 1e5;
@@ -28,7 +24,7 @@ namespace stiction
   std::string advice_on_friction(const qp::SlipBound &slip_bound)
   {
     const double coefficient = slip_bound.largest_coefficient();
-    if (coefficient < large_coefficient)
+    if (coefficient < qp::SlipBound::large_coefficient)
       return {};
     std::ostringstream out;
     out << ", or lower the coefficient of friction: with " << coefficient
@@ -38,7 +34,7 @@ namespace stiction
 
   std::string warning_on_friction(const double coefficient)
   {
-    if (coefficient <= large_coefficient)
+    if (coefficient <= qp::SlipBound::large_coefficient)
       return {};
     std::ostringstream out;
     out << "with a coefficient of friction of " << coefficient

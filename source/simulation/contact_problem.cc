@@ -256,22 +256,20 @@ namespace stiction
 
   void ContactProblem::control_forces()
   {
-    if (discretization_->surface->pressing_forces().size() == 0)
+    ContactSurface &surface = *discretization_->surface;
+    if (surface.pressing_forces().size() == 0)
       return;
     if (!force_control_)
       {
         const auto corners = body_->bounding_box().get_boundary_points();
         force_control_     = std::make_unique<ForceControl>(
-          discretization_->surface->pressing_forces(),
+          surface.pressing_forces(),
           range_of_search(
-                discretization_->surface->motion(), discretization_->surface->areas(),
-                discretization_->surface->pressing_forces(),
-
+                surface.motion(), surface.areas(), surface.pressing_forces(),
                 discretization_->elasticity->materials().largest_youngs_modulus(),
                 corners.first.distance(corners.second)));
       }
-
-    discretization_->surface->move_obstacles(force_control_->distances());
+    surface.move_obstacles(force_control_->distances());
   }
 
   void ContactProblem::open_output()

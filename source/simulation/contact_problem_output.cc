@@ -102,20 +102,16 @@ namespace stiction
     const bool measured            = elastic_solve_iterations_ > 0;
     const Certificate &certificate = this->certificate();
 
-    summary_               = std::make_unique<json>();
-    json &summary          = *summary_;
-    summary["program"]     = program_to_json(communicator_);
-    summary["converged"]   = solution_->converged;
-    summary["interrupted"] = solution_->interrupted;
-    summary["units"]       = units_to_json(parameters_.output.units);
-    summary["input"]       = parameters_.source.given();
-    summary["problem"]     = {{"cells", body_->triangulation().n_global_active_cells()},
-                              {"nodes", body_->n_nodes()},
-                              {"dofs", body_->dof_handler().n_dofs()},
-                              {"contact_nodes", discretization_->surface->n_nodes()},
-                              {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
-                              {"boundaries", boundaries_to_json(body_->boundary_names())}};
-    summary["solver"]      = discretization_->solver->to_json();
+    summary_ =
+      std::make_unique<json>(head_of_summary(*solution_, parameters_, communicator_));
+    json &summary      = *summary_;
+    summary["problem"] = {{"cells", body_->triangulation().n_global_active_cells()},
+                          {"nodes", body_->n_nodes()},
+                          {"dofs", body_->dof_handler().n_dofs()},
+                          {"contact_nodes", discretization_->surface->n_nodes()},
+                          {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
+                          {"boundaries", boundaries_to_json(body_->boundary_names())}};
+    summary["solver"]  = discretization_->solver->to_json();
     summary["solver"].update(json(
       {{"law", parameters_.friction.name()},
        {"tolerance", parameters_.contact_solver.tolerance},

@@ -168,18 +168,14 @@ namespace stiction
 
   void DualContactProblem::summarize()
   {
-    const Eigen::Index m   = Q_->n_nodes();
-    summary_               = std::make_unique<nlohmann::json>();
-    auto &summary          = *summary_;
-    summary["program"]     = program_to_json(communicator_);
-    summary["converged"]   = solution_->converged;
-    summary["interrupted"] = solution_->interrupted;
-    summary["units"]       = units_to_json(parameters_.output.units);
-    summary["input"]       = parameters_.source.given();
-    summary["problem"]     = {{"file", path_},
-                              {"contact_nodes", m},
-                              {"dual_unknowns", 3 * m},
-                              {"asymmetry", problem_.asymmetry}};
+    const Eigen::Index m = Q_->n_nodes();
+    summary_             = std::make_unique<nlohmann::json>(
+      head_of_summary(*solution_, parameters_, communicator_));
+    auto &summary      = *summary_;
+    summary["problem"] = {{"file", path_},
+                          {"contact_nodes", m},
+                          {"dual_unknowns", 3 * m},
+                          {"asymmetry", problem_.asymmetry}};
     summary["solver"] =
       solver_to_json(parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
     summary["solver"]["tolerance"]     = parameters_.contact_solver.tolerance;

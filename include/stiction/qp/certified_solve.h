@@ -37,10 +37,10 @@ namespace stiction
   };
 
   /// Solves the contact problem, with the obstacles where they are: lets the
-  /// method
-  /// work, has its result judged, and hands the gradient and the scales of
-  /// the judgement back to it until the verifier is content or nothing moves any
-  /// more. The method's own stopping test never decides on success. Collective.
+  /// method work, has its result judged, and hands the gradient and the scales
+  /// of the judgement back to it until the verifier is content or nothing moves
+  /// any more. The method's own stopping test never decides on success.
+  /// Collective.
   ///
   /// @param tolerance of the verifier.
   /// @param max_iterations of the method, in all.

@@ -73,7 +73,7 @@ namespace stiction
   ContactLevel::ContactLevel(const ContactLevel &finer,
                              const LinearElasticity &elasticity,
                              const MeshHierarchy &hierarchy,
-                             const DofSubsetHierarchy &trace_hierarchy,
+                             const DofSubsetHierarchy &dof_hierarchy,
                              const unsigned int level)
     : own_stiffness_(std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
                                                                  elasticity.materials()))
@@ -105,8 +105,8 @@ namespace stiction
           prescribed_.push_back(coarse_values.local_element(k));
         }
 
-    const auto &on_finer                    = trace_hierarchy.on_finer_level(level);
-    const auto &weights                     = trace_hierarchy.prolongation(level + 1);
+    const auto &on_finer                    = dof_hierarchy.on_finer_level(level);
+    const auto &weights                     = dof_hierarchy.prolongation(level + 1);
     const auto n_vertices                   = static_cast<Eigen::Index>(on_finer.size());
     const Eigen::VectorXd finer_offset      = finer.motion_.offset_at_start();
     const Eigen::MatrixXd &finer_directions = finer.motion_.directions();
@@ -130,7 +130,7 @@ namespace stiction
           finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
         frames.push_back(finer.B_.frames()[on_finer[j]]);
       }
-    B_      = ContactOperator(DofSubset::of_nodes(trace_hierarchy.first_dofs(level)),
+    B_      = ContactOperator(DofSubset::of_nodes(dof_hierarchy.first_dofs(level)),
                               std::move(frames));
     motion_ = ObstacleMotion(std::move(offset), std::move(directions));
     areas_  = weights.transpose() * finer.areas_;

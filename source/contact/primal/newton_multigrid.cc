@@ -31,15 +31,15 @@ namespace stiction
                                    const LevelNewton::Options &options)
     : options_(options)
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
-    , trace_hierarchy_(hierarchy_, first_dofs(surface))
-    , multigrid_(elasticity, hierarchy_, trace_hierarchy_)
+    , dof_hierarchy_(hierarchy_, first_dofs(surface))
+    , multigrid_(elasticity, hierarchy_, dof_hierarchy_)
     , problems_(hierarchy_.n_levels())
     , statistics_(hierarchy_.n_levels())
   {
     problems_.back() = std::make_unique<ContactLevel>(elasticity, surface);
     for (unsigned int l = finest_level(); l > 0; --l)
       problems_[l - 1] = std::make_unique<ContactLevel>(
-        *problems_[l], elasticity, hierarchy_, trace_hierarchy_, l - 1);
+        *problems_[l], elasticity, hierarchy_, dof_hierarchy_, l - 1);
   }
 
   ContactSolution NewtonMultigrid::solve(const double tolerance,
@@ -146,7 +146,7 @@ namespace stiction
     const ContactLevel &fine   = *problems_[level];
 
     // tractions are interpolated, forces belong to areas
-    const auto &weights  = trace_hierarchy_.prolongation(level);
+    const auto &weights  = dof_hierarchy_.prolongation(level);
     const Eigen::Index m = coarse.n_nodes(), n = fine.n_nodes();
     const Eigen::VectorXd coarse_force = coarse.B().force_to_cartesian(state_->lambda);
     Eigen::VectorXd force(3 * n);

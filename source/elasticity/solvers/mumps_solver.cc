@@ -28,12 +28,12 @@ namespace stiction
                   communicator);
     }
 
-    // Whether an unknown is neither prescribed nor in the trace. Collective.
-    bool has_interior(const LinearElasticity &elasticity, const DofSubset &trace)
+    // Whether an unknown is neither prescribed nor in the subset. Collective.
+    bool has_interior(const LinearElasticity &elasticity, const DofSubset &subset)
     {
       dealii::IndexSet interior = elasticity.body().locally_owned_dofs();
       dealii::IndexSet taken(interior.size());
-      taken.add_indices(trace.dofs().begin(), trace.dofs().end());
+      taken.add_indices(subset.dofs().begin(), subset.dofs().end());
       for (const auto dof : interior)
         if (elasticity.constraints().is_constrained(dof))
           taken.add_index(dof);
@@ -51,19 +51,19 @@ namespace stiction
 
   MumpsSolver::~MumpsSolver() = default;
 
-  Eigen::MatrixXd MumpsSolver::compliance(const DofSubset &trace)
+  Eigen::MatrixXd MumpsSolver::compliance(const DofSubset &subset)
   {
     // With nothing but prescribed unknowns to eliminate MUMPS aborts on several
     // ranks; such a body is one cell thick.
-    if (!has_interior(elasticity_, trace))
-      return StiffnessSolver::compliance(trace);
+    if (!has_interior(elasticity_, subset))
+      return StiffnessSolver::compliance(subset);
 
     factorization_.reset(); // before the new one: it may be large
     factorization_ = std::make_unique<MumpsFactorization>(
-      elasticity_.constrained_stiffness(), dofs_per_node, trace.dofs());
+      elasticity_.constrained_stiffness(), dofs_per_node, subset.dofs());
     is_condensed_ = true;
 
-    const auto n = static_cast<int>(trace.size());
+    const auto n = static_cast<int>(subset.size());
     Eigen::MatrixXd C(n, n);
     if (factorization_->is_host())
       {

@@ -31,18 +31,18 @@ namespace stiction
     ++n_solves_;
   }
 
-  Eigen::MatrixXd StiffnessSolver::compliance(const DofSubset &trace)
+  Eigen::MatrixXd StiffnessSolver::compliance(const DofSubset &subset)
   {
-    Eigen::MatrixXd C(trace.size(), trace.size());
+    Eigen::MatrixXd C(subset.size(), subset.size());
     LA::Vector unit_force   = elasticity_.zero_vector();
     LA::Vector displacement = elasticity_.zero_vector();
-    for (Eigen::Index j = 0; j < trace.size(); ++j)
+    for (Eigen::Index j = 0; j < subset.size(); ++j)
       {
         unit_force = 0.;
-        trace.add_extension(Eigen::VectorXd::Unit(trace.size(), j), unit_force);
+        subset.add_extension(Eigen::VectorXd::Unit(subset.size(), j), unit_force);
         displacement = 0.;
         solve(displacement, unit_force);
-        C.col(j) = trace.restriction(displacement);
+        C.col(j) = subset.restriction(displacement);
       }
     return 0.5 * (C + C.transpose());
   }

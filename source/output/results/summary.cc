@@ -8,8 +8,10 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
+#include <stiction/output/results/output_directory.h>
 #include <stiction/output/results/summary.h>
 #include <stiction/parameters/parameters.h>
+#include <stiction/qp/certified_solve.h>
 #include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -115,6 +117,16 @@ namespace stiction
       }
     };
   } // namespace
+
+  json head_of_summary(const ContactSolution &solution, const Parameters &parameters,
+                       MPI_Comm communicator)
+  {
+    return {{"program", program_to_json(communicator)},
+            {"converged", solution.converged},
+            {"interrupted", solution.interrupted},
+            {"units", units_to_json(parameters.output.units)},
+            {"input", parameters.source.given()}};
+  }
 
   json certificate_to_json(const ContactConditions &conditions)
   {

@@ -41,8 +41,8 @@ namespace stiction
     /// The problem on level @p level, @p finer being the one on the next finer
     /// level. Collective.
     ContactLevel(const ContactLevel &finer, const LinearElasticity &elasticity,
-                 const MeshHierarchy &hierarchy,
-                 const DofSubsetHierarchy &trace_hierarchy, unsigned int level);
+                 const MeshHierarchy &hierarchy, const DofSubsetHierarchy &dof_hierarchy,
+                 unsigned int level);
     ~ContactLevel();
 
     Eigen::Index n_nodes() const { return areas_.size(); }

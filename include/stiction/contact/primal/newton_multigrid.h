@@ -83,7 +83,7 @@ namespace stiction
 
     const LevelNewton::Options options_;
     MeshHierarchy hierarchy_;
-    DofSubsetHierarchy trace_hierarchy_;
+    DofSubsetHierarchy dof_hierarchy_;
     Multigrid multigrid_;
     std::vector<std::unique_ptr<ContactLevel>> problems_;
     std::unique_ptr<ContactState> state_;

@@ -19,7 +19,7 @@ namespace stiction
     explicit MumpsSolver(const LinearElasticity &elasticity);
     ~MumpsSolver() override;
 
-    Eigen::MatrixXd compliance(const DofSubset &trace) override;
+    Eigen::MatrixXd compliance(const DofSubset &subset) override;
 
   protected:
     unsigned int do_solve(LA::Vector &dst, const LA::Vector &src) override;

@@ -37,7 +37,7 @@ namespace stiction
     /// and columns, the same on every rank. Unit: m/N. Collective.
     ///
     /// Made by one solve a column unless the solver knows better.
-    virtual Eigen::MatrixXd compliance(const DofSubset &trace);
+    virtual Eigen::MatrixXd compliance(const DofSubset &subset);
 
     /// Number of right-hand sides solved for.
     unsigned long n_solves() const { return n_solves_; }

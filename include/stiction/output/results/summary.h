@@ -6,6 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <mpi.h>
+
 #include <string>
 #include <vector>
 
@@ -16,10 +18,12 @@ namespace stiction
   class ContactSurface;
   class DualMethod;
   class DualOperator;
+  struct ContactSolution;
   struct ContactSolverParameters;
   class LinearElasticity;
   class MeshNames;
   class NewtonMultigrid;
+  class Parameters;
   class SupportReactions;
   struct MeshError;
   struct NodeStatus;
@@ -33,6 +37,11 @@ namespace stiction
   /// "undecided_tangential", which is all at which friction may act; and how
   /// many are "undecided" in either.
   nlohmann::json counts_to_json(const std::vector<NodeStatus> &statuses);
+
+  /// What summary.json begins with, whatever was solved: the program, how it
+  /// ended, units and input.
+  nlohmann::json head_of_summary(const ContactSolution &solution,
+                                 const Parameters &parameters, MPI_Comm communicator);
 
   /// What the section "solver" says of the dual method.
   nlohmann::json solver_to_json(const ContactSolverParameters &parameters,

@@ -34,9 +34,15 @@ namespace stiction::qp
       return coefficient_.size() > 0 ? coefficient_.maxCoeff() : 0.;
     }
 
-    /// Whether there may be several solutions: with Coulomb friction examples
-    /// are known for coefficients from about 1 on.
-    bool may_have_several_solutions() const { return largest_coefficient() > 1.; }
+    /// Solutions are proved to exist and to be unique for small coefficients
+    /// only; examples of none or several are known from about this one on.
+    static constexpr double large_coefficient = 1.;
+
+    /// Whether there may be several solutions.
+    bool may_have_several_solutions() const
+    {
+      return largest_coefficient() > large_coefficient;
+    }
 
     /// Whether neither law alone describes it.
     bool is_mixed() const { return is_coulomb_ && !constant_.isZero(0.); }
