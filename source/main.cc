@@ -68,7 +68,7 @@ namespace
           std::cout << program.parameters.output.directory << std::endl;
         return certified;
       }
-    const auto status = [](const bool is_certified, const ContactSolution &solution) {
+    const auto status = [](const bool is_certified, const SolveStatus &solution) {
       return is_certified           ? certified
              : solution.interrupted ? interrupted
                                     : not_converged;
@@ -78,7 +78,7 @@ namespace
         program.dual_problem = std::make_unique<DualContactProblem>(
           *arguments.problem, program.parameters, MPI_COMM_WORLD);
         const bool is_certified = program.dual_problem->run();
-        return status(is_certified, program.dual_problem->solution());
+        return status(is_certified, program.dual_problem->status());
       }
     program.problem =
       std::make_unique<ContactProblem>(program.parameters, MPI_COMM_WORLD);
@@ -88,7 +88,7 @@ namespace
         return certified;
       }
     const bool is_certified = program.problem->run();
-    return status(is_certified, program.problem->solution());
+    return status(is_certified, program.problem->status());
   }
 
   // One line that a terminal can show, whatever the user's file had in it.

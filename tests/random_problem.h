@@ -207,7 +207,7 @@ inline double tolerance_of(const RandomProblem &problem)
       for (const auto &figure : certificate.deciding_figures())
         reached = std::max(reached, figure.second);
       const std::string reason =
-        stiction::explain(run.problem->solution(), certificate, tolerance);
+        stiction::explain(run.problem->status(), certificate, tolerance);
       if (run.converged || 3. * reached > largest ||
           reason.find("rounding") == std::string::npos)
         return tolerance;
@@ -235,7 +235,7 @@ inline Comparison solve_by_all_methods(const RandomProblem &problem)
           outcome.certified = run.converged;
           if (run.converged)
             {
-              const Eigen::VectorXd &lambda = run.problem->solution().lambda;
+              const Eigen::VectorXd &lambda = run.problem->state().lambda;
               if (forces.size() == 0)
                 forces = lambda;
               const double size = forces.norm();
@@ -243,7 +243,7 @@ inline Comparison solve_by_all_methods(const RandomProblem &problem)
                 size > 0. ? (lambda - forces).norm() / size : lambda.norm();
             }
           else
-            outcome.reason = run.problem->solution().reason;
+            outcome.reason = run.problem->status().reason;
         }
       catch (const std::exception &e)
         {

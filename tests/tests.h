@@ -117,8 +117,8 @@ struct Run
 // Of the contact forces, relative.
 inline double distance(const Run &run, const Run &reference)
 {
-  const auto &lambda = reference.problem->solution().lambda;
-  return (run.problem->solution().lambda - lambda).norm() / lambda.norm();
+  const auto &lambda = reference.problem->state().lambda;
+  return (run.problem->state().lambda - lambda).norm() / lambda.norm();
 }
 
 // The stream of rank 0.

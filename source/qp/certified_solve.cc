@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace stiction
 {
@@ -60,18 +59,19 @@ namespace stiction
     }
   } // namespace
 
-  ContactSolution certified_solve(
-    DualMethod &method, const DualOperator &Q, const qp::SlipBound &slip_bound,
-    Verifier &verifier, const double tolerance, const unsigned int max_iterations,
-    const std::string &other_method,
-    const std::function<void(const ContactStep &)> &observer, Eigen::VectorXd lambda)
+  SolveStatus certified_solve(DualMethod &method, const DualOperator &Q,
+                              const qp::SlipBound &slip_bound, Verifier &verifier,
+                              const double tolerance, const unsigned int max_iterations,
+                              const std::string &other_method,
+                              const std::function<void(const ContactStep &)> &observer,
+                              Eigen::VectorXd &lambda)
   {
-    ContactSolution solution;
+    SolveStatus status;
     const bool is_cold = lambda.size() == 0;
-    solution.lambda    = is_cold ? Eigen::VectorXd(Eigen::VectorXd::Zero(3 * Q.n_nodes()))
-                                 : std::move(lambda);
-    const ContactConditions *conditions = &verifier.verify(solution.lambda);
-    DualIterate iterate{solution.lambda, conditions->gradient()};
+    if (is_cold)
+      lambda = Eigen::VectorXd::Zero(3 * Q.n_nodes());
+    const ContactConditions *conditions = &verifier.verify(lambda);
+    DualIterate iterate{lambda, conditions->gradient()};
 
     ContactStep row;
     Pace pace;
@@ -87,13 +87,13 @@ namespace stiction
     // No contact forces at all leave nothing to measure an overlap by: they are
     // the answer if there is none, whatever the tolerance.
     const auto accuracy = [&]() {
-      return solution.lambda.isZero(0.) ? std::min(tolerance, rest_tolerance) : tolerance;
+      return lambda.isZero(0.) ? std::min(tolerance, rest_tolerance) : tolerance;
     };
     // in both scales: they must be right in those of the problem, too
     const auto is_content = [&]() {
       return conditions->is_solved(tolerance) &&
-             ContactConditions(solution.lambda, conditions->gradient(),
-                               slip_bound.at(solution.lambda), scaling)
+             ContactConditions(lambda, conditions->gradient(), slip_bound.at(lambda),
+                               scaling)
                .converged(accuracy());
     };
     while (!is_content())
@@ -120,43 +120,43 @@ namespace stiction
           }
         catch (const Interrupted &)
           {
-            solution.interrupted = true;
+            status.interrupted = true;
           }
         iterations += result.iterations;
-        solution.lambda  = iterate.lambda;
-        conditions       = &verifier.verify(solution.lambda);
+        lambda           = iterate.lambda;
+        conditions       = &verifier.verify(lambda);
         iterate.gradient = conditions->gradient();
         scaling          = usable_scaling(*conditions, Q, tolerance);
         if (is_content())
           break;
-        if (solution.interrupted)
-          return solution;
+        if (status.interrupted)
+          return status;
 
         const double residual = conditions->contact_figures().kkt_residual;
         idle                  = residual < 0.9 * smallest ? 0 : idle + 1;
         smallest              = std::min(smallest, residual);
         const double goal     = safety * accuracy() * share_of_kkt(*conditions);
         if (result.converged && target <= goal && !method.limitation().empty())
-          solution.reason = method.limitation();
+          status.reason = method.limitation();
         else if (iterations >= max_iterations)
-          solution.reason =
+          status.reason =
             "the cap of " + std::to_string(max_iterations) + " iterations was met, " +
             pace.advice(tolerance, other_method + advice_on_friction(slip_bound));
         else if (result.stagnated || idle >= max_idle_judgements ||
                  !std::isfinite(residual))
-          solution.reason =
+          status.reason =
             is_rounding(residual, conditions->rounding())
               ? "rounding prevents a smaller one, raise 'Contact "
                 "solver/Tolerance' above that"
               : (result.reason.empty() ? "the method makes no further progress"
                                        : result.reason) +
                   ", " + other_method + advice_on_friction(slip_bound);
-        if (!solution.reason.empty())
-          return solution;
+        if (!status.reason.empty())
+          return status;
 
         target = target > goal ? goal : 0.3 * target;
       }
-    solution.converged = true;
-    return solution;
+    status.converged = true;
+    return status;
   }
 } // namespace stiction

@@ -26,8 +26,7 @@ namespace stiction
 
   void AdaptiveRefinement::add_mesh(const LinearElasticity &elasticity,
                                     const ContactSurface &surface,
-                                    const bool is_certified, const LA::Vector &u,
-                                    const Eigen::VectorXd &lambda,
+                                    const bool is_certified, const State &state,
                                     const double strain_energy)
   {
     const Body &body = elasticity.body();
@@ -37,7 +36,7 @@ namespace stiction
     squares_.reinit(0);
     if (is_certified)
       {
-        squares_   = estimate_error(elasticity, surface, u, lambda);
+        squares_   = estimate_error(elasticity, surface, state);
         double sum = 0.;
         for (const double square : squares_)
           sum += square;

@@ -2,10 +2,9 @@
 #include <stiction/base/files.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
-#include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
 #include <stiction/elasticity/model/materials.h>
@@ -31,6 +30,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <nlohmann/json.hpp>
+
+#include <stdexcept>
 
 namespace stiction
 {
@@ -66,36 +67,62 @@ namespace stiction
       make_contact_surface();
       print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
       require_writable_output(parameters_, communicator_);
-      solve_and_certify();
+      solve();
+      certify();
       while (refine_mesh())
         {
           assemble_system();
           make_contact_surface();
-          solve_and_certify();
+          solve();
+          certify();
         }
       estimate_mesh();
-      if (!solution_->interrupted)
+      if (!status_.interrupted)
         measure_reference_costs();
       output_results();
       export_problem();
     }
     summarize();
     report();
-    return solution_->converged;
+    return status_.converged;
   }
 
-  void ContactProblem::solve_and_certify()
+  void ContactProblem::solve()
   {
+    const auto phase                    = phases_.scope("contact_solve");
     auto &[elasticity, surface, solver] = *discretization_;
-    {
-      const auto contact_solve = phases_.scope("contact_solve");
-      solver                   = ContactSolver::create(
-                          {parameters_, *elasticity, *surface, force_control_.get(), *log_, phases_});
-      open_output();
-      solution_ = std::make_unique<ContactSolution>(
-        solver->solve([&](const ContactStep &step) { finish_step(step); }));
-    }
-    solver->certify(*solution_);
+    solver = ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
+    open_output();
+    status_ = solver->solve(state_, [&](const ContactStep &step) { finish_step(step); });
+  }
+
+  void ContactProblem::certify()
+  {
+    const auto phase                    = phases_.scope("certificate");
+    auto &[elasticity, surface, solver] = *discretization_;
+    certificate_      = std::make_unique<Certificate>(*elasticity, *surface, state_);
+    status_.converged = certificate_->converged(parameters_.contact_solver.tolerance);
+    if (surface->are_obstacles_too_deep(state_.distances))
+      status_ = {false,
+                 "an obstacle would have to move by more than the body is large to "
+                 "press with its force, lower 'Boundary conditions/Obstacle force' or "
+                 "hold the body better",
+                 status_.interrupted};
+    if (!status_.converged && !status_.interrupted && status_.reason.empty())
+      status_.reason = "the certificate measures more than the iteration did, "
+                       "raise 'Contact solver/Tolerance'";
+    if (!state_.lambda.allFinite() || (status_.interrupted && !status_.converged))
+      return; // the gap only informs, and takes an elastic solve
+    try
+      {
+        certificate_->set_duality_gap(
+          duality_gap(*elasticity, *surface, state_, solver->stiffness_solver()));
+      }
+    catch (const std::runtime_error &)
+      {
+        log_->line("The duality gap was not computed: its elastic solve did not "
+                   "converge.");
+      }
   }
 
   void ContactProblem::finish_step(const ContactStep &step)
@@ -114,8 +141,7 @@ namespace stiction
     {
       const auto phase = phases_.scope("error_estimate");
       refinement_->add_mesh(*discretization_->elasticity, *discretization_->surface,
-                            solution_->converged, displacement(), solution_->lambda,
-                            certificate().strain_energy());
+                            status_.converged, state_, certificate_->strain_energy());
       is_cut = refinement_->cells_to_cut(*discretization_->elasticity,
                                          *discretization_->surface);
     }
@@ -124,12 +150,13 @@ namespace stiction
       return false;
     if (is_interrupted(communicator_))
       {
-        solution_->interrupted = true;
+        status_.interrupted = true;
         log_->line("INTERRUPTED: the mesh is refined no further.");
         return false;
       }
 
     discretization_.reset();
+    state_ = {{}, {}, state_.distances}; // where obstacles are is no matter of the mesh
     const auto phase = phases_.scope("mesh");
     body_->refine(is_cut);
     describe_body();
@@ -230,7 +257,6 @@ namespace stiction
       std::make_unique<ContactSurface>(*discretization_->elasticity, parameters_);
     discretization_->elasticity->require_support();
     require_load(parameters_, body_->boundary_names(), *discretization_->surface);
-    control_forces();
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(
       parameters_, 3. * static_cast<double>(discretization_->surface->n_nodes()),
@@ -254,24 +280,6 @@ namespace stiction
                        "'coulomb'.");
   }
 
-  void ContactProblem::control_forces()
-  {
-    ContactSurface &surface = *discretization_->surface;
-    if (surface.pressing_forces().size() == 0)
-      return;
-    if (!force_control_)
-      {
-        const auto corners = body_->bounding_box().get_boundary_points();
-        force_control_     = std::make_unique<ForceControl>(
-          surface.pressing_forces(),
-          range_of_search(
-                surface.motion(), surface.areas(), surface.pressing_forces(),
-                discretization_->elasticity->materials().largest_youngs_modulus(),
-                corners.first.distance(corners.second)));
-      }
-    surface.move_obstacles(force_control_->distances());
-  }
-
   void ContactProblem::open_output()
   {
     if (has_output_)
@@ -285,12 +293,11 @@ namespace stiction
   {
     if (refinement_)
       mesh_error_ = refinement_->mesh_error();
-    else if (parameters_.refinement.estimate_error && solution_->converged)
+    else if (parameters_.refinement.estimate_error && status_.converged)
       {
         const auto phase = phases_.scope("error_estimate");
-        mesh_error_ =
-          estimate_mesh_error(*discretization_->elasticity, *discretization_->surface,
-                              displacement(), solution_->lambda);
+        mesh_error_      = estimate_mesh_error(*discretization_->elasticity,
+                                               *discretization_->surface, state_);
       }
   }
 

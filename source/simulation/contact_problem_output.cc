@@ -4,10 +4,8 @@
 #include <stiction/base/files.h>
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
-#include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/obstacles/force_control.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
@@ -41,7 +39,7 @@ namespace stiction
     const Eigen::VectorXd stiffness =
       discretization_->surface->stiffness().youngs_moduli.cwiseProduct(
         discretization_->surface->areas().cwiseSqrt());
-    return stiction::node_statuses(certificate(), discretization_->surface->slip_bound(),
+    return stiction::node_statuses(*certificate_, discretization_->surface->slip_bound(),
                                    stiffness, parameters_.contact_solver.tolerance);
   }
 
@@ -49,10 +47,9 @@ namespace stiction
   {
     const auto phase               = phases_.scope("output");
     const OutputParameters &output = parameters_.output;
-    const LA::Vector &u            = displacement();
-    const Certificate &certificate = this->certificate();
+    const LA::Vector &u            = state_.u;
     LA::Vector contact_force       = discretization_->elasticity->zero_vector();
-    discretization_->surface->B().add_transpose(-1., certificate.lambda(), contact_force);
+    discretization_->surface->B().add_transpose(-1., state_.lambda, contact_force);
     reactions_ =
       std::make_unique<SupportReactions>(*discretization_->elasticity, u, contact_force);
     if (output.write_solution)
@@ -60,16 +57,16 @@ namespace stiction
                      refinement_ ? refinement_->indicators() : dealii::Vector<double>(),
                      output);
     const std::vector<NodeStatus> statuses = node_statuses();
-    write_contact(*discretization_->elasticity, u, *discretization_->surface, certificate,
-                  statuses, output);
+    write_contact(*discretization_->elasticity, u, *discretization_->surface,
+                  *certificate_, statuses, output);
     if (output.double_precision)
       {
         write_nodal_displacement(output.directory, *body_, u, reactions_->nodal());
-        write_contact_nodes(output.directory, *discretization_->surface, certificate,
+        write_contact_nodes(output.directory, *discretization_->surface, *certificate_,
                             statuses, communicator_);
       }
     write_obstacles(output.directory, *discretization_->elasticity,
-                    *discretization_->surface);
+                    *discretization_->surface, state_);
     write_history(*history_, output.directory, communicator_);
   }
 
@@ -84,26 +81,28 @@ namespace stiction
         return;
       const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
-      problem.Q          = *Q.matrix();
-      problem.h          = Q.right_hand_side();
+      problem.Q = *Q.matrix();
+      problem.h = Q.right_hand_side() +
+                  discretization_->surface->motion().offset_at_start() -
+                  discretization_->surface->motion().offset(state_.distances);
       problem.slip_bound = discretization_->surface->slip_bound();
       problem.areas      = discretization_->surface->areas();
       problem.positions.resize(discretization_->surface->n_nodes(), 3);
       for (Eigen::Index i = 0; i < discretization_->surface->n_nodes(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           problem.positions(i, c) = discretization_->surface->nodes()[i].position[c];
-      stiction::export_problem(directory, problem, solution_->lambda,
-                               certificate().gradient());
+      stiction::export_problem(directory, problem, state_.lambda,
+                               certificate_->gradient());
     });
   }
 
   void ContactProblem::summarize()
   {
     const bool measured            = elastic_solve_iterations_ > 0;
-    const Certificate &certificate = this->certificate();
+    const Certificate &certificate = *certificate_;
 
     summary_ =
-      std::make_unique<json>(head_of_summary(*solution_, parameters_, communicator_));
+      std::make_unique<json>(head_of_summary(status_, parameters_, communicator_));
     json &summary      = *summary_;
     summary["problem"] = {{"cells", body_->triangulation().n_global_active_cells()},
                           {"nodes", body_->n_nodes()},
@@ -115,7 +114,6 @@ namespace stiction
     summary["solver"].update(json(
       {{"law", parameters_.friction.name()},
        {"tolerance", parameters_.contact_solver.tolerance},
-       {"force_trials", force_control_ ? force_control_->n_trials() : 0},
        {"elastic_solve_iterations",
         measured ? json(elastic_solve_iterations_) : json(nullptr)},
        {"elastic_solve_equivalents", measured ? json(phases_.seconds("contact_solve") /
@@ -123,10 +121,10 @@ namespace stiction
                                               : json(nullptr)}}));
     summary["certificate"] = certificate_to_json(certificate);
     summary["contact"] =
-      contact_to_json(*discretization_->surface, certificate, node_statuses());
+      contact_to_json(*discretization_->surface, state_, certificate, node_statuses());
     summary["reactions"] = reactions_to_json(*reactions_, body_->boundary_names());
     summary["displacement"] =
-      displacement_to_json(*discretization_->elasticity, displacement());
+      displacement_to_json(*discretization_->elasticity, state_.u);
     summary["energy"]     = energy_to_json(*discretization_->surface, certificate);
     summary["mesh_error"] = mesh_error_to_json(mesh_error_, certificate.strain_energy());
     summary["warnings"]   = warnings();
@@ -148,11 +146,11 @@ namespace stiction
                parameters_.material.largest_poisson_ratio()));
     const std::string friction =
       warning_on_friction(discretization_->surface->largest_coefficient());
-    if (solution_->converged && !friction.empty())
+    if (status_.converged && !friction.empty())
       warnings.push_back(friction);
-    const LA::Vector &u = displacement();
-    const double depth =
-      solution_->converged ? discretization_->surface->penetration_of_facing_away(u) : 0.;
+    const double depth = status_.converged
+                           ? discretization_->surface->penetration_of_facing_away(state_)
+                           : 0.;
     if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
       warnings.push_back(
         "a node that faces away from its obstacle came " +
@@ -166,7 +164,7 @@ namespace stiction
   {
     const std::string &directory = parameters_.output.directory;
     print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
-                 explain(*solution_, certificate(), parameters_.contact_solver.tolerance),
+                 explain(status_, *certificate_, parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
     const std::string mesh = describe_mesh_error((*summary_)["mesh_error"], parameters_);
     if (!mesh.empty())

@@ -84,7 +84,7 @@ namespace stiction
     }
     summarize();
     report();
-    return solution_->converged;
+    return status_.converged;
   }
 
   void DualContactProblem::read_problem()
@@ -115,15 +115,16 @@ namespace stiction
                                           problem_.slip_bound.is_coulomb());
     verifier_ =
       std::make_unique<DualProblemVerifier>(*Q_, problem_.slip_bound, problem_.areas);
-    solution_   = std::make_unique<ContactSolution>(certified_solve(
-        *method_, *Q_, problem_.slip_bound, *verifier_,
-        parameters_.contact_solver.tolerance, parameters_.contact_solver.maximum_iterations,
-        advice_on_method(parameters_, problem_.slip_bound.is_coulomb(), false),
-        [&](const ContactStep &step) {
+    status_ = certified_solve(
+      *method_, *Q_, problem_.slip_bound, *verifier_,
+      parameters_.contact_solver.tolerance, parameters_.contact_solver.maximum_iterations,
+      advice_on_method(parameters_, problem_.slip_bound.is_coulomb(), false),
+      [&](const ContactStep &step) {
         history_->add(step);
         stop_if_interrupted(communicator_);
-      }));
-    conditions_ = &verifier_->verify(solution_->lambda);
+      },
+      lambda_);
+    conditions_ = &verifier_->verify(lambda_);
   }
 
   std::vector<NodeStatus> DualContactProblem::node_statuses() const
@@ -170,7 +171,7 @@ namespace stiction
   {
     const Eigen::Index m = Q_->n_nodes();
     summary_             = std::make_unique<nlohmann::json>(
-      head_of_summary(*solution_, parameters_, communicator_));
+      head_of_summary(status_, parameters_, communicator_));
     auto &summary      = *summary_;
     summary["problem"] = {{"file", path_},
                           {"contact_nodes", m},
@@ -182,7 +183,7 @@ namespace stiction
     summary["certificate"]             = certificate_to_json(*conditions_);
     summary["certificate"]["has_body"] = false;
     summary["contact"]                 = counts_to_json(node_statuses());
-    summary["contact"]["normal_force"] = solution_->lambda.head(m).sum();
+    summary["contact"]["normal_force"] = lambda_.head(m).sum();
     summary["seconds"]                 = phases_.to_json();
     summary["peak_memory_MB"]          = peak_memory(communicator_);
     write_summary(summary, parameters_.output.directory, communicator_);
@@ -191,11 +192,11 @@ namespace stiction
   void DualContactProblem::report() const
   {
     print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
-                 explain(*solution_, *conditions_, parameters_.contact_solver.tolerance),
+                 explain(status_, *conditions_, parameters_.contact_solver.tolerance),
                  parameters_.performance.print_timing);
     const std::string friction =
       warning_on_friction(problem_.slip_bound.largest_coefficient());
-    if (solution_->converged && !friction.empty())
+    if (status_.converged && !friction.empty())
       log_->line("WARNING: " + friction);
     if (problem_.asymmetry > problem_check::symmetry)
       log_->line(format("WARNING: Q is the symmetric part of that of the file, "

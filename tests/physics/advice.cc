@@ -118,7 +118,7 @@ int main(int argc, char *argv[])
             break;
           const auto &chosen       = run.parameters.contact_solver;
           const std::string advice = stiction::explain(
-            run.problem->solution(), run.problem->certificate(), chosen.tolerance);
+            run.problem->status(), run.problem->certificate(), chosen.tolerance);
           names_own =
             names_own || names(advice, chosen.method) ||
             advice.find("Disc solver = " + chosen.disc_solver) != std::string::npos ||

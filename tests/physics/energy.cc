@@ -21,7 +21,7 @@ int main(int argc, char *argv[])
                        "Boundary conditions/Initial gap=" + gap,
                        "Contact solver/Tolerance=1e-12"});
         const auto &energy  = run.summary()["energy"];
-        const auto &lambda  = run.problem->solution().lambda;
+        const auto &lambda  = run.problem->state().lambda;
         const auto &gaps    = run.problem->contact_surface().gaps();
         const double strain = energy["strain"], work = energy["load_work"],
                      friction = energy["friction_dissipation"];

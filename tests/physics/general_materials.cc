@@ -42,7 +42,7 @@ namespace
         settings.insert(settings.end(), material.begin(), material.end());
         const Run run(shipped("brick.prm"), settings);
 
-        const auto &u          = run.problem->displacement();
+        const auto &u          = run.problem->state().u;
         const double strains[] = {strain_x, strain_y, strain_z};
         double error_u = 0., error_p = 0.;
         for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())

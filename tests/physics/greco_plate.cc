@@ -25,7 +25,7 @@ int main(int argc, char **argv)
                                               {5e-3, 2.2867},
                                               {7.5e-3, 1.9807},
                                               {11.25e-3, 1.5413}};
-  const Eigen::VectorXd u = surface.B().dofs().restriction(run.problem->displacement());
+  const Eigen::VectorXd u = surface.B().dofs().restriction(run.problem->state().u);
   for (const auto &point : points)
     for (Eigen::Index i = 0; i < m; ++i)
       {

@@ -34,7 +34,7 @@ namespace
   Eigen::Vector3d force(const Run &run, const Eigen::Index i)
   {
     return run.problem->contact_surface().nodes()[i].force_to_cartesian(
-      at_node(run.problem->solution().lambda, i));
+      at_node(run.problem->state().lambda, i));
   }
 
   // How far the forces of a part are from those of the whole. On the planes of
@@ -67,7 +67,7 @@ namespace
   double friction_in_plane(const Run &run)
   {
     double largest     = 0.;
-    const auto &lambda = run.problem->solution().lambda;
+    const auto &lambda = run.problem->state().lambda;
     const auto &nodes  = run.problem->contact_surface().nodes();
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
@@ -84,7 +84,7 @@ namespace
     return run.problem->contact_surface()
       .B()
       .held()
-      .cwiseProduct(run.problem->solution().lambda)
+      .cwiseProduct(run.problem->state().lambda)
       .norm();
   }
 } // namespace
@@ -148,15 +148,14 @@ int main(int argc, char *argv[])
   for (const Method &method : methods)
     {
       const Run run(shipped("brick.prm"), moved + method.settings);
-      const auto &lambda = newton.problem->solution().lambda;
+      const auto &lambda = newton.problem->state().lambda;
       const auto &energy = run.summary()["energy"];
       const double work  = energy["load_work"].get<double>();
       const double kept  = 2. * energy["strain"].get<double>() +
                           energy["friction_dissipation"].get<double>();
       out() << method.name << ", moved roller: certified " << yes(run.converged)
             << ", agrees to 1e-8 "
-            << yes((run.problem->solution().lambda - lambda).norm() <
-                   1e-8 * lambda.norm())
+            << yes((run.problem->state().lambda - lambda).norm() < 1e-8 * lambda.norm())
             << ", work is strain and friction "
             << yes(std::abs(work - kept) < 1e-8 * std::abs(work))
             << ", energy error bounded "
@@ -174,7 +173,7 @@ int main(int argc, char *argv[])
   NewtonMultigrid newton_multigrid(dual.problem->elasticity(),
                                    dual.problem->contact_surface(), true, options);
   const auto solution = newton_multigrid.solve(1e-9, 1000, [](const ContactStep &) {});
-  const Eigen::VectorXd &lambda = dual.problem->solution().lambda;
+  const Eigen::VectorXd &lambda = dual.problem->state().lambda;
   out() << "method of multipliers alone: converged " << yes(solution.converged)
         << ", agrees to 1e-6 "
         << yes((solution.lambda - lambda).norm() < 1e-6 * lambda.norm())

@@ -40,7 +40,7 @@ namespace
   void check(const std::string &what, const Run &run, const double displacement,
              const Displacement &exact_u, const double pressure, const double force)
   {
-    const auto &u = run.problem->displacement();
+    const auto &u = run.problem->state().u;
     double error  = 0.;
     for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
@@ -51,7 +51,7 @@ namespace
     error = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD) / displacement;
 
     const auto &surface  = run.problem->contact_surface();
-    const auto &lambda   = run.problem->solution().lambda;
+    const auto &lambda   = run.problem->state().lambda;
     const Eigen::Index m = surface.n_nodes();
     double error_p       = 0.;
     for (Eigen::Index i = 0; i < m && pressure > 0.; ++i)

@@ -39,7 +39,7 @@ namespace
                const Vector &traction, const double size)
   {
     const Body &body = run.problem->elasticity().body();
-    const auto &u    = run.problem->displacement();
+    const auto &u    = run.problem->state().u;
     double error_u   = 0.;
     for (const auto &node : body.locally_owned_nodes())
       for (unsigned int c = 0; c < 3; ++c)
@@ -48,7 +48,7 @@ namespace
     error_u = dealii::Utilities::MPI::max(error_u, MPI_COMM_WORLD);
 
     const auto &surface  = run.problem->contact_surface();
-    const auto &lambda   = run.problem->solution().lambda;
+    const auto &lambda   = run.problem->state().lambda;
     const Eigen::Index m = surface.n_nodes();
     double error_lambda  = 0.;
     for (Eigen::Index i = 0; i < m; ++i)

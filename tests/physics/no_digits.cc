@@ -38,7 +38,7 @@ int main(int argc, char *argv[])
           const auto force =
             run.summary()["contact"]["force_on_body"].get<std::array<double, 3>>();
           const std::string last =
-            stiction::explain(run.problem->solution(), certificate, 1e-8);
+            stiction::explain(run.problem->status(), certificate, 1e-8);
           n_named += last.find("double precision") != std::string::npos;
           // what is lacking in equilibrium is at least what is estimated
           is_seen = is_seen && certificate.rounding() <=

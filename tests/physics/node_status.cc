@@ -101,7 +101,7 @@ namespace
   {
     const double gamma = ending.shear * slip_stress / G;
     const double p     = c.lift < 0. ? -(lame + 2. * G) * c.lift : 0.;
-    const auto &u      = run.problem->displacement();
+    const auto &u      = run.problem->state().u;
     double largest     = 0.;
     for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
@@ -119,7 +119,7 @@ namespace
       {
         const ContactNode &node = run.problem->contact_surface().nodes()[i];
         const Eigen::Vector3d force =
-          node.force_to_cartesian(at_node(run.problem->solution().lambda, i)) / node.area;
+          node.force_to_cartesian(at_node(run.problem->state().lambda, i)) / node.area;
         largest = std::max(largest, (force - Eigen::Vector3d(t * cx, t * cy, -p)).norm() /
                                       slip_stress);
       }

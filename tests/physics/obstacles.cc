@@ -78,7 +78,7 @@ namespace
                              three(0, -sxx, -syz) + " | 3 : " + three(0, sxx, syz)}));
 
     double error  = 0.;
-    const auto &u = run.problem->displacement();
+    const auto &u = run.problem->state().u;
     for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
         const double z         = node.position[2];
@@ -90,7 +90,7 @@ namespace
     error = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
 
     const auto &surface  = run.problem->contact_surface();
-    const auto &lambda   = run.problem->solution().lambda;
+    const auto &lambda   = run.problem->state().lambda;
     const Eigen::Index m = surface.n_nodes();
     for (Eigen::Index i = 0; i < m; ++i)
       {
@@ -122,7 +122,7 @@ namespace
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       error = std::max(
         error,
-        std::abs(run.problem->solution().lambda(i) / (p * surface.nodes()[i].area) - 1.));
+        std::abs(run.problem->state().lambda(i) / (p * surface.nodes()[i].area) - 1.));
     out() << method << ", interference: certified " << yes(run.converged)
           << ", pressure exact to 1e-8 " << yes(error < 1e-8) << std::endl;
   }
@@ -139,7 +139,7 @@ namespace
             "0; 0; -1",
             "Boundary conditions/Initial gap=-1e-4 | 0"}));
     const auto &surface         = run.problem->contact_surface();
-    const auto &lambda          = run.problem->solution().lambda;
+    const auto &lambda          = run.problem->state().lambda;
     const Eigen::Index m        = surface.n_nodes();
     const Eigen::VectorXd force = surface.B().force_to_cartesian(lambda);
     double error = 0., largest = 0.;
@@ -188,7 +188,7 @@ namespace
                         "Friction/Coefficient=" + exact(mu) + " | 77",
                         "Friction/Slip stress=1e99 | " + exact(slip_stress)}));
     const auto &surface  = run.problem->contact_surface();
-    const auto &lambda   = run.problem->solution().lambda;
+    const auto &lambda   = run.problem->state().lambda;
     const auto statuses  = run.problem->node_statuses();
     const Eigen::Index m = surface.n_nodes();
     std::array<unsigned int, 2> slipping{};
@@ -223,7 +223,7 @@ namespace
                         "Boundary conditions/Contact boundary=top",
                         "Boundary conditions/Obstacle=" + obstacle}));
     const auto &surface = run.problem->contact_surface();
-    const auto &lambda  = run.problem->solution().lambda;
+    const auto &lambda  = run.problem->state().lambda;
     double P = 0., second = 0., p0 = 0.;
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {

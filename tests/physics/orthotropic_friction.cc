@@ -86,7 +86,7 @@ namespace
         "Contact solver/Tolerance=1e-10"} +
         method.settings);
 
-    const auto &u = run.problem->displacement();
+    const auto &u = run.problem->state().u;
     double error  = 0.;
     for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
@@ -105,7 +105,7 @@ namespace
       {
         const ContactNode &node = surface.nodes()[i];
         const Eigen::Vector3d force =
-          node.force_to_cartesian(at_node(run.problem->solution().lambda, i)) / node.area;
+          node.force_to_cartesian(at_node(run.problem->state().lambda, i)) / node.area;
         error = std::max(error, (force - Eigen::Vector3d(sxz, syz, -p)).norm() / p);
         n_statuses += statuses[i].normal == NormalStatus::closed &&
                           statuses[i].tangential ==
@@ -143,8 +143,7 @@ namespace
           continue;
         const ContactNode &node = surface.nodes()[i];
         const Eigen::Vector3d force =
-          node.axes() *
-          node.force_to_cartesian(at_node(run.problem->solution().lambda, i));
+          node.axes() * node.force_to_cartesian(at_node(run.problem->state().lambda, i));
         const Eigen::Vector3d r = at_node(run.problem->certificate().gradient(), i);
         const Eigen::Vector3d slip =
           node.axes() * node.displacement_to_cartesian({0., -r(1), -r(2)});
@@ -153,9 +152,9 @@ namespace
           Eigen::Vector2d(on(0) / F1, on(1) / F2).normalized();
         const Eigen::Vector2d slip_t = slip.tail<2>();
         largest_slip                 = std::max(largest_slip, slip_t.norm());
-        error                        = std::max(
-                                 error, std::abs(on.norm() - force(0)) /
-                                          surface.slip_bound().at(run.problem->solution().lambda).mean());
+        error =
+          std::max(error, std::abs(on.norm() - force(0)) /
+                            surface.slip_bound().at(run.problem->state().lambda).mean());
         off_normal = std::max(
           off_normal, (slip_t - std::max(slip_t.dot(normal), 0.) * normal).norm());
       }
@@ -192,7 +191,7 @@ int main(int argc, char *argv[])
       const Run ellipse(shipped("brick.prm"),
                         settings + Settings{"Friction/Coefficient=0.3; 0.3"});
       out() << name << ": equal axes are the disc to the last bit "
-            << yes(disc.problem->solution().lambda == ellipse.problem->solution().lambda)
+            << yes(disc.problem->state().lambda == ellipse.problem->state().lambda)
             << std::endl;
     }
 

@@ -62,7 +62,7 @@ inline Patch solve_patch(std::vector<std::string> settings, const std::string &l
   const Run run(shipped("brick.prm"), settings);
 
   const stiction::Body &body = run.problem->elasticity().body();
-  const auto &u              = run.problem->displacement();
+  const auto &u              = run.problem->state().u;
   Patch patch{};
   patch.certified         = run.converged;
   patch.has_hanging_nodes = body.n_hanging_nodes() > 0;
@@ -77,7 +77,7 @@ inline Patch solve_patch(std::vector<std::string> settings, const std::string &l
   patch.displacement_error = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
 
   const auto &surface       = run.problem->contact_surface();
-  const auto &lambda        = run.problem->solution().lambda;
+  const auto &lambda        = run.problem->state().lambda;
   const Eigen::Index m      = surface.n_nodes();
   const auto statuses       = run.problem->node_statuses();
   unsigned int right_status = 0;

@@ -35,7 +35,7 @@ int main(int argc, char *argv[])
              "Contact solver/Method=" + method.substr(0, method.find(' ')),
              "Contact solver/Squares=" + (method == "newton" ? "2" : method.substr(8)),
              "Contact solver/Tolerance=1e-9"});
-          const auto &lambda   = run.problem->solution().lambda;
+          const auto &lambda   = run.problem->state().lambda;
           const Eigen::Index m = run.problem->contact_surface().n_nodes();
           const double t1 = lambda.segment(m, m).sum(), t2 = lambda.tail(m).sum();
           const double bound = 1.5e7 * run.problem->contact_surface().areas().sum();

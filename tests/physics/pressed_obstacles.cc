@@ -18,7 +18,7 @@ namespace
 {
   const Eigen::VectorXd &lambda(const Run &run)
   {
-    return run.problem->solution().lambda;
+    return run.problem->state().lambda;
   }
 
   nlohmann::json boundary(const Run &run, const unsigned int number = 0)
@@ -267,8 +267,7 @@ namespace
                                    "0; 0; 1e13"});
     out() << "more than the body can take: not converged " << yes(!run.converged)
           << ", says why "
-          << yes(run.problem->solution().reason.find("Obstacle force") !=
-                 std::string::npos)
+          << yes(run.problem->status().reason.find("Obstacle force") != std::string::npos)
           << std::endl;
   }
 } // namespace

@@ -78,8 +78,7 @@ namespace
         const double exact[] = {gamma * z, 0., -epsilon * z};
         for (unsigned int c = 0; c < 3; ++c)
           error = std::max(
-            error,
-            std::abs(run.problem->displacement()(node.dofs[c]) - exact[c]) / epsilon);
+            error, std::abs(run.problem->state().u(node.dofs[c]) - exact[c]) / epsilon);
       }
     error              = dealii::Utilities::MPI::max(error, MPI_COMM_WORLD);
     const double force = run.summary()["contact"]["force_on_body"][2].get<double>() /

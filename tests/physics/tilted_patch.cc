@@ -106,7 +106,7 @@ namespace
     const Run run(shipped("brick.prm"), settings);
 
     double error_u = 0., error_force = 0.;
-    const auto &u = run.problem->displacement();
+    const auto &u = run.problem->state().u;
     for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
       {
         const double z = (transpose(R) * Tensor<1, 3>(node.position))[2];
@@ -119,7 +119,7 @@ namespace
 
     const ContactSurface &surface = run.problem->contact_surface();
     const Eigen::VectorXd force =
-      surface.B().force_to_cartesian(run.problem->solution().lambda);
+      surface.B().force_to_cartesian(run.problem->state().lambda);
     const Eigen::Index m        = surface.n_nodes();
     const Tensor<1, 3> per_area = R * Tensor<1, 3>({sxz, syz, -p});
     for (Eigen::Index i = 0; i < m; ++i)

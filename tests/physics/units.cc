@@ -32,8 +32,8 @@ namespace
                const bool identical, const double spread)
   {
     const auto &a = run.summary()["solver"], &b = reference.summary()["solver"];
-    const auto &lambda   = run.problem->solution().lambda;
-    const auto &expected = reference.problem->solution().lambda;
+    const auto &lambda   = run.problem->state().lambda;
+    const auto &expected = reference.problem->state().lambda;
     const double error   = (lambda / force - expected).norm() / expected.norm();
 
     const auto near = [&](const char *entry, const double allowed) {

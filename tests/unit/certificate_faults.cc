@@ -66,8 +66,8 @@ int main(int argc, char *argv[])
   const auto &elasticity       = run.problem->elasticity();
   const auto &surface          = run.problem->contact_surface();
   const auto &right            = run.problem->certificate();
-  const Eigen::VectorXd lambda = run.problem->solution().lambda;
-  const LA::Vector u           = run.problem->displacement();
+  const Eigen::VectorXd lambda = run.problem->state().lambda;
+  const LA::Vector u           = run.problem->state().u;
   const Eigen::Index m         = surface.n_nodes();
 
   const auto solver       = StiffnessSolver::create("mumps", elasticity, 1e-14);

@@ -31,7 +31,7 @@ namespace
   {
     const ContactProblem &problem        = *run.problem;
     const dealii::Vector<double> squares = estimate_error(
-      problem.elasticity(), problem.contact_surface(), problem.displacement(), lambda);
+      problem.elasticity(), problem.contact_surface(), problem.state().u, lambda);
     double sum = 0.;
     for (const double square : squares)
       sum += square;
@@ -40,7 +40,7 @@ namespace
 
   double estimate(const Run &run)
   {
-    return estimate(run, run.problem->solution().lambda);
+    return estimate(run, run.problem->state().lambda);
   }
 
   double energy_norm(const Run &run)
@@ -84,7 +84,7 @@ namespace
     const Run run(shipped("brick.prm"), settings);
     const double norm = energy_norm(run);
 
-    Eigen::VectorXd wrong = run.problem->solution().lambda;
+    Eigen::VectorXd wrong = run.problem->state().lambda;
     wrong(0) *= 1.01;
     out() << "patch, " << ending << ", hanging nodes "
           << (run.problem->elasticity().body().n_hanging_nodes() > 0 ? "yes" : "no")
@@ -116,7 +116,7 @@ namespace
     using namespace dealii;
     const Body &body = run.problem->elasticity().body();
     LA::Vector u(body.locally_owned_dofs(), body.locally_relevant_dofs(), MPI_COMM_WORLD);
-    u = run.problem->displacement();
+    u = run.problem->state().u;
     u.update_ghost_values();
     const QGauss<3> quadrature(3);
     FEValues<3> values(body.mapping(), body.dof_handler().get_fe(), quadrature,
@@ -227,9 +227,9 @@ namespace
     const double all              = estimate(run);
     for (const unsigned int all_up_to : {49152, 16384, 8192})
       {
-        const MeshError error = estimate_mesh_error(
-          problem.elasticity(), problem.contact_surface(), problem.displacement(),
-          problem.solution().lambda, all_up_to);
+        const MeshError error =
+          estimate_mesh_error(problem.elasticity(), problem.contact_surface(),
+                              problem.state().u, problem.state().lambda, all_up_to);
         const double eta = std::sqrt(error.square);
         out() << "sample: " << error.n_cells << " cells"
               << (error.is_sampled ? " of 49152" : "") << ", as all say "

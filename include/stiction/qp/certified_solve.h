@@ -28,9 +28,8 @@ namespace stiction
   };
 
   /// How a contact solve ended.
-  struct ContactSolution
+  struct SolveStatus
   {
-    Eigen::VectorXd lambda;   ///< contact forces, N, length 3m
     bool converged = false;   ///< as the verifier says
     std::string reason;       ///< if not: what stopped the iteration, what to change
     bool interrupted = false; ///< whether the user stopped it
@@ -48,13 +47,14 @@ namespace stiction
   ///   part of a sentence.
   /// @param observer called after every step. If it throws Interrupted, on all
   ///   ranks, the iterate of that step is judged and handed back.
-  /// @param lambda where to start, 3m contact forces; empty: zero.
-  ContactSolution certified_solve(
-    DualMethod &method, const DualOperator &Q, const qp::SlipBound &slip_bound,
-    Verifier &verifier, double tolerance, unsigned int max_iterations,
-    const std::string &other_method,
-    const std::function<void(const ContactStep &)> &observer,
-    Eigen::VectorXd lambda = {});
+  /// @param lambda in: where to start, 3m contact forces in N, or empty: from zero;
+  ///   out: the answer.
+  SolveStatus certified_solve(DualMethod &method, const DualOperator &Q,
+                              const qp::SlipBound &slip_bound, Verifier &verifier,
+                              double tolerance, unsigned int max_iterations,
+                              const std::string &other_method,
+                              const std::function<void(const ContactStep &)> &observer,
+                              Eigen::VectorXd &lambda);
 } // namespace stiction
 
 #endif

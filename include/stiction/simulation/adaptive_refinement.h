@@ -17,6 +17,7 @@ namespace stiction
   class ContactSurface;
   class LinearElasticity;
   class Parameters;
+  struct State;
 
   /// What happens between two solves of an adaptive run: estimates the error
   /// of the answer on a mesh, chooses the cells to cut, and keeps the record of
@@ -30,13 +31,11 @@ namespace stiction
     /// Takes note of a mesh that is solved, and if its answer is certified,
     /// estimates the error of that. Collective.
     ///
-    /// @param u the displacement (m), @p lambda the contact forces (N), and
-    ///   @p strain_energy uᵀKu/2 (J).
+    /// @param state the answer, @param strain_energy uᵀKu/2 of it (J).
     ///
     /// Throws InputError as estimate_error() does.
     void add_mesh(const LinearElasticity &elasticity, const ContactSurface &surface,
-                  bool is_certified, const LA::Vector &u, const Eigen::VectorXd &lambda,
-                  double strain_energy);
+                  bool is_certified, const State &state, double strain_energy);
 
     /// Which active cells of the last mesh are to be cut, unless is_finished().
     /// Collective.

@@ -2,9 +2,9 @@
 #define stiction_simulation_contact_problem_h
 
 #include <stiction/base/phases.h>
-#include <stiction/contact/certificate/body_verifier.h>
+#include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
-#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/simulation/contact_solver.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,7 +20,6 @@ namespace stiction
   class AdaptiveRefinement;
   class Body;
   class ContactSurface;
-  class ForceControl;
   class LinearElasticity;
   class Log;
   struct NodeStatus;
@@ -43,7 +42,7 @@ namespace stiction
     /// written, and if a file cannot be written.
     ///
     /// @return whether the certificate reached the tolerance; if not,
-    ///   solution() knows why.
+    ///   status() knows why.
     bool run();
 
     /// Makes mesh and contact surface, prints what they are, and solves and
@@ -57,17 +56,10 @@ namespace stiction
 
     const LinearElasticity &elasticity() const { return *discretization_->elasticity; }
 
-    const ContactSolution &solution() const { return *solution_; }
-
-    /// The displacement of the solution (m) and its certificate.
-    const LA::Vector &displacement() const
-    {
-      return discretization_->solver->verifier().displacement();
-    }
-    const Certificate &certificate() const
-    {
-      return discretization_->solver->verifier().certificate();
-    }
+    /// What was found, how that ended, and what it is worth.
+    const State &state() const { return state_; }
+    const SolveStatus &status() const { return status_; }
+    const Certificate &certificate() const { return *certificate_; }
 
     /// What the contact nodes do.
     std::vector<NodeStatus> node_statuses() const;
@@ -84,7 +76,8 @@ namespace stiction
       std::unique_ptr<ContactSolver> solver;
     };
 
-    void solve_and_certify();
+    void solve();
+    void certify();
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.
     bool refine_mesh();
@@ -97,8 +90,6 @@ namespace stiction
     void describe_body();
     void assemble_system();
     void make_contact_surface();
-    /// Prepares the search for the places of pressed obstacles.
-    void control_forces();
     void open_output();
     /// Ends the iteration by an exception if the user wants it.
     void finish_step(const ContactStep &step);
@@ -118,9 +109,10 @@ namespace stiction
     std::unique_ptr<ConvergenceHistory> history_;
     std::unique_ptr<AdaptiveRefinement> refinement_; ///< if it is wanted
     std::unique_ptr<Body> body_;
-    std::unique_ptr<ForceControl> force_control_; ///< if a force is prescribed
     std::unique_ptr<Discretization> discretization_;
-    std::unique_ptr<ContactSolution> solution_;
+    State state_;
+    SolveStatus status_;
+    std::unique_ptr<Certificate> certificate_;
 
     std::unique_ptr<SupportReactions> reactions_;
     MeshError mesh_error_; ///< of no cells: not estimated

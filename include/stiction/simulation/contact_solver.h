@@ -10,19 +10,17 @@
 
 namespace stiction
 {
-  class BodyVerifier;
   class ContactSurface;
   class DualOperator;
-  class ForceControl;
   class LinearElasticity;
   class Log;
   class Parameters;
   class Phases;
+  struct State;
   class StiffnessSolver;
 
-  /// Solves the contact problem on one mesh and has its answer certified,
-  /// whatever it takes for unknowns: set up once, solves as often as loads and
-  /// obstacles change.
+  /// Solves the contact problem on one mesh, whatever it takes for unknowns: set
+  /// up once, solves as often as loads and obstacles change.
   class ContactSolver
   {
   public:
@@ -33,8 +31,7 @@ namespace stiction
     {
       const Parameters &parameters;
       const LinearElasticity &elasticity;
-      ContactSurface &surface; ///< the obstacles of which it may move
-      ForceControl *control;   ///< of pressed obstacles, or null
+      const ContactSurface &surface;
       Log &log;
       Phases &phases;
     };
@@ -44,19 +41,18 @@ namespace stiction
 
     virtual ~ContactSolver();
 
-    /// Solves until the certificate is reached or nothing helps any more.
+    /// Solves until the tolerance is reached or nothing helps any more.
     /// Collective.
     ///
+    /// @param state in: what is known of the solution, or nothing; out: the
+    ///   solution.
     /// @param observer called after every step; may throw Interrupted on all
     ///   ranks, which ends the iteration with what is reached.
-    virtual ContactSolution solve(const Observer &observer) = 0;
+    /// @return how it ended, as far as the solver knows; the certificate decides.
+    virtual SolveStatus solve(State &state, const Observer &observer) = 0;
 
-    /// Completes the certificate of the solution, which is at the latest made
-    /// here. Collective.
-    void certify(ContactSolution &solution);
-
-    /// The displacement of the last solution and its certificate.
-    BodyVerifier &verifier() const;
+    /// K⁻¹, to some digits, until the next solve(). Collective.
+    virtual StiffnessSolver &stiffness_solver() = 0;
 
     /// Q and h, if the solver has them; otherwise null.
     virtual const DualOperator *dual_operator() const;
@@ -67,12 +63,6 @@ namespace stiction
   protected:
     explicit ContactSolver(const Setting &setting);
 
-    /// Has a solution judged that was not yet.
-    virtual void verify(ContactSolution &) {}
-
-    /// Whether the duality gap may be left out if its elastic solve fails.
-    virtual bool may_lack_duality_gap() const { return false; }
-
     /// What to choose where the method comes no closer.
     std::string other_method() const;
 
@@ -80,10 +70,6 @@ namespace stiction
 
     const Setting setting_;
     std::unique_ptr<StiffnessSolver> stiffness_solver_;
-    std::unique_ptr<BodyVerifier> verifier_;
-
-  private:
-    void compute_duality_gap(const ContactSolution &solution);
   };
 } // namespace stiction
 

@@ -48,7 +48,7 @@ namespace stiction
     /// The content of summary.json, after run().
     const nlohmann::json &summary() const { return *summary_; }
 
-    const ContactSolution &solution() const { return *solution_; }
+    const SolveStatus &status() const { return status_; }
 
   private:
     std::vector<NodeStatus> node_statuses() const;
@@ -69,7 +69,8 @@ namespace stiction
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<DualMethod> method_;
     std::unique_ptr<DualProblemVerifier> verifier_;
-    std::unique_ptr<ContactSolution> solution_;
+    Eigen::VectorXd lambda_; ///< the answer, N
+    SolveStatus status_;
     const ContactConditions *conditions_ = nullptr; ///< of the solution
     std::unique_ptr<nlohmann::json> summary_;
     Phases phases_;

@@ -3,19 +3,26 @@
 
 #include <stiction/simulation/contact_solver.h>
 
+#include <Eigen/Core>
+
 namespace stiction
 {
+  class AugmentedOperator;
+  class BodyVerifier;
   class DualMethod;
 
-  /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ, and a search
-  /// around it where forces press obstacles on.
+  /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ. Forces that press
+  /// obstacles on are equality constraints, which the method of multipliers
+  /// meets: any dual method works on the augmented operator.
   class DualContactSolver : public ContactSolver
   {
   public:
     explicit DualContactSolver(const Setting &setting);
     ~DualContactSolver() override;
 
-    ContactSolution solve(const Observer &observer) override;
+    SolveStatus solve(State &state, const Observer &observer) override;
+
+    StiffnessSolver &stiffness_solver() override { return *stiffness_solver_; }
 
     const DualOperator *dual_operator() const override { return Q_.get(); }
 
@@ -25,12 +32,24 @@ namespace stiction
     void set_up_stiffness_solver();
     void set_up_dual_operator();
 
-    /// With the obstacles where they are.
-    ContactSolution solve_there(double tolerance, const Eigen::VectorXd &start,
-                                const Observer &observer);
+    /// With forces that press obstacles on.
+    SolveStatus solve_pressed(State &state, const Observer &observer);
+
+    /// With this operator in place of Q.
+    SolveStatus solve_with(const DualOperator &Q, BodyVerifier &verifier,
+                           double tolerance, const Observer &observer,
+                           Eigen::VectorXd &lambda);
+
+    /// The contact forces of each pressed obstacle if it pressed alike on all its
+    /// nodes, 3m × n, N.
+    Eigen::MatrixXd uniform_pressures() const;
+
+    /// How far the obstacles go under these forces, m.
+    Eigen::VectorXd yielding(const Eigen::MatrixXd &lambda) const;
 
     std::unique_ptr<DualOperator> Q_;
-    std::unique_ptr<DualMethod> method_; ///< of the last solve
+    std::unique_ptr<AugmentedOperator> augmented_; ///< of pressed obstacles
+    std::unique_ptr<DualMethod> method_;           ///< of the last solve
   };
 } // namespace stiction
 

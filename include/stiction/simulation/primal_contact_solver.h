@@ -14,17 +14,13 @@ namespace stiction
     explicit PrimalContactSolver(const Setting &setting);
     ~PrimalContactSolver() override;
 
-    ContactSolution solve(const Observer &observer) override;
+    SolveStatus solve(State &state, const Observer &observer) override;
+
+    StiffnessSolver &stiffness_solver() override;
 
     nlohmann::json to_json() const override;
 
   private:
-    void verify(ContactSolution &solution) override;
-
-    /// On very flat cells conjugate gradients may fail where the method itself
-    /// did not.
-    bool may_lack_duality_gap() const override { return true; }
-
     std::unique_ptr<NewtonMultigrid> newton_;
   };
 } // namespace stiction

@@ -4,6 +4,7 @@
 
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
@@ -65,14 +66,15 @@ namespace stiction
     {
     public:
       Estimator(const LinearElasticity &elasticity, const ContactSurface &surface,
-                const LA::Vector &u, const Eigen::VectorXd &lambda)
+                const State &state)
         : body_(elasticity.body())
         , elasticity_(elasticity)
         , surface_(surface)
         , degree_(body_.dof_handler().get_fe().degree)
         , has_mean_dilatation_(elasticity.materials().have_mean_dilatation())
-        , contact_(elasticity, surface, lambda)
-        , u_(with_ghosts(body_, u))
+        , contact_(elasticity, surface, state.lambda)
+        , u_(with_ghosts(body_, state.u))
+        , distances_(state.distances)
         , face_quadrature_(degree_ + 1)
         , inside_(body_.mapping(), body_.dof_handler().get_fe(), QGauss<3>(degree_ + 1),
                   update_gradients | update_hessians | update_quadrature_points |
@@ -347,7 +349,7 @@ namespace stiction
                                    const double stiffness) const
       {
         const ContactBoundary &boundary = surface_.boundary(id);
-        const Tensor<1, 3> moved        = surface_.obstacle_displacement(id);
+        const Tensor<1, 3> moved        = surface_.obstacle_displacement(id, distances_);
         std::vector<Tensor<1, 3>> u(face_.n_quadrature_points);
         face_[displacement_].get_function_values(u_, u);
         double sum = 0.;
@@ -374,6 +376,7 @@ namespace stiction
       std::map<types::boundary_id, std::string> held_; // components
       ContactTraction contact_;
       const LA::Vector u_;
+      const Eigen::VectorXd distances_; // of pressed obstacles
       const QGauss<2> face_quadrature_;
       const FEValuesExtractors::Vector displacement_{0};
       FEValues<3> inside_;
@@ -386,9 +389,8 @@ namespace stiction
 
   std::unique_ptr<CellError> CellError::create(const LinearElasticity &elasticity,
                                                const ContactSurface &surface,
-                                               const LA::Vector &u,
-                                               const Eigen::VectorXd &lambda)
+                                               const State &state)
   {
-    return std::make_unique<Estimator>(elasticity, surface, u, lambda);
+    return std::make_unique<Estimator>(elasticity, surface, state);
   }
 } // namespace stiction

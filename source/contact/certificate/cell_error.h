@@ -13,16 +13,16 @@ namespace stiction
 {
   class ContactSurface;
   class LinearElasticity;
+  struct State;
 
   /// The estimated error of one cell after another, see estimate_error().
   class CellError
   {
   public:
-    /// Collective. What is given, but for u, must outlive the object.
+    /// Collective. What is given, but for the state, must outlive the object.
     static std::unique_ptr<CellError> create(const LinearElasticity &elasticity,
                                              const ContactSurface &surface,
-                                             const LA::Vector &u,
-                                             const Eigen::VectorXd &lambda);
+                                             const State &state);
 
     virtual ~CellError() = default;
 

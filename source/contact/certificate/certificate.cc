@@ -1,13 +1,11 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/obstacles/force_control.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
 #include <array>
@@ -19,12 +17,6 @@ namespace stiction
 
   namespace
   {
-    // The prox step of the duality gap is valid with any stiffness, and best
-    // with that of a node on the body: its own diagonal entry of K counts the
-    // neighbours as fixed. On the reference brick the bound is 3.3 times the
-    // error with 0.1, 3.1 with 0.03, 7 with 0.3 and with 0.01.
-    constexpr double prox_stiffness = 0.1;
-
     // What rounding leaves of gaps that a prescribed displacement makes, as a
     // part of it.
     constexpr double rounding_of_gaps = 1e-12;
@@ -100,14 +92,13 @@ namespace stiction
   } // namespace
 
   Certificate::Certificate(const LinearElasticity &elasticity,
-                           const ContactSurface &surface, const LA::Vector &u,
-                           const Eigen::VectorXd &lambda)
-    : ContactConditions(lambda, surface.slip_bound().at(lambda))
+                           const ContactSurface &surface, const State &state)
+    : ContactConditions(state.lambda, surface.slip_bound().at(state.lambda))
     , elasticity_(elasticity)
     , surface_(surface)
   {
-    gradient_ = surface.motion().offset() - surface.B().apply(u);
-    compute_body_figures(u);
+    gradient_ = surface.motion().offset(state.distances) - surface.B().apply(state.u);
+    compute_body_figures(state.u);
     compute_contact_figures();
   }
 
@@ -153,10 +144,8 @@ namespace stiction
     body_figures_.equilibrium_residual = sums.imbalance / S;
     body_figures_.force_balance        = sums.force.norm() / S;
     body_figures_.moment_balance       = sums.moment.norm() / (S * size);
-    if (surface_.pressing_forces().size() > 0)
-      body_figures_.obstacle_force =
-        largest_relative_error(-surface_.motion().directions().transpose() * lambda_,
-                               surface_.pressing_forces());
+    if (surface_.motion().n_pressed() > 0)
+      body_figures_.obstacle_force = surface_.motion().force_error(lambda_);
     rounding_      = sums.rounding / S;
     force_scale_   = S;
     strain_energy_ = sums.energy / 2.;
@@ -164,54 +153,6 @@ namespace stiction
 
     scaling_ = contact_scaling(S, S_u0, surface_.areas(), surface_.boundary_area(),
                                surface_.stiffness());
-  }
-
-  void Certificate::compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver)
-  {
-    const Eigen::Index m = surface_.n_nodes();
-
-    // The frozen bound, and the forces made feasible.
-    Eigen::VectorXd feasible = lambda_;
-    feasible.head(m)         = feasible.head(m).cwiseMax(0.);
-    const qp::HalfLinesTimesDiscs feasible_set(surface_.slip_bound().at(feasible));
-    feasible_set.project(feasible);
-
-    // One prox step with a part k of the stiffness of the node itself,
-    // λ̂ = P(λ + k w), p = w − (λ̂ − λ)/k with w = Bu − (d; 0; 0). By the
-    // projection p is normal to the feasible set at λ̂: p_ν ≤ 0, λ̂_ν p_ν = 0,
-    // g‖p_t‖ = λ̂_t·p_t.
-    const Eigen::VectorXd K_diagonal =
-      surface_.B().dofs().restriction(elasticity_.stiffness_diagonal());
-    const Eigen::VectorXd k = prox_stiffness * K_diagonal.head(m)
-                                                 .cwiseMax(K_diagonal.segment(m, m))
-                                                 .cwiseMax(K_diagonal.tail(m))
-                                                 .replicate(3, 1);
-    const Eigen::VectorXd w    = -gradient_;
-    Eigen::VectorXd lambda_hat = feasible + k.cwiseProduct(w);
-    feasible_set.project(lambda_hat);
-    const Eigen::VectorXd shift = (lambda_hat - feasible).cwiseQuotient(k); // w − p
-
-    // What is left of the gap is ½ sᵀK⁻¹s with s = f − Bᵀλ̂ − Kû and
-    // û = u − M⁻¹(w − p), so that Bû is p but for the gap: K⁻¹s is M⁻¹(w − p)
-    // plus what u lacks to be in equilibrium with λ̂.
-    LA::Vector lacking = elasticity_.load();
-    surface_.B().add_transpose(-1., lambda_hat, lacking);
-    lacking -= elasticity_.internal_force(u);
-    for (const auto dof : elasticity_.body().locally_owned_dofs())
-      if (elasticity_.is_prescribed(dof))
-        lacking(dof) = 0.;
-    lacking.compress(VectorOperation::insert);
-
-    LA::Vector correction = elasticity_.zero_vector();
-    if (lacking.l2_norm() > 0.)
-      solver.solve(correction, lacking);
-    surface_.B().add_displacement(1., shift, correction);
-    const double gap = 0.5 * (correction * elasticity_.internal_force(correction));
-
-    LA::Vector u_hat = u;
-    surface_.B().add_displacement(-1., shift, u_hat);
-    body_figures_.duality_gap = std::sqrt(
-      2. * std::max(gap, 0.) / nonzero(u_hat * elasticity_.internal_force(u_hat)));
   }
 
   std::vector<std::pair<std::string, double>> Certificate::deciding_figures() const

@@ -4,6 +4,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -143,12 +144,11 @@ namespace stiction
   } // namespace
 
   Vector<double> estimate_error(const LinearElasticity &elasticity,
-                                const ContactSurface &surface, const LA::Vector &u,
-                                const Eigen::VectorXd &lambda)
+                                const ContactSurface &surface, const State &state)
   {
     const Body &body = elasticity.body();
     Vector<double> squares(body.triangulation().n_active_cells());
-    const auto error = CellError::create(elasticity, surface, u, lambda);
+    const auto error = CellError::create(elasticity, surface, state);
     throw_on_all_ranks(body.communicator(), [&]() {
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
@@ -158,8 +158,7 @@ namespace stiction
   }
 
   MeshError estimate_mesh_error(const LinearElasticity &elasticity,
-                                const ContactSurface &surface, const LA::Vector &u,
-                                const Eigen::VectorXd &lambda,
+                                const ContactSurface &surface, const State &state,
                                 const unsigned long long all_up_to)
   {
     const Body &body          = elasticity.body();
@@ -169,7 +168,7 @@ namespace stiction
     const unsigned int up = n_cells <= all_up_to ? 0 : n_cells <= 4 * all_up_to ? 1 : 2;
     const unsigned int level = finest - std::min(up, finest);
 
-    const auto error = CellError::create(elasticity, surface, u, lambda);
+    const auto error = CellError::create(elasticity, surface, state);
     const auto whole = level < finest
                          ? roughest_families(elasticity, error->displacement(), level)
                          : std::set<std::uint64_t>();

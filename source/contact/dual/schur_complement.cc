@@ -17,7 +17,7 @@ namespace stiction
     {
       LA::Vector u = elasticity.zero_vector();
       solver.solve(u, elasticity.constrained_load());
-      return surface.B().apply(u) - surface.motion().offset();
+      return surface.B().apply(u) - surface.motion().offset_at_start();
     }
 
     // What Q gets on its diagonal where nodes are held: of the size of the

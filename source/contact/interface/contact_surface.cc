@@ -1,7 +1,6 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
-
-#include <deal.II/lac/la_parallel_vector.h>
+#include <stiction/contact/interface/state.h>
 
 #include <algorithm>
 
@@ -43,9 +42,9 @@ namespace stiction
     return largest;
   }
 
-  double ContactSurface::penetration_of_facing_away(const LA::Vector &u) const
+  double ContactSurface::penetration_of_facing_away(const State &state) const
   {
-    const Eigen::VectorXd moved = facing_away_dofs_.restriction(u);
+    const Eigen::VectorXd moved = facing_away_dofs_.restriction(state.u);
     const std::size_t m         = facing_away_.size();
     double depth                = 0.;
     for (std::size_t i = 0; i < m; ++i)
@@ -53,13 +52,15 @@ namespace stiction
         Point<3> p = facing_away_[i].position;
         for (unsigned int c = 0; c < 3; ++c)
           p[c] += moved(static_cast<Eigen::Index>(i + c * m));
-        p -= obstacle_displacement(boundaries_[facing_away_[i].boundary].id());
-        depth = std::max(depth, boundaries_[facing_away_[i].boundary].penetration(p));
+        const ContactBoundary &boundary = boundaries_[facing_away_[i].boundary];
+        p -= obstacle_displacement(boundary.id(), state.distances);
+        depth = std::max(depth, boundary.penetration(p));
       }
     return depth;
   }
 
-  Tensor<1, 3> ContactSurface::obstacle_displacement(const types::boundary_id id) const
+  Tensor<1, 3> ContactSurface::obstacle_displacement(
+    const types::boundary_id id, const Eigen::VectorXd &distances) const
   {
     Eigen::Index column = 0;
     for (const ContactBoundary &boundary : boundaries_)
@@ -67,11 +68,18 @@ namespace stiction
         const double force = boundary.force().norm();
         if (boundary.id() == id)
           return force > 0. ? boundary.displacement() +
-                                motion_.distances()(column) / force * boundary.force()
+                                distances(column) / force * boundary.force()
                             : boundary.displacement();
         column += force > 0. ? 1 : 0;
       }
     return Tensor<1, 3>();
+  }
+
+  bool ContactSurface::are_obstacles_too_deep(const Eigen::VectorXd &distances) const
+  {
+    return n_nodes() > 0 && motion_.n_pressed() > 0 &&
+           motion_.offset(distances).head(n_nodes()).minCoeff() <
+             -boundaries_.front().body_size();
   }
 
   Eigen::Index ContactSurface::node_of(const types::global_dof_index first_dof) const

@@ -153,12 +153,9 @@ namespace stiction
           column[b] = static_cast<Eigen::Index>(forces.size());
           forces.push_back(boundaries_[b].force().norm());
         }
-    pressing_forces_ = Eigen::Map<const Eigen::VectorXd>(
-      forces.data(), static_cast<Eigen::Index>(forces.size()));
-
     Eigen::VectorXd offset(3 * n_nodes());
     Eigen::MatrixXd directions =
-      Eigen::MatrixXd::Zero(3 * n_nodes(), pressing_forces_.size());
+      Eigen::MatrixXd::Zero(3 * n_nodes(), static_cast<Eigen::Index>(forces.size()));
     std::vector<double> largest_approach(boundaries_.size(), 0.);
     const auto seen_from = [](const ContactNode &node, const Tensor<1, 3> &displacement) {
       Eigen::Vector3d local =
@@ -195,6 +192,8 @@ namespace stiction
           parameters.source.describe("Boundary conditions/Obstacle force") +
           ", does not press the obstacle of boundary '" + boundaries_[b].name() +
           "' against the body, must point from the obstacle into the body.");
-    motion_ = ObstacleMotion(std::move(offset), std::move(directions));
+    motion_ = ObstacleMotion(std::move(offset), std::move(directions),
+                             Eigen::Map<const Eigen::VectorXd>(
+                               forces.data(), static_cast<Eigen::Index>(forces.size())));
   }
 } // namespace stiction

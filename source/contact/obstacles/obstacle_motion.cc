@@ -1,21 +1,36 @@
 #include <stiction/contact/obstacles/obstacle_motion.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stiction
 {
-  ObstacleMotion::ObstacleMotion(Eigen::VectorXd offset, Eigen::MatrixXd directions)
+  ObstacleMotion::ObstacleMotion(Eigen::VectorXd offset, Eigen::MatrixXd directions,
+                                 Eigen::VectorXd forces)
     : offset_(std::move(offset))
     , directions_(std::move(directions))
-    , distances_(Eigen::VectorXd::Zero(directions_.cols()))
+    , forces_(std::move(forces))
   {
   }
 
-  Eigen::VectorXd ObstacleMotion::move_to(const Eigen::VectorXd &distances)
+  Eigen::VectorXd ObstacleMotion::offset(const Eigen::VectorXd &distances) const
   {
-    const Eigen::VectorXd change = directions_ * (distances - distances_);
-    offset_ += change;
-    distances_ = distances;
-    return change;
+    return n_pressed() == 0 ? offset_
+                            : Eigen::VectorXd(offset_ + directions_ * distances);
+  }
+
+  Eigen::VectorXd ObstacleMotion::missing_forces(const Eigen::VectorXd &lambda) const
+  {
+    return forces_ + directions_.transpose() * lambda;
+  }
+
+  double ObstacleMotion::relative_error(const Eigen::VectorXd &errors) const
+  {
+    double largest = 0.;
+    for (Eigen::Index j = 0; j < n_pressed(); ++j)
+      if (forces_(j) > 0.)
+        largest = std::max(largest, std::abs(errors(j)) / forces_(j));
+    return largest;
   }
 } // namespace stiction

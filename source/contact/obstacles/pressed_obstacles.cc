@@ -3,76 +3,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
+#include <vector>
 
 namespace stiction
 {
-  namespace
+  Eigen::VectorXd ways_to_press(const ObstacleMotion &motion, const Eigen::VectorXd &gaps,
+                                const Eigen::VectorXd &areas, const double youngs_modulus)
   {
-    // How far obstacle j has to go until it meets the node, were nothing to
-    // move; infinite if it never does.
-    double way_to(const Eigen::MatrixXd &directions, const Eigen::VectorXd &gaps,
-                  const Eigen::Index node, const Eigen::Index j)
-    {
-      const double approach = -directions(node, j);
-      return approach > least_approach ? gaps(node) / approach
-                                       : std::numeric_limits<double>::infinity();
-    }
-
-    double shortest_way(const Eigen::MatrixXd &directions, const Eigen::VectorXd &gaps,
-                        const Eigen::Index j)
-    {
-      double shortest = std::numeric_limits<double>::infinity();
-      for (Eigen::Index i = 0; i < directions.rows() / 3; ++i)
-        shortest = std::min(shortest, way_to(directions, gaps, i, j));
-      return shortest;
-    }
-  } // namespace
-
-  ForceControl::Range range_of_search(const ObstacleMotion &motion,
-                                      const Eigen::VectorXd &areas,
-                                      const Eigen::VectorXd &forces,
-                                      const double youngs_modulus, const double body_size)
-  {
-    const Eigen::MatrixXd &directions = motion.directions();
-    const Eigen::VectorXd gaps        = motion.offset().head(areas.size());
-    ForceControl::Range range;
-    range.touch.resize(forces.size());
-    range.reach.resize(forces.size());
-    range.largest_reach = body_size;
-    for (Eigen::Index j = 0; j < forces.size(); ++j)
+    Eigen::VectorXd ways = Eigen::VectorXd::Zero(motion.n_pressed());
+    for (Eigen::Index j = 0; j < ways.size(); ++j)
       {
-        range.touch(j)   = shortest_way(directions, gaps, j);
-        const auto force = [&](const double depth) {
-          double area = 0.;
-          for (Eigen::Index i = 0; i < areas.size(); ++i)
-            if (way_to(directions, gaps, i, j) <= range.touch(j) + depth)
-              area += areas(i);
-          return youngs_modulus * std::sqrt(area / (2. * M_PI)) * depth;
-        };
-        double low = 0., high = body_size;
-        for (unsigned int k = 0; k < 60; ++k)
+        // the nodes as they are met, with their areas
+        std::vector<std::pair<double, double>> met;
+        for (Eigen::Index i = 0; i < areas.size(); ++i)
+          if (-motion.directions()(i, j) > least_approach)
+            met.emplace_back(-gaps(i) / motion.directions()(i, j), areas(i));
+        std::sort(met.begin(), met.end());
+
+        // the force jumps where a node is met and grows in proportion in between
+        double area = 0.;
+        for (std::size_t k = 0; k < met.size(); ++k)
           {
-            const double middle                      = 0.5 * (low + high);
-            (force(middle) < forces(j) ? low : high) = middle;
+            area += met[k].second;
+            const double depth =
+              motion.forces()(j) / (youngs_modulus * std::sqrt(area / (2. * M_PI)));
+            ways(j) = std::max(met[k].first, met.front().first + depth);
+            if (k + 1 < met.size() && ways(j) <= met[k + 1].first)
+              break;
           }
-        range.reach(j) = high;
       }
-    return range;
-  }
-
-  ForceControl::Outcome outcome_of(const Eigen::MatrixXd &directions,
-                                   const Eigen::VectorXd &lambda,
-                                   const Eigen::VectorXd &gradient,
-                                   const double force_scale)
-  {
-    ForceControl::Outcome outcome;
-    outcome.forces      = -directions.transpose() * lambda;
-    outcome.force_scale = force_scale;
-    outcome.clearance   = Eigen::VectorXd::Zero(directions.cols());
-
-    for (Eigen::Index j = 0; j < directions.cols(); ++j)
-      outcome.clearance(j) = std::max(shortest_way(directions, gradient, j), 0.);
-    return outcome;
+    return ways;
   }
 } // namespace stiction

@@ -1,4 +1,5 @@
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -108,7 +109,7 @@ namespace stiction
     const auto &on_finer                    = dof_hierarchy.on_finer_level(level);
     const auto &weights                     = dof_hierarchy.prolongation(level + 1);
     const auto n_vertices                   = static_cast<Eigen::Index>(on_finer.size());
-    const Eigen::VectorXd finer_offset      = finer.motion_.offset_at_start();
+    const Eigen::VectorXd &finer_offset     = finer.motion_.offset_at_start();
     const Eigen::MatrixXd &finer_directions = finer.motion_.directions();
     Eigen::VectorXd offset(3 * n_vertices);
     Eigen::MatrixXd directions(3 * n_vertices, finer_directions.cols());
@@ -130,9 +131,16 @@ namespace stiction
           finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
         frames.push_back(finer.B_.frames()[on_finer[j]]);
       }
-    B_      = ContactOperator(DofSubset::of_nodes(dof_hierarchy.first_dofs(level)),
-                              std::move(frames));
-    motion_ = ObstacleMotion(std::move(offset), std::move(directions));
+    B_ = ContactOperator(DofSubset::of_nodes(dof_hierarchy.first_dofs(level)),
+                         std::move(frames));
+    Eigen::VectorXd forces = finer.motion_.forces();
+    for (Eigen::Index j = 0; j < forces.size(); ++j)
+      if ((directions.col(j).head(n_vertices).array() > -least_approach).all())
+        {
+          directions.col(j).setZero();
+          forces(j) = 0.;
+        }
+    motion_ = ObstacleMotion(std::move(offset), std::move(directions), std::move(forces));
     areas_  = weights.transpose() * finer.areas_;
     const Eigen::VectorXd constant = weights.transpose() * finer.slip_bound_.constant();
     slip_bound_                    = finer.slip_bound_.is_coulomb()
@@ -204,9 +212,26 @@ namespace stiction
     return stiffness;
   }
 
-  Eigen::VectorXd ContactLevel::penetration_and_slip(const LA::Vector &u) const
+  Eigen::VectorXd ContactLevel::penetration_and_slip(
+    const LA::Vector &u, const Eigen::VectorXd &distances) const
   {
-    return B_.apply(u) - motion_.offset();
+    return B_.apply(u) - motion_.offset(distances);
+  }
+
+  void ContactLevel::bring_into_contact(ContactState &state,
+                                        const Eigen::VectorXd &a) const
+  {
+    if (motion_.n_pressed() == 0)
+      return;
+    const Eigen::VectorXd ways =
+      ways_to_press(motion_, -state.w.head(n_nodes()), areas_,
+                    stiffness_of_cells_.youngs_moduli.maxCoeff());
+    for (Eigen::Index j = 0; j < ways.size(); ++j)
+      if (!(motion_.directions().col(j).head(n_nodes()).array() < -least_approach &&
+            a.head(n_nodes()).array() > 0.)
+             .any())
+        state.distances(j) += ways(j);
+    state.w = penetration_and_slip(state.u, state.distances);
   }
 
   NodalConstraint ContactLevel::support(const Eigen::Index node,

@@ -11,6 +11,7 @@ namespace stiction
 {
   ContactState::ContactState(const ContactLevel &problem)
     : u(problem.mesh().zero_vector<double>())
+    , distances(Eigen::VectorXd::Zero(problem.motion().n_pressed()))
     , R(problem.mesh().zero_vector<double>())
   {
   }
@@ -20,7 +21,7 @@ namespace stiction
     problem.stiffness().vmult(R, u);
     R.sadd(-1., 1., problem.load());
     lambda = problem.B().contact_forces(R);
-    w      = problem.penetration_and_slip(u);
+    w      = problem.penetration_and_slip(u, distances);
   }
 
   ContactResidual::ContactResidual(const ContactLevel &problem, const ContactState &state,
@@ -36,12 +37,13 @@ namespace stiction
     : force_scale(scales.force)
     , conditions(state.lambda, -state.w, slip_bound.at(state.lambda), scales.scaling)
     , equilibrium(problem.sum_of_norms_inside(state.R) / scales.force)
+    , obstacle_force(problem.motion().force_error(state.lambda))
   {
   }
 
   double ContactResidual::value() const
   {
-    double largest = equilibrium;
+    double largest = std::max(equilibrium, obstacle_force);
     for (const auto &figure : conditions.deciding_figures())
       {
         if (!std::isfinite(figure.second))

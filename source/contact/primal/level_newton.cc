@@ -161,8 +161,10 @@ namespace stiction
   void LevelNewton::step(ContactState &state, const Eigen::VectorXd &lambda,
                          const ContactResidual &residual, const double tolerance)
   {
-    const PrimalActiveSet linearization(lambda, state.w, c_ * problem_.nodal_stiffness(),
-                                        problem_.slip_bound());
+    const Eigen::VectorXd rho = c_ * problem_.nodal_stiffness();
+    problem_.bring_into_contact(state, lambda.head(rho.size()) +
+                                         rho.cwiseProduct(state.w.head(rho.size())));
+    const PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
     const double force_scale  = residual.force_scale;
     const qp::Scaling scaling = residual.conditions.scaling();
     const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
@@ -171,8 +173,9 @@ namespace stiction
       if (!has_scales)
         return now.reduction <= first_reduction;
       const double linear =
-        std::max(now.residual / force_scale,
-                 largest_at_nodes(now.contact_residual, scaling.force));
+        std::max({now.residual / force_scale,
+                  largest_at_nodes(now.contact_residual, scaling.force),
+                  problem_.motion().relative_error(now.obstacle_residual)});
       return linear <=
              std::max(linear_part_of_tolerance * tolerance,
                       linear_part * qp::natural_residual(now.lambda, -now.w,

@@ -66,15 +66,17 @@ namespace stiction
   bool MethodOfMultipliers::search(ContactState &state, const ContactState &before) const
   {
     // along u + α d the derivative of the energy is
-    // −R(α)ᵀd + Σ ∇ψ(w + α Bd)·Bd, with R linear in α
+    // −R(α)ᵀd + Σ ∇ψ(w + α Bd)·Bd − P·δ, with R linear in α
     LA::Vector d = state.u;
     d -= before.u;
     const double at_start     = before.R * d;
     const double at_end       = state.R * d;
     const Eigen::VectorXd d_w = state.w - before.w;
-    const auto slope          = [&](const double alpha) {
+    const double pressing =
+      problem_.motion().forces().dot(state.distances - before.distances);
+    const auto slope = [&](const double alpha) {
       return -((1. - alpha) * at_start + alpha * at_end) +
-             forces(before.w + alpha * d_w).dot(d_w);
+             forces(before.w + alpha * d_w).dot(d_w) - pressing;
     };
 
     const double first = slope(0.);
@@ -93,8 +95,9 @@ namespace stiction
       }
     state.u.sadd(alpha, 1. - alpha, before.u);
     state.R.sadd(alpha, 1. - alpha, before.R);
-    state.w      = before.w + alpha * d_w;
-    state.lambda = (1. - alpha) * before.lambda + alpha * state.lambda;
+    state.w         = before.w + alpha * d_w;
+    state.distances = (1. - alpha) * before.distances + alpha * state.distances;
+    state.lambda    = (1. - alpha) * before.lambda + alpha * state.lambda;
     return true;
   }
 
@@ -106,6 +109,7 @@ namespace stiction
     slip_bound_  = slip_bound;
     multipliers_ = state.lambda;
     qp::HalfLinesTimesDiscs(slip_bound_).project(multipliers_);
+    problem_.bring_into_contact(state, forces(state.w));
 
     while (effort.newton_steps < max_newton_steps)
       {
@@ -119,7 +123,8 @@ namespace stiction
         // and what these lack to satisfy the conditions
         const Eigen::VectorXd force = forces(state.w);
         const double imbalance      = std::max(
-               residual.equilibrium, largest_at_nodes(state.lambda - force, scaling.force));
+               {residual.equilibrium, largest_at_nodes(state.lambda - force, scaling.force),
+                problem_.motion().force_error(force)});
         const double violation = ContactConditions(force, -state.w, slip_bound_, scaling)
                                    .contact_figures()
                                    .kkt_residual;

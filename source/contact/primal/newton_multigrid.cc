@@ -1,6 +1,6 @@
 #include <stiction/base/interrupt.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/obstacles/pressed_obstacles.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
@@ -13,10 +13,6 @@ namespace stiction
     // A coarse level need not be solved better than it approximates the next:
     // from 0.1 to 1e-4 the steps on the finest level are the same.
     constexpr double coarse_tolerance = 0.03;
-
-    // The certificate measures afresh: what is aimed at, as part of the
-    // tolerance.
-    constexpr double force_accuracy = 0.5;
 
     std::vector<dealii::types::global_dof_index> first_dofs(const ContactSurface &surface)
     {
@@ -42,23 +38,24 @@ namespace stiction
         *problems_[l], elasticity, hierarchy_, dof_hierarchy_, l - 1);
   }
 
-  ContactSolution NewtonMultigrid::solve(const double tolerance,
-                                         const unsigned int max_steps,
-                                         const Observer &observer,
-                                         ForceControl *const force_control)
+  SolveStatus NewtonMultigrid::solve(State &solution, const double tolerance,
+                                     const unsigned int max_steps,
+                                     const Observer &observer)
   {
     state_ = std::make_unique<ContactState>(*problems_[0]);
+    if (solution.distances.size() == state_->distances.size())
+      state_->distances = solution.distances;
     problems_[0]->prescribe(state_->u);
     state_->update(*problems_[0]);
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(state_->lambda.size());
     ContactStep row;
-    ContactSolution solution;
+    SolveStatus status;
     unsigned int steps = 0;
     for (unsigned int l = 0; l < hierarchy_.n_levels(); ++l)
       {
         if (l > 0)
           lambda = refine(l);
-        if (solution.interrupted)
+        if (status.interrupted)
           continue; // the iterate is wanted on the finest level
         const bool is_finest = l == finest_level();
 
@@ -84,60 +81,22 @@ namespace stiction
         };
         try
           {
-            solution.reason = solve_on_level(
-              l, lambda, is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
-              max_steps - steps, after_step, force_control);
+            LevelNewton newton(*problems_[l], l, multigrid_, options_);
+            status.reason =
+              newton.solve(*state_, lambda,
+                           is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
+                           max_steps - steps, after_step);
           }
         catch (const Interrupted &)
           {
-            solution.interrupted = true;
+            status.interrupted = true;
           }
 
         steps += statistics_[l].newton_steps;
       }
-    solution.lambda    = state_->lambda;
-    solution.converged = solution.reason.empty() && !solution.interrupted;
-    return solution;
-  }
-
-  std::string NewtonMultigrid::solve_on_level(const unsigned int level,
-                                              const Eigen::VectorXd &lambda,
-                                              const double tolerance,
-                                              const unsigned int max_steps,
-                                              const LevelNewton::Observer &observer,
-                                              ForceControl *const force_control)
-  {
-    ContactLevel &problem = *problems_[level];
-    LevelNewton newton(problem, level, multigrid_, options_);
-    if (!force_control)
-      {
-        const std::string reason =
-          newton.solve(*state_, lambda, tolerance, max_steps, observer);
-        statistics_[level] = newton.statistics();
-        return reason;
-      }
-
-    Eigen::VectorXd start = lambda;
-    return force_control->press(
-      [&](const double accuracy) {
-        problem.move_obstacles(force_control->distances());
-        state_->w = problem.penetration_and_slip(state_->u);
-        const std::string reason =
-          newton.solve(*state_, start, accuracy, max_steps, observer);
-        statistics_[level] = newton.statistics();
-        start              = state_->lambda;
-        const bool is_solved =
-          reason.empty() ||
-          ContactResidual(problem, *state_, problem.slip_bound()).value() <=
-            std::max(accuracy, tolerance);
-        auto outcome =
-          outcome_of(problem.motion().directions(), state_->lambda, -state_->w,
-                     problem.scales(state_->u, state_->R, state_->lambda).force);
-        if (!is_solved)
-          outcome.reason = reason;
-        return outcome;
-      },
-      force_accuracy * tolerance, tolerance);
+    solution         = {state_->u, state_->lambda, state_->distances};
+    status.converged = status.reason.empty() && !status.interrupted;
+    return status;
   }
 
   Eigen::VectorXd NewtonMultigrid::refine(const unsigned int level)
@@ -155,7 +114,8 @@ namespace stiction
         weights * coarse_force.segment(c * m, m).cwiseQuotient(coarse.areas()));
     const Eigen::VectorXd lambda = fine.B().force_to_local(force);
 
-    auto state = std::make_unique<ContactState>(fine);
+    auto state       = std::make_unique<ContactState>(fine);
+    state->distances = state_->distances;
     hierarchy_.transfer(level).prolongate(state->u, state_->u);
     fine.prescribe(state->u);
     state->update(fine);

@@ -123,6 +123,67 @@ namespace stiction
     return rows;
   }
 
+  Eigen::VectorXd NewtonSystem::held_displacement(const PrimalActiveSet &linearization,
+                                                  const Eigen::VectorXd &distances) const
+  {
+    Eigen::VectorXd moved = problem_.motion().directions() * distances;
+    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
+      set_at_node(moved, i,
+                  at_node(moved, i) -
+                    linearization.nodes[i].projection * at_node(moved, i));
+    return moved;
+  }
+
+  std::vector<Eigen::Index> NewtonSystem::felt_obstacles(
+    const PrimalActiveSet &linearization) const
+  {
+    const auto n = problem_.motion().n_pressed();
+    std::vector<Eigen::Index> felt;
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        const Eigen::VectorXd column = problem_.motion().directions().col(j);
+        bool is_felt =
+          !held_displacement(linearization, Eigen::VectorXd::Unit(n, j)).isZero(0.);
+        for (Eigen::Index i = 0; i < problem_.n_nodes() && !is_felt; ++i)
+          is_felt = !(linearization.nodes[i].spring * at_node(column, i)).isZero(0.);
+        if (is_felt)
+          felt.push_back(j);
+      }
+    return felt;
+  }
+
+  void NewtonSystem::apply(const PrimalActiveSet &linearization, Direction &d)
+  {
+    const bool moves_obstacles = !d.distances.isZero(0.);
+    const std::size_t N        = step_.locally_owned_size();
+    for (std::size_t k = 0; k < N; ++k)
+      step_.begin()[k] = d.factor * d.z.begin()[k];
+    if (moves_obstacles)
+      problem_.B().add_displacement(1., held_displacement(linearization, d.distances),
+                                    step_);
+    problem_.stiffness().vmult(d.v, step_);
+    d.displacement = problem_.B().apply(step_);
+    if (moves_obstacles)
+      d.displacement -= problem_.motion().directions() * d.distances;
+    d.force         = problem_.B().contact_forces(d.v);
+    d.contact_rows  = contact_rows(linearization, d.force, d.displacement);
+    d.obstacle_rows = problem_.motion().directions().transpose() *
+                      Eigen::VectorXd(d.force - d.contact_rows);
+    d.reaction = problem_.prescribed_entries(d.v);
+    problem_.clear_prescribed(d.v);
+    problem_.B().set_transpose(d.contact_rows, d.v);
+  }
+
+  void NewtonSystem::move_obstacle(const PrimalActiveSet &linearization,
+                                   const Eigen::Index obstacle, Direction &d)
+  {
+    d.distances = Eigen::VectorXd::Unit(problem_.motion().n_pressed(), obstacle);
+    d.z         = 0.F;
+    d.factor    = 0.;
+    apply(linearization, d);
+    d.factor = -preconditioner_.vmult(level_, d.z, d.v);
+  }
+
   unsigned int NewtonSystem::solve(ContactState &state,
                                    const PrimalActiveSet &linearization,
                                    const std::function<bool(const Progress &)> &stop)
@@ -146,35 +207,37 @@ namespace stiction
     Eigen::VectorXd contact_r =
       contact_rows(linearization, state.lambda, -state.w) - load;
     problem_.B().set_transpose(contact_r, r);
-    double square           = r.norm_sqr();
-    const double start      = std::sqrt(square);
-    LA::Vector &z           = step_;
-    const std::size_t N     = z.locally_owned_size();
-    Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(max_directions, max_directions);
-    Eigen::VectorXd amounts = Eigen::VectorXd::Zero(max_directions);
+    Eigen::VectorXd obstacle_r =
+      problem_.motion().missing_forces(state.lambda - contact_r);
+    double square       = r.norm_sqr() + obstacle_r.squaredNorm();
+    const double start  = std::sqrt(square);
+    const std::size_t N = r.locally_owned_size();
+
+    const std::vector<Eigen::Index> felt = felt_obstacles(linearization);
+    const auto capacity     = max_directions + static_cast<unsigned int>(felt.size());
+    Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
+    Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
     std::vector<const double *> images;
     unsigned int n   = 0;
     bool is_finished = square == 0.;
-    while (n < max_directions && !is_finished)
+    while (n < capacity && !is_finished)
       {
         Direction &d = new_direction(n);
-        d.factor     = preconditioner_.vmult(level_, d.z, r);
-        for (std::size_t k = 0; k < N; ++k)
-          z.begin()[k] = d.factor * d.z.begin()[k];
-        problem_.stiffness().vmult(d.v, z);
-        d.displacement = problem_.B().apply(z);
-        d.force        = problem_.B().contact_forces(d.v);
-        d.contact_rows = contact_rows(linearization, d.force, d.displacement);
-        d.reaction     = problem_.prescribed_entries(d.v);
-        problem_.clear_prescribed(d.v);
-        problem_.B().set_transpose(d.contact_rows, d.v);
+        if (n < felt.size())
+          move_obstacle(linearization, felt[n], d);
+        else
+          {
+            d.distances = Eigen::VectorXd::Zero(obstacle_r.size());
+            d.factor    = preconditioner_.vmult(level_, d.z, r);
+          }
+        apply(linearization, d);
 
         std::vector<double> h = multiple_dot(images, d.v.begin(), N);
         sum(h, communicator);
         for (unsigned int j = 0; j < n; ++j)
           {
             const Direction &other = *directions_[j];
-            h[j] /= other.square;
+            h[j]    = (h[j] + other.obstacle_rows.dot(d.obstacle_rows)) / other.square;
             H(j, n) = h[j];
             d.displacement -= h[j] * other.displacement;
             d.force -= h[j] * other.force;
@@ -182,25 +245,29 @@ namespace stiction
             for (std::size_t k = 0; k < d.reaction.size(); ++k)
               d.reaction[k] -= h[j] * other.reaction[k];
           }
+        for (unsigned int j = 0; j < n; ++j)
+          d.obstacle_rows -= h[j] * directions_[j]->obstacle_rows;
         std::vector<double> products = subtract_all(d.v.begin(), images, h, r.begin(), N);
         sum(products, communicator);
-        d.square = products[0];
+        d.square = products[0] + d.obstacle_rows.squaredNorm();
         if (!(d.square > 0.))
           break;
 
-        amounts(n)                = products[1] / d.square;
+        amounts(n) = (products[1] + d.obstacle_rows.dot(obstacle_r)) / d.square;
         std::vector<double> norms = subtract(r.begin(), amounts(n), d.v.begin(), N);
         sum(norms, communicator);
-        square = norms[0];
+        obstacle_r -= amounts(n) * d.obstacle_rows;
+        square = norms[0] + obstacle_r.squaredNorm();
         contact_r -= amounts(n) * d.contact_rows;
         state.w += amounts(n) * d.displacement;
         state.lambda -= amounts(n) * d.force;
         problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
         images.push_back(d.v.begin());
         ++n;
-        is_finished = stop({n, norms[1], contact_r, state.lambda, state.w,
-                            std::sqrt(square) / start}) ||
-                      square == 0.;
+        is_finished =
+          n >= felt.size() && (stop({n, norms[1], contact_r, obstacle_r, state.lambda,
+                                     state.w, std::sqrt(square) / start}) ||
+                               square == 0.);
       }
     if (!is_finished && ++n_unfinished_ >= max_unfinished &&
         preconditioner_.factorize(level_))
@@ -211,9 +278,9 @@ namespace stiction
 
     // u is moved along the preconditioned vectors, R is the residual wherever
     // nothing was replaced in it
-    const Eigen::VectorXd y =
-      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(amounts.head(n));
-    add_all(state.u.begin(), y, N);
+    add_all(
+      state, linearization,
+      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(amounts.head(n)));
     problem_.B().set_transpose(state.lambda, r);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);
@@ -231,9 +298,11 @@ namespace stiction
     return *directions_[n];
   }
 
-  void NewtonSystem::add_all(double *const u, const Eigen::VectorXd &y,
-                             const std::size_t size) const
+  void NewtonSystem::add_all(ContactState &state, const PrimalActiveSet &linearization,
+                             const Eigen::VectorXd &y) const
   {
+    double *const u        = state.u.begin();
+    const std::size_t size = state.u.locally_owned_size();
     for (std::size_t b = 0; b < size; b += block_size)
       {
         const std::size_t end = std::min(b + block_size, size);
@@ -245,5 +314,14 @@ namespace stiction
               u[k] += a * z[k];
           }
       }
+
+    if (problem_.motion().n_pressed() == 0)
+      return;
+    Eigen::VectorXd distances = Eigen::VectorXd::Zero(problem_.motion().n_pressed());
+    for (Eigen::Index j = 0; j < y.size(); ++j)
+      distances += y(j) * directions_[j]->distances;
+    state.distances += distances;
+    problem_.B().add_displacement(1., held_displacement(linearization, distances),
+                                  state.u);
   }
 } // namespace stiction

@@ -6,6 +6,7 @@
 #include <stiction/base/files.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/obstacle.h>
 #include <stiction/contact/obstacles/stl_file.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -82,7 +83,7 @@ namespace stiction
     // rank 0 those of all ranks. Corners that are no contact nodes are moved
     // like the others of their face. Collective.
     void add_foundations(const Body &body, const ContactSurface &surface,
-                         ObstacleFaces &faces)
+                         const State &state, ObstacleFaces &faces)
     {
       using Quadrilateral = std::array<double, 13>; // boundary, corners
       std::vector<Quadrilateral> mine;
@@ -113,8 +114,9 @@ namespace stiction
               for (unsigned int k = 0; k < 4; ++k)
                 {
                   const unsigned int v = around[k];
-                  const Point<3> p     = face->vertex(v) + ways[v].value_or(mean / n) +
-                                     surface.obstacle_displacement(face->boundary_id());
+                  const Point<3> p =
+                    face->vertex(v) + ways[v].value_or(mean / n) +
+                    surface.obstacle_displacement(face->boundary_id(), state.distances);
                   std::copy_n(p.begin_raw(), 3, &corners[1 + 3 * k]);
                 }
               mine.push_back(corners);
@@ -184,13 +186,13 @@ namespace stiction
 
     // Where to look for the surface of an obstacle: around the nodes of the
     // contact boundary, and where the nearest of them meets it.
-    BoundingBox<3> neighbourhood(const ContactSurface &surface,
+    BoundingBox<3> neighbourhood(const ContactSurface &surface, const State &state,
                                  const std::size_t boundary)
     {
       std::vector<Point<3>> points;
       double smallest = std::numeric_limits<double>::max();
       Point<3> touched;
-      const Eigen::VectorXd gaps = surface.gaps();
+      const Eigen::VectorXd gaps = surface.motion().offset(state.distances);
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         if (surface.nodes()[i].boundary == boundary)
           {
@@ -298,25 +300,26 @@ namespace stiction
   } // namespace
 
   void write_obstacles(const std::string &directory, const LinearElasticity &elasticity,
-                       const ContactSurface &surface)
+                       const ContactSurface &surface, const State &state)
   {
     const Body &body = elasticity.body();
     ObstacleFaces faces;
-    add_foundations(body, surface, faces);
+    add_foundations(body, surface, state, faces);
     throw_on_all_ranks(body.communicator(), [&]() {
       if (Utilities::MPI::this_mpi_process(body.communicator()) != 0)
         return;
       for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
         {
           const ContactBoundary &boundary = surface.boundaries()[b];
-          const Tensor<1, 3> displacement = surface.obstacle_displacement(boundary.id());
+          const Tensor<1, 3> displacement =
+            surface.obstacle_displacement(boundary.id(), state.distances);
           if (boundary.obstacle() == nullptr)
             continue;
           if (const auto *triangles = boundary.obstacle()->triangles())
             add_triangles(*triangles, boundary, displacement, faces);
           else
-            add_zero_set(MovedObstacle(boundary, displacement), neighbourhood(surface, b),
-                         boundary.id(), faces);
+            add_zero_set(MovedObstacle(boundary, displacement),
+                         neighbourhood(surface, state, b), boundary.id(), faces);
         }
       write_file(directory + "/obstacle.vtu",
                  [&](std::ostream &file) { write_faces(file, faces); });

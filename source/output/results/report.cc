@@ -150,8 +150,7 @@ namespace stiction
             std::make_pair("release_steps", "releases"),
             std::make_pair("admm_iterations", "ADMM iterations"),
             std::make_pair("dense_factorizations", "dense factorizations"),
-            std::make_pair("fallbacks", "fallbacks"),
-            std::make_pair("force_trials", "places of pressed obstacles")})
+            std::make_pair("fallbacks", "fallbacks")})
         if (solver.value(count.first, 0u) > 0)
           all += (all.empty() ? "" : ", ") + std::string(count.second) +
                  format(" %u", solver.value(count.first, 0u));
@@ -304,8 +303,8 @@ namespace stiction
                                                           : "iteration";
   }
 
-  std::string explain(const ContactSolution &solution,
-                      const ContactConditions &conditions, const double tolerance)
+  std::string explain(const SolveStatus &solution, const ContactConditions &conditions,
+                      const double tolerance)
   {
     if (solution.converged)
       return {};

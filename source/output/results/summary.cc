@@ -4,6 +4,7 @@
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -118,7 +119,7 @@ namespace stiction
     };
   } // namespace
 
-  json head_of_summary(const ContactSolution &solution, const Parameters &parameters,
+  json head_of_summary(const SolveStatus &solution, const Parameters &parameters,
                        MPI_Comm communicator)
   {
     return {{"program", program_to_json(communicator)},
@@ -236,7 +237,8 @@ namespace stiction
             {"dual_multiplications", 0}};
   }
 
-  json contact_to_json(const ContactSurface &surface, const Certificate &certificate,
+  json contact_to_json(const ContactSurface &surface, const State &state,
+                       const Certificate &certificate,
                        const std::vector<NodeStatus> &statuses)
   {
     ContactPart all;
@@ -257,7 +259,7 @@ namespace stiction
         part["id"]                      = boundary.id();
         part["nodes"]                   = parts[b].nodes;
         part["obstacle_displacement"] =
-          to_json(surface.obstacle_displacement(boundary.id()));
+          to_json(surface.obstacle_displacement(boundary.id(), state.distances));
         result["boundaries"].push_back(part);
       }
     return result;

@@ -17,6 +17,7 @@ namespace stiction
 {
   class ContactSurface;
   class LinearElasticity;
+  struct State;
   class StiffnessSolver;
 
   /// The one error measure that stops, reports and tests every method.
@@ -60,22 +61,10 @@ namespace stiction
 
     /// Computes all figures but the duality gap. Collective.
     Certificate(const LinearElasticity &elasticity, const ContactSurface &surface,
-                const LA::Vector &u, const Eigen::VectorXd &lambda);
+                const State &state);
 
-    /// Computes the duality gap, a bound on ½‖û − u*‖²_K for the displacement
-    /// û, u with its contact components moved by one nodal prox step:
-    /// gap = λ̂_νᵀ(d − Nû) + Σ(g‖û_t‖ − λ̂_t·û_t) + ½ sᵀK⁻¹s,
-    /// s = f − Bᵀλ̂ − Kû, for any feasible λ̂.
-    ///
-    /// Taken is the λ̂ at which the prox step ends. It is within the error of
-    /// λ and makes the first two terms vanish identically, so that nothing is
-    /// subtracted and the bound shrinks with the error itself; with P(λ) in
-    /// its place it would shrink with the root of it wherever the slip bound
-    /// has moved since λ was computed. The solver is asked for one solve with
-    /// what u lacks to be in equilibrium with λ̂. Collective.
-    ///
-    /// @param u the one given to the constructor.
-    void compute_duality_gap(const LA::Vector &u, StiffnessSolver &solver);
+    /// Adds the figure of duality_gap(), which takes an elastic solve.
+    void set_duality_gap(const double gap) { body_figures_.duality_gap = gap; }
 
     const BodyFigures &body_figures() const { return body_figures_; }
 

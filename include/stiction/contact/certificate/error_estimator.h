@@ -11,6 +11,7 @@ namespace stiction
 {
   class ContactSurface;
   class LinearElasticity;
+  struct State;
 
   /// An estimate of the error of the displacement of a contact problem in the
   /// energy norm, cell by cell, from what its stress lacks to be in
@@ -50,15 +51,13 @@ namespace stiction
   /// Signorini's problem, 2005.) What friction does between the nodes is left
   /// out.
   ///
-  /// @param u the displacement of the solution (m) and @p lambda its contact
-  ///   forces (N).
+  /// @param state the solution.
   /// @return the squares η_K², J, by active cells; zero for those of other
   ///   ranks. Throws InputError where a formula has no finite value.
   ///   Collective.
   dealii::Vector<double> estimate_error(const LinearElasticity &elasticity,
                                         const ContactSurface &surface,
-                                        const LA::Vector &u,
-                                        const Eigen::VectorXd &lambda);
+                                        const State &state);
 
   /// The estimated error of a whole mesh.
   struct MeshError
@@ -82,8 +81,7 @@ namespace stiction
   /// Parameters as above. @param all_up_to how many cells are all looked at.
   /// Throws InputError as above. Collective.
   MeshError estimate_mesh_error(const LinearElasticity &elasticity,
-                                const ContactSurface &surface, const LA::Vector &u,
-                                const Eigen::VectorXd &lambda,
+                                const ContactSurface &surface, const State &state,
                                 unsigned long long all_up_to = 16384);
 } // namespace stiction
 

@@ -22,6 +22,7 @@ namespace stiction
   class ContactBoundary;
   class LinearElasticity;
   class Parameters;
+  struct State;
 
   /// One node of a contact boundary that may touch its obstacle.
   ///
@@ -82,26 +83,22 @@ namespace stiction
     /// The contact boundaries, in the order of the parameter file.
     const std::vector<ContactBoundary> &boundaries() const { return boundaries_; }
 
-    /// Initial gaps d_i in m, length m, with the obstacles where they are now.
-    Eigen::VectorXd gaps() const { return motion_.offset().head(n_nodes()); }
+    /// Initial gaps d_i in m, length m, with the obstacles where the parameter file
+    /// places them.
+    Eigen::VectorXd gaps() const { return motion_.offset_at_start().head(n_nodes()); }
 
-    /// What the displacements of the obstacles are to the contact nodes.
+    /// What the displacements of the obstacles are to the contact nodes. Those that
+    /// a force presses on are in the order of their boundaries.
     const ObstacleMotion &motion() const { return motion_; }
 
-    /// The forces that press obstacles on, N, in the order of the columns of
-    /// motion().directions(): of those boundaries that have one.
-    const Eigen::VectorXd &pressing_forces() const { return pressing_forces_; }
+    /// How far the obstacle of a contact boundary is from where its own entry
+    /// places it, m, with pressed obstacles at distances δ.
+    dealii::Tensor<1, 3> obstacle_displacement(dealii::types::boundary_id id,
+                                               const Eigen::VectorXd &distances) const;
 
-    /// Moves the pressed obstacles to these distances. @return the change of
-    /// the offset.
-    Eigen::VectorXd move_obstacles(const Eigen::VectorXd &distances)
-    {
-      return motion_.move_to(distances);
-    }
-
-    /// How far the obstacle of a contact boundary is from where the parameter
-    /// file places it, m.
-    dealii::Tensor<1, 3> obstacle_displacement(dealii::types::boundary_id id) const;
+    /// Whether pressed obstacles at these distances are deeper in the body than it
+    /// is large.
+    bool are_obstacles_too_deep(const Eigen::VectorXd &distances) const;
 
     /// Nodal areas A_i in m², length m.
     const Eigen::VectorXd &areas() const { return areas_; }
@@ -121,9 +118,9 @@ namespace stiction
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }
 
-    /// How far the displacement u brings a node that faces away from the
-    /// obstacle into it, m, which nothing prevents. Collective.
-    double penetration_of_facing_away(const LA::Vector &u) const;
+    /// How far the displacement brings a node that faces away from the obstacle
+    /// into it, m, which nothing prevents. Collective.
+    double penetration_of_facing_away(const State &state) const;
 
     /// The contact node with this unknown as its first, -1 if there is none.
     Eigen::Index node_of(dealii::types::global_dof_index first_dof) const;
@@ -162,7 +159,6 @@ namespace stiction
     ContactOperator B_;
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
-    Eigen::VectorXd pressing_forces_;
     qp::SlipBound slip_bound_;
     double boundary_area_ = 0.;
     ContactStiffness stiffness_;

@@ -11,36 +11,51 @@ namespace stiction
   ///
   /// Some obstacles are free to move along a direction a, with a force P that
   /// presses them on: e = e0 + C δ, a column C_j = M a of C for each of them.
-  /// Its distance δ_j is an unknown, and the force that it exerts on the body
-  /// along a is −C_jᵀλ, which has to be P_j.
+  /// Its distance δ_j is an unknown, the multiplier of the equality constraint
+  /// −C_jᵀλ = P_j: the force that it exerts on the body along a is P_j.
   class ObstacleMotion
   {
   public:
     ObstacleMotion() = default;
 
-    /// @param offset e0, length 3m.
+    /// @param offset e0, length 3m, m.
     /// @param directions C, 3m × n.
-    ObstacleMotion(Eigen::VectorXd offset, Eigen::MatrixXd directions);
+    /// @param forces P, length n, N, > 0; 0 for an obstacle that no node can meet.
+    ObstacleMotion(Eigen::VectorXd offset, Eigen::MatrixXd directions,
+                   Eigen::VectorXd forces);
 
-    /// e, length 3m. Unit: m.
-    const Eigen::VectorXd &offset() const { return offset_; }
+    /// n.
+    Eigen::Index n_pressed() const { return forces_.size(); }
 
-    /// e0, of obstacles that were not moved by a force.
-    Eigen::VectorXd offset_at_start() const { return offset_ - directions_ * distances_; }
+    /// e with the free obstacles at these distances δ, length 3m. Unit: m.
+    Eigen::VectorXd offset(const Eigen::VectorXd &distances) const;
+
+    /// e0, as the nodes of a pressed obstacle see it at δ = 0.
+    const Eigen::VectorXd &offset_at_start() const { return offset_; }
 
     /// C, 3m × n.
     const Eigen::MatrixXd &directions() const { return directions_; }
 
-    /// δ, length n. Unit: m.
-    const Eigen::VectorXd &distances() const { return distances_; }
+    /// P, length n. Unit: N.
+    const Eigen::VectorXd &forces() const { return forces_; }
 
-    /// Moves the free obstacles to these distances. @return the change of e.
-    Eigen::VectorXd move_to(const Eigen::VectorXd &distances);
+    /// P + Cᵀλ: by what the contact forces fall short of the prescribed ones.
+    /// Unit: N.
+    Eigen::VectorXd missing_forces(const Eigen::VectorXd &lambda) const;
+
+    /// max_j |error_j|/P_j for errors of the forces; 0 if no obstacle is pressed.
+    double relative_error(const Eigen::VectorXd &errors) const;
+
+    /// That of missing_forces().
+    double force_error(const Eigen::VectorXd &lambda) const
+    {
+      return relative_error(missing_forces(lambda));
+    }
 
   private:
     Eigen::VectorXd offset_;
     Eigen::MatrixXd directions_;
-    Eigen::VectorXd distances_;
+    Eigen::VectorXd forces_;
   };
 } // namespace stiction
 

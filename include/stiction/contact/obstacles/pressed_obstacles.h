@@ -1,8 +1,6 @@
 #ifndef stiction_contact_obstacles_pressed_obstacles_h
 #define stiction_contact_obstacles_pressed_obstacles_h
 
-#include <stiction/contact/obstacles/force_control.h>
-
 #include <Eigen/Core>
 
 namespace stiction
@@ -13,27 +11,17 @@ namespace stiction
   /// one.
   constexpr double least_approach = 0.1;
 
-  /// Where to search for the places of the pressed obstacles. They begin where
-  /// E √(A/2π) δ is the force, A being the area that would be cut off by an
-  /// obstacle δ beyond the place of first contact: half of it would be in
-  /// contact (Hertz), and a flat punch has that stiffness.
+  /// A first guess of how far pressed obstacles have to go from where the gaps
+  /// are these, were nothing to move: to where E √(A/2π) δ is the force, A being
+  /// the area that would be cut off by an obstacle δ beyond the place of first
+  /// contact. Half of it would be in contact (Hertz), and a flat punch has that
+  /// stiffness.
   ///
-  /// @param areas of the contact nodes, m².
-  /// @param forces prescribed, N.
-  /// @param youngs_modulus, body_size Pa, m.
-  ForceControl::Range range_of_search(const ObstacleMotion &motion,
-                                      const Eigen::VectorXd &areas,
-                                      const Eigen::VectorXd &forces,
-                                      double youngs_modulus, double body_size);
-
-  /// What pressed obstacles do in a solution of the contact problem.
-  ///
-  /// @param directions C of ObstacleMotion, 3m × n.
-  /// @param lambda, gradient contact forces and r = (remaining gap; −slip).
-  /// @param force_scale S.
-  ForceControl::Outcome outcome_of(const Eigen::MatrixXd &directions,
-                                   const Eigen::VectorXd &lambda,
-                                   const Eigen::VectorXd &gradient, double force_scale);
+  /// @param gaps, areas of the contact nodes, m, m².
+  /// @param youngs_modulus E, Pa.
+  /// @return distances, m, one a pressed obstacle; 0 for one that meets no node.
+  Eigen::VectorXd ways_to_press(const ObstacleMotion &motion, const Eigen::VectorXd &gaps,
+                                const Eigen::VectorXd &areas, double youngs_modulus);
 } // namespace stiction
 
 #endif

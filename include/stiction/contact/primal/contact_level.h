@@ -72,15 +72,22 @@ namespace stiction
     void add_prescribed_entries(double factor, const std::vector<double> &entries,
                                 LA::Vector &v) const;
 
-    /// The obstacles, as the nodes of this level see them.
+    /// The obstacles, as the nodes of this level see them. One that is pressed on
+    /// but meets no node of it has neither direction nor force.
     const ObstacleMotion &motion() const { return motion_; }
-    void move_obstacles(const Eigen::VectorXd &distances) { motion_.move_to(distances); }
 
     /// From displacements to those of the contact nodes, and forces back.
     const ContactOperator &B() const { return B_; }
 
-    /// w = Bu − e with the offset e of motion(). Collective.
-    Eigen::VectorXd penetration_and_slip(const LA::Vector &u) const;
+    /// w = Bu − e with the obstacles at distances δ. Collective.
+    Eigen::VectorXd penetration_and_slip(const LA::Vector &u,
+                                         const Eigen::VectorXd &distances) const;
+
+    /// Moves pressed obstacles that meet no node onto the body, see
+    /// ways_to_press().
+    ///
+    /// @param a λ + ρw, or its normal part: above zero where they meet.
+    void bring_into_contact(ContactState &state, const Eigen::VectorXd &a) const;
 
     /// A support given in contact variables: @p projection a diagonal one that
     /// treats both tangents alike, @p spring of forces y for displacements w.

@@ -17,12 +17,13 @@ namespace stiction
     /// Room for one on this level, all zero.
     explicit ContactState(const ContactLevel &problem);
 
-    LA::Vector u;           ///< m
-    LA::Vector R;           ///< f − Ku, N
-    Eigen::VectorXd lambda; ///< the contact forces y, Bᵀy = R, N
-    Eigen::VectorXd w;      ///< Bu − e = (penetration; slip), m
+    LA::Vector u;              ///< m
+    Eigen::VectorXd distances; ///< δ of pressed obstacles, m
+    LA::Vector R;              ///< f − Ku, N
+    Eigen::VectorXd lambda;    ///< the contact forces y, Bᵀy = R, N
+    Eigen::VectorXd w;         ///< Bu − e = (penetration; slip), m
 
-    /// Sets R, λ and w from u by a product with K. Collective.
+    /// Sets R, λ and w from u and δ by a product with K. Collective.
     void update(const ContactLevel &problem);
   };
 
@@ -37,6 +38,7 @@ namespace stiction
     double force_scale;           ///< S, N
     ContactConditions conditions; ///< with their scales
     double equilibrium;           ///< Σ‖R_j‖/S, contact and fixed nodes left out
+    double obstacle_force;        ///< relative error of the prescribed forces
 
     /// The largest figure that decides.
     double value() const;

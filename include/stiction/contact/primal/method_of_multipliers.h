@@ -18,7 +18,7 @@ namespace stiction
   /// closer.
   ///
   /// With multipliers λ̄ held, the displacement minimises the convex,
-  /// continuously differentiable energy ½uᵀKu − fᵀu + Σψ_i(w_i),
+  /// continuously differentiable energy ½uᵀKu − fᵀu + Σψ_i(w_i) − P·δ,
   /// ∇ψ_i = P(λ̄_i + ρ_i w_i) with P the projection on the half-line times the
   /// disc, by Newton steps with a line search; then λ̄ ← P(λ̄ + ρw).
   class MethodOfMultipliers

@@ -19,8 +19,8 @@
 namespace stiction
 {
   class ContactSurface;
-  class ForceControl;
   class LinearElasticity;
+  struct State;
 
   /// Contact with friction for the price of about two elastic solves: the
   /// semismooth Newton method in displacements (PrimalActiveSet), each step
@@ -44,14 +44,10 @@ namespace stiction
     /// Solves the problem to the tolerance, in the figures of the certificate.
     /// Collective.
     ///
-    /// @param force_control moves the obstacles until they press with their
-    ///   forces, on every level; null: they stay where they are.
-    ContactSolution solve(double tolerance, unsigned int max_steps,
-                          const Observer &observer,
-                          ForceControl *force_control = nullptr);
-
-    /// The displacement found, m.
-    const LA::Vector &displacement() const { return state_->u; }
+    /// @param state in: where pressed obstacles are looked for first, if it has
+    ///   them; out: the solution.
+    SolveStatus solve(State &state, double tolerance, unsigned int max_steps,
+                      const Observer &observer);
 
     /// From the coarsest level to the mesh itself.
     const std::vector<LevelNewton::Statistics> &statistics() const { return statistics_; }
@@ -69,14 +65,6 @@ namespace stiction
     unsigned int finest_level() const { return hierarchy_.n_levels() - 1; }
 
   private:
-    /// Solves the problem of a level from the present state.
-    ///
-    /// @return why it could not be solved; empty: it was.
-    std::string solve_on_level(unsigned int level, const Eigen::VectorXd &lambda,
-                               double tolerance, unsigned int max_steps,
-                               const LevelNewton::Observer &observer,
-                               ForceControl *force_control);
-
     /// Interpolates the state to this level from the one below. Returns the
     /// interpolated contact forces.
     Eigen::VectorXd refine(unsigned int level);

@@ -17,9 +17,16 @@ namespace stiction
   class StiffnessPreconditioner;
 
   /// The linear system of a linearised contact problem in displacements,
-  /// (W K P + S) δ = W R − S w − c at the contact nodes and K δ = R elsewhere,
+  /// (W K P + S) d = W R − S w − c at the contact nodes and K d = R elsewhere,
   /// and its inexact solution by generalised conjugate residuals with a
   /// multigrid preconditioner for the symmetric part P K P + S.
+  ///
+  /// The distances δ of pressed obstacles are unknowns, too. A node that is held
+  /// at its obstacle moves with it, and the row of an obstacle is P + Cᵀλ = 0, λ
+  /// being the reaction in directions that are held and what the contact rows
+  /// ask for in the others. The first directions of the method move one
+  /// obstacle each, with what the body does about it by the preconditioner: block
+  /// elimination, which the iterations after it complete.
   ///
   /// The method minimises the residual like GMRES, and has the residual, the
   /// contact forces and the slip at hand after every iteration: the caller
@@ -43,8 +50,9 @@ namespace stiction
       unsigned int iterations;
       /// Of the linear system: the sum of its norms at the nodes, N.
       double residual;
-      const Eigen::VectorXd &contact_residual; ///< its part at contact nodes
-      const Eigen::VectorXd &lambda, &w;       ///< of the displacement so far
+      const Eigen::VectorXd &contact_residual;  ///< its part at contact nodes
+      const Eigen::VectorXd &obstacle_residual; ///< that of pressed obstacles, N
+      const Eigen::VectorXd &lambda, &w;        ///< of the displacement so far
       double reduction; ///< Euclidean norm over the one at the start
     };
 
@@ -75,16 +83,34 @@ namespace stiction
       double factor = 1.; ///< of z
       LA::Vector v;
       double square = 0.;           ///< v·v
-      Eigen::VectorXd displacement; ///< B d
+      Eigen::VectorXd distances;    ///< of the obstacles, beside z
+      Eigen::VectorXd displacement; ///< B d − C δ
       Eigen::VectorXd force;        ///< of K d, as contact_forces()
       Eigen::VectorXd contact_rows; ///< of v
+      Eigen::VectorXd obstacle_rows;
       std::vector<double> reaction; ///< K d at prescribed unknowns
     };
 
     Direction &new_direction(unsigned int n);
 
-    /// u += Σ y_j z_j.
-    void add_all(double *u, const Eigen::VectorXd &y, std::size_t size) const;
+    /// Sets what d is mapped to, from its z and distances.
+    void apply(const PrimalActiveSet &linearization, Direction &d);
+
+    /// Makes d the move of a pressed obstacle by a unit, and z what the
+    /// preconditioner makes of the forces that this takes.
+    void move_obstacle(const PrimalActiveSet &linearization, Eigen::Index obstacle,
+                       Direction &d);
+
+    /// Pressed obstacles that some node is held at or has a spring to.
+    std::vector<Eigen::Index> felt_obstacles(const PrimalActiveSet &linearization) const;
+
+    /// u += Σ y_j z_j, and the obstacles with what is held at them.
+    void add_all(ContactState &state, const PrimalActiveSet &linearization,
+                 const Eigen::VectorXd &y) const;
+
+    /// How nodes move that are held at obstacles which move by δ, length 3m.
+    Eigen::VectorXd held_displacement(const PrimalActiveSet &linearization,
+                                      const Eigen::VectorXd &distances) const;
 
     void set_supports(const PrimalActiveSet &linearization);
 

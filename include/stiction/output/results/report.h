@@ -10,7 +10,7 @@ namespace stiction
   class ContactConditions;
   class Log;
   class Parameters;
-  struct ContactSolution;
+  struct SolveStatus;
   struct ContactSolverParameters;
 
   /// What an outermost iteration of the method is called.
@@ -18,8 +18,8 @@ namespace stiction
 
   /// Why a solution is not certified, "kkt_residual is 3e-4, the tolerance is
   /// 1e-6; ..." and what to change; empty if it is.
-  std::string explain(const ContactSolution &solution,
-                      const ContactConditions &conditions, double tolerance);
+  std::string explain(const SolveStatus &solution, const ContactConditions &conditions,
+                      double tolerance);
 
   /// A sentence on the estimated error of the mesh and what lowers it; empty if
   /// none was estimated.

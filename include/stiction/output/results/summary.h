@@ -18,7 +18,6 @@ namespace stiction
   class ContactSurface;
   class DualMethod;
   class DualOperator;
-  struct ContactSolution;
   struct ContactSolverParameters;
   class LinearElasticity;
   class MeshNames;
@@ -27,6 +26,8 @@ namespace stiction
   class SupportReactions;
   struct MeshError;
   struct NodeStatus;
+  struct SolveStatus;
+  struct State;
 
   /// The section "certificate" of summary.json; the figures that only a body
   /// has are null without one.
@@ -40,7 +41,7 @@ namespace stiction
 
   /// What summary.json begins with, whatever was solved: the program, how it
   /// ended, units and input.
-  nlohmann::json head_of_summary(const ContactSolution &solution,
+  nlohmann::json head_of_summary(const SolveStatus &solution,
                                  const Parameters &parameters, MPI_Comm communicator);
 
   /// What the section "solver" says of the dual method.
@@ -58,7 +59,7 @@ namespace stiction
   /// contact surface; moments are about the origin, area is that of the closed
   /// nodes. Each contact boundary has
   /// an entry in "boundaries" with the same figures.
-  nlohmann::json contact_to_json(const ContactSurface &surface,
+  nlohmann::json contact_to_json(const ContactSurface &surface, const State &state,
                                  const Certificate &certificate,
                                  const std::vector<NodeStatus> &statuses);
   nlohmann::json energy_to_json(const ContactSurface &surface,

@@ -21,6 +21,7 @@ namespace stiction
   class LinearElasticity;
   struct NodeStatus;
   struct OutputParameters;
+  struct State;
 
   /// Writes solution.pvtu (with its pieces and solution.pvd): displacement,
   /// stress and von Mises stress, and with 'Output/Fields = all' strain,
@@ -56,7 +57,7 @@ namespace stiction
   /// distance in a box around the contact boundary, or their own triangles.
   /// Vertices lie on the surface, faces between them are plane. Collective.
   void write_obstacles(const std::string &directory, const LinearElasticity &elasticity,
-                       const ContactSurface &surface);
+                       const ContactSurface &surface, const State &state);
 } // namespace stiction
 
 #endif

@@ -1,0 +1,22 @@
+#ifndef stiction_contact_interface_state_h
+#define stiction_contact_interface_state_h
+
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <Eigen/Core>
+
+namespace stiction
+{
+  /// All that a computation has found: from it and the data of the problem
+  /// follow the certificate and every result.
+  struct State
+  {
+    LA::Vector u;              ///< displacement, m; hanging nodes have theirs
+    Eigen::VectorXd lambda;    ///< contact forces, N, length 3m
+    Eigen::VectorXd distances; ///< δ of pressed obstacles, m, see ObstacleMotion
+  };
+} // namespace stiction
+
+#endif

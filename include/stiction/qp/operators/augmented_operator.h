@@ -1,0 +1,61 @@
+#ifndef stiction_qp_operators_augmented_operator_h
+#define stiction_qp_operators_augmented_operator_h
+
+#include <stiction/qp/operators/dual_operator.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace stiction
+{
+  /// An equality constraint on the contact forces, Gᵀλ = e, with free
+  /// multipliers α: r = Qλ − h + Gα. A force that presses an obstacle on is one,
+  /// α being the way that the obstacle goes.
+  struct EqualityConstraint
+  {
+    Eigen::MatrixXd G; ///< 3m × n
+    Eigen::VectorXd e; ///< N, length n
+  };
+
+  /// The dual operator of the augmented Lagrangian of a problem with an equality
+  /// constraint: with multipliers α and weights ρ (m/N)
+  ///
+  ///     Q + G ρ Gᵀ  and  h − G(α − ρ e).
+  ///
+  /// Its gradient at λ is Qλ − h + Gα⁺ with α⁺ = α + ρ(Gᵀλ − e): a solution of
+  /// this problem solves the constrained one but for the constraint, with the
+  /// multipliers α⁺, which are nearer to the right ones than α (method of
+  /// multipliers). An obstacle on a spring of compliance ρ is the same problem.
+  class AugmentedOperator : public DualOperator
+  {
+  public:
+    /// @param Q with its right-hand side; must outlive the object.
+    /// @param weights ρ, length n, > 0, m/N.
+    AugmentedOperator(const DualOperator &Q, EqualityConstraint constraint,
+                      Eigen::VectorXd multipliers, Eigen::VectorXd weights);
+
+    /// α⁺ of contact forces. Unit: m.
+    Eigen::VectorXd multipliers(const Eigen::VectorXd &lambda) const;
+
+    void set_multipliers(Eigen::VectorXd multipliers);
+
+    const Eigen::MatrixXd *matrix() const override;
+
+  protected:
+    /// That of Q: what a node gives way to its own force with the constraint held.
+    Eigen::VectorXd compute_nodal_compliance() const override;
+
+    void apply(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
+               const Eigen::VectorXd &src) const override;
+
+  private:
+    const DualOperator &Q_;
+    const EqualityConstraint constraint_;
+    const Eigen::VectorXd weights_;
+    Eigen::VectorXd multipliers_;
+    std::unique_ptr<DenseDualOperator> dense_; ///< if Q is known as a matrix
+  };
+} // namespace stiction
+
+#endif
