@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace stiction
 {
   namespace
@@ -23,15 +25,24 @@ namespace stiction
     // certificate does not see it.
     constexpr double linear_solver_safety = 1e-4;
 
-    // The compliance of the springs that obstacles are pressed on with, over that
-    // of the body: the error of the forces falls by about this factor with each
-    // solve.
-    constexpr double spring_compliance = 1e3;
-
-    // The springs are too stiff if the error falls by less.
-    constexpr double required_fall      = 0.1;
+    // The springs that press obstacles on are too stiff if the error of the forces
+    // falls by less in a solve.
+    constexpr double required_fall      = 0.7;
     constexpr double softening          = 30.;
     constexpr unsigned int max_releases = 40;
+
+    // Two places of an obstacle tell how far it goes for a force: a secant step.
+    void add_secant_step(Eigen::VectorXd &distances,
+                         const Eigen::VectorXd &last_distances,
+                         const Eigen::VectorXd &missing,
+                         const Eigen::VectorXd &last_missing)
+    {
+      const Eigen::VectorXd compliance =
+        (distances - last_distances).cwiseQuotient(last_missing - missing);
+      for (Eigen::Index j = 0; j < distances.size(); ++j)
+        if (compliance(j) > 0. && std::isfinite(compliance(j)))
+          distances(j) += compliance(j) * missing(j);
+    }
   } // namespace
 
   DualContactSolver::DualContactSolver(const Setting &setting)
@@ -88,23 +99,6 @@ namespace stiction
                            chosen.maximum_iterations, other_method(), observer, lambda);
   }
 
-  Eigen::MatrixXd DualContactSolver::uniform_pressures() const
-  {
-    const ContactSurface &surface = setting_.surface;
-    const ObstacleMotion &motion  = surface.motion();
-    Eigen::MatrixXd lambda =
-      Eigen::MatrixXd::Zero(3 * surface.n_nodes(), motion.n_pressed());
-    for (Eigen::Index j = 0; j < motion.n_pressed(); ++j)
-      {
-        const Eigen::VectorXd approach =
-          -motion.directions().col(j).head(surface.n_nodes());
-        const Eigen::VectorXd met =
-          (approach.array() > least_approach).select(surface.areas(), 0.);
-        lambda.col(j).head(met.size()) = motion.forces()(j) / met.dot(approach) * met;
-      }
-    return lambda;
-  }
-
   Eigen::VectorXd DualContactSolver::yielding(const Eigen::MatrixXd &lambda) const
   {
     Eigen::VectorXd ways(lambda.cols()), Q_lambda;
@@ -118,61 +112,71 @@ namespace stiction
 
   SolveStatus DualContactSolver::solve_pressed(State &state, const Observer &observer)
   {
-    const ContactSurface &surface = setting_.surface;
-    const ObstacleMotion &motion  = surface.motion();
-    const double tolerance        = setting_.parameters.contact_solver.tolerance;
-    const Units units             = Units::named(setting_.parameters.output.units);
+    const ContactSurface &surface         = setting_.surface;
+    const ObstacleMotion &motion          = surface.motion();
+    const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
 
     const Eigen::VectorXd ways =
       ways_to_press(motion, surface.gaps(), surface.areas(),
                     surface.stiffness().youngs_moduli.maxCoeff());
-    const Eigen::MatrixXd pressures = uniform_pressures();
-    Eigen::VectorXd lambda          = state.lambda;
-    if (lambda.size() == 0)
-      lambda = pressures.rowwise().sum();
-    if (state.distances.size() == 0)
-      state.distances = ways;
-    Eigen::VectorXd weights =
-      spring_compliance * (yielding(pressures) + ways).cwiseQuotient(motion.forces());
+    const Eigen::MatrixXd pressures = uniform_pressures(motion, surface.areas());
+    Eigen::VectorXd lambda =
+      state.lambda.size() > 0 ? state.lambda : Eigen::VectorXd(pressures.rowwise().sum());
+    Eigen::VectorXd place   = state.distances.size() > 0 ? state.distances : ways;
+    Eigen::VectorXd weights = best_spring_compliance(chosen) *
+                              (yielding(pressures) + ways).cwiseQuotient(motion.forces());
     BodyVerifier verifier(
       setting_.elasticity, surface, *stiffness_solver_, state,
-      [&](const Eigen::VectorXd &lambda) { return augmented_->multipliers(lambda); });
-    SolveStatus status;
+      [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
+    Eigen::VectorXd last_place, last_missing;
     double last_error = 1.;
     augmented_.reset();
+    SolveStatus status;
     for (unsigned int k = 0; k < max_releases; ++k)
       {
         if (!augmented_)
           {
             method_.reset();
             augmented_ = std::make_unique<AugmentedOperator>(
-              *Q_, EqualityConstraint{motion.directions(), -motion.forces()},
-              state.distances, weights);
+              *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place,
+              weights);
           }
-        status = solve_with(*augmented_, verifier, tolerance, observer, lambda);
-        for (Eigen::Index j = 0; j < weights.size(); ++j)
-          print_progress("  obstacle moved by " +
-                         with_unit(format("%.6g", state.distances(j)), units.length) +
-                         " presses with " +
-                         with_unit(format("%.6g", motion.forces()(j) -
-                                                    motion.missing_forces(lambda)(j)),
-                                   units.force));
-        const double error = motion.force_error(lambda);
-        if (!status.converged || status.interrupted || error <= tolerance)
+        augmented_->set_multipliers(place);
+        status = solve_with(*augmented_, verifier, chosen.tolerance, observer, lambda);
+        print_places(state);
+
+        const Eigen::VectorXd missing = motion.missing_forces(lambda);
+        const double error            = motion.relative_error(missing);
+        if (!status.converged || status.interrupted || error <= chosen.tolerance)
           return status;
+        place = state.distances;
+        if (last_place.size() > 0)
+          add_secant_step(place, last_place, missing, last_missing);
         if (error > required_fall * last_error)
           {
             weights *= softening;
             augmented_.reset();
           }
-        else
-          augmented_->set_multipliers(state.distances);
-        last_error = error;
+        last_place   = state.distances;
+        last_missing = missing;
+        last_error   = error;
       }
     status.reason = "no place of the obstacle was found where it presses with its force, "
                     "raise 'Contact solver/Tolerance' if the force is small beside the "
                     "others";
     return status;
+  }
+
+  void DualContactSolver::print_places(const State &state) const
+  {
+    const ObstacleMotion &motion = setting_.surface.motion();
+    const Units units            = Units::named(setting_.parameters.output.units);
+    const Eigen::VectorXd forces = motion.forces() - motion.missing_forces(state.lambda);
+    for (Eigen::Index j = 0; j < forces.size(); ++j)
+      print_progress("  obstacle moved by " +
+                     with_unit(format("%.6g", state.distances(j)), units.length) +
+                     " presses with " +
+                     with_unit(format("%.6g", forces(j)), units.force));
   }
 
   nlohmann::json DualContactSolver::to_json() const

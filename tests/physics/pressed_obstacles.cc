@@ -7,8 +7,6 @@
 
 #include "tests.h"
 
-#include <stiction/contact/obstacles/force_control.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +31,8 @@ namespace
     const double strain = energy["strain"], work = energy["load_work"],
                  friction = energy["friction_dissipation"];
     const double obstacles =
-      -lambda(run).dot(run.problem->contact_surface().motion().offset());
+      -lambda(run).dot(run.problem->contact_surface().motion().offset(
+        run.problem->state().distances));
     return std::abs(2. * strain + friction - work - obstacles) /
            std::max(std::abs(work), std::abs(obstacles));
   }

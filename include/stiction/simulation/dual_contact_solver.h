@@ -35,16 +35,14 @@ namespace stiction
     /// With forces that press obstacles on.
     SolveStatus solve_pressed(State &state, const Observer &observer);
 
+    void print_places(const State &state) const;
+
     /// With this operator in place of Q.
     SolveStatus solve_with(const DualOperator &Q, BodyVerifier &verifier,
                            double tolerance, const Observer &observer,
                            Eigen::VectorXd &lambda);
 
-    /// The contact forces of each pressed obstacle if it pressed alike on all its
-    /// nodes, 3m × n, N.
-    Eigen::MatrixXd uniform_pressures() const;
-
-    /// How far the obstacles go under these forces, m.
+    /// How far the obstacles go under these contact forces, one column each, m.
     Eigen::VectorXd yielding(const Eigen::MatrixXd &lambda) const;
 
     std::unique_ptr<DualOperator> Q_;

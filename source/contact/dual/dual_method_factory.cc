@@ -69,6 +69,11 @@ namespace stiction
     return method;
   }
 
+  double best_spring_compliance(const ContactSolverParameters &parameters)
+  {
+    return parameters.method == "admm" ? 1. : 30.;
+  }
+
   std::string advice_on_method(const Parameters &parameters, const bool is_coulomb,
                                const bool has_body)
   {

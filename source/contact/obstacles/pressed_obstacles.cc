@@ -35,4 +35,18 @@ namespace stiction
       }
     return ways;
   }
+
+  Eigen::MatrixXd uniform_pressures(const ObstacleMotion &motion,
+                                    const Eigen::VectorXd &areas)
+  {
+    const Eigen::Index m   = areas.size();
+    Eigen::MatrixXd lambda = Eigen::MatrixXd::Zero(3 * m, motion.n_pressed());
+    for (Eigen::Index j = 0; j < motion.n_pressed(); ++j)
+      {
+        const Eigen::VectorXd approach = -motion.directions().col(j).head(m);
+        const Eigen::VectorXd met = (approach.array() > least_approach).select(areas, 0.);
+        lambda.col(j).head(m)     = motion.forces()(j) / met.dot(approach) * met;
+      }
+    return lambda;
+  }
 } // namespace stiction

@@ -16,7 +16,7 @@ namespace stiction
 
   Admm::Admm(const DualOperator &Q)
     : block_(Q, DualBlock::all)
-    , admm_(matrix_of(Q), block_)
+    , admm_(matrix_of(Q), block_, Q.nodal_compliance())
   {
   }
 

@@ -22,16 +22,12 @@ namespace stiction::qp
     constexpr double adaptation_threshold = 2.;
   } // namespace
 
-  Admm::Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q)
+  Admm::Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q,
+             const Eigen::VectorXd &nodal_compliance)
     : matrix_(matrix)
     , Q_(Q)
+    , pull_(nodal_compliance.replicate(3, 1))
   {
-    const Eigen::Index m = matrix.rows() / 3;
-    const Eigen::VectorXd nodal =
-      (matrix.diagonal().head(m) + matrix.diagonal().segment(m, m) +
-       matrix.diagonal().tail(m)) /
-      3.;
-    pull_ = nodal.replicate(3, 1);
   }
 
   void Admm::factorize(const double factor)

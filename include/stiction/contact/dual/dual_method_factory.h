@@ -21,6 +21,12 @@ namespace stiction
   std::unique_ptr<DualMethod> create_dual_method(
     const ContactSolverParameters &parameters, const DualOperator &Q, bool coulomb);
 
+  /// The compliance of the springs by which an augmented Lagrangian presses
+  /// obstacles on, over that of the body, that is best for the chosen method. The
+  /// larger it is, the fewer solves and the worse conditioned the operator: admm
+  /// has to add up the gaps of open nodes in steps.
+  double best_spring_compliance(const ContactSolverParameters &parameters);
+
   /// What to choose where what is in use comes no closer, of what is neither in
   /// use nor refused beside the other entries: "choose 'Contact solver/Method =
   /// newton' or 'newton multigrid'".

@@ -22,6 +22,11 @@ namespace stiction
   /// @return distances, m, one a pressed obstacle; 0 for one that meets no node.
   Eigen::VectorXd ways_to_press(const ObstacleMotion &motion, const Eigen::VectorXd &gaps,
                                 const Eigen::VectorXd &areas, double youngs_modulus);
+
+  /// The contact forces of each pressed obstacle if it pressed alike on all its
+  /// nodes, 3m × n, N.
+  Eigen::MatrixXd uniform_pressures(const ObstacleMotion &motion,
+                                    const Eigen::VectorXd &areas);
 } // namespace stiction
 
 #endif

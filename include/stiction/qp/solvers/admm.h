@@ -40,7 +40,10 @@ namespace stiction::qp
     /// @param matrix Q, of order 3m.
     /// @param Q the same as an operator, which counts products. Both must
     ///   outlive the object.
-    Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q);
+    /// @param nodal_compliance how much a node gives way to its own force alone,
+    ///   length m, m/N.
+    Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q,
+         const Eigen::VectorXd &nodal_compliance);
 
     /// Moves x until its natural residual is at most tolerance. The returned x
     /// is feasible for its own slip bound.
@@ -57,7 +60,7 @@ namespace stiction::qp
 
     const Eigen::MatrixXd &matrix_;
     const SymmetricOperator &Q_;
-    Eigen::VectorXd pull_; ///< the diagonal of D, m/N
+    const Eigen::VectorXd pull_; ///< the diagonal of D, m/N
     double factor_                 = 1.;
     unsigned int n_factorizations_ = 0;
     Eigen::LLT<Eigen::MatrixXd> cholesky_;
