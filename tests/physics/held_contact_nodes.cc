@@ -6,6 +6,7 @@
 
 #include "tests.h"
 
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -172,11 +173,13 @@ int main(int argc, char *argv[])
   options.only_fallback = true;
   NewtonMultigrid newton_multigrid(dual.problem->elasticity(),
                                    dual.problem->contact_surface(), true, options);
-  const auto solution = newton_multigrid.solve(1e-9, 1000, [](const ContactStep &) {});
+  State state;
+  const auto status =
+    newton_multigrid.solve(state, 1e-9, 1000, [](const ContactStep &) {});
   const Eigen::VectorXd &lambda = dual.problem->state().lambda;
-  out() << "method of multipliers alone: converged " << yes(solution.converged)
+  out() << "method of multipliers alone: converged " << yes(status.converged)
         << ", agrees to 1e-6 "
-        << yes((solution.lambda - lambda).norm() < 1e-6 * lambda.norm())
+        << yes((state.lambda - lambda).norm() < 1e-6 * lambda.norm())
         << ", slips and sticks "
         << yes(dual.summary()["contact"]["slip"].get<int>() > 0 &&
                dual.summary()["contact"]["stick"].get<int>() > 0)

@@ -5,6 +5,7 @@
 
 #include "tests.h"
 
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -32,20 +33,20 @@ int main(int argc, char *argv[])
       Eigen::VectorXd reference;
       const auto run = [&](const std::string &name, const LevelNewton::Options &options) {
         NewtonMultigrid newton(elasticity, surface, true, options);
-        const auto solution = newton.solve(1e-9, 1000, [](const ContactStep &) {});
-        const Certificate certificate(elasticity, surface, newton.displacement(),
-                                      solution.lambda);
+        State state;
+        const auto status = newton.solve(state, 1e-9, 1000, [](const ContactStep &) {});
+        const Certificate certificate(elasticity, surface, state);
         if (reference.size() == 0)
-          reference = solution.lambda;
+          reference = state.lambda;
         for (const LevelNewton::Statistics &level : newton.statistics())
           {
             has_changed_rho = has_changed_rho || level.rho_changes > 0;
             has_fallen_back = has_fallen_back || level.fallbacks > 0;
           }
         out() << law << ", " << name << ": certified "
-              << yes(solution.converged && certificate.converged(1e-9))
+              << yes(status.converged && certificate.converged(1e-9))
               << ", same forces to 1e-6 "
-              << yes((solution.lambda - reference).norm() < 1e-6 * reference.norm())
+              << yes((state.lambda - reference).norm() < 1e-6 * reference.norm())
               << std::endl;
       };
 

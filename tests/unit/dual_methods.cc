@@ -27,6 +27,12 @@
 
 using namespace stiction;
 
+struct Found
+{
+  bool converged;
+  Eigen::VectorXd lambda;
+};
+
 int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -45,8 +51,12 @@ int main(int argc, char *argv[])
 
   const auto solve = [&](DualMethod &method, const qp::SlipBound &bound) {
     DualProblemVerifier verifier(*Q, bound, surface.areas());
-    return certified_solve(method, *Q, bound, verifier, 1e-9, 1000, "",
-                           [](const ContactStep &) {});
+    Found found;
+    found.converged = certified_solve(
+                        method, *Q, bound, verifier, 1e-9, 1000, "",
+                        [](const ContactStep &) {}, found.lambda)
+                        .converged;
+    return found;
   };
 
   for (const auto &bound : {given, coulomb})
@@ -128,8 +138,11 @@ int main(int argc, char *argv[])
           const DenseDualOperator R(read.Q, read.h);
           DualProblemVerifier verifier(R, read.slip_bound, read.areas);
           Newton there(R);
-          const auto found = certified_solve(there, R, read.slip_bound, verifier, 1e-9,
-                                             1000, "", [](const ContactStep &) {});
+          Found found;
+          found.converged = certified_solve(
+                              there, R, read.slip_bound, verifier, 1e-9, 1000, "",
+                              [](const ContactStep &) {}, found.lambda)
+                              .converged;
           out() << path << ": " << yes(found.converged) << ", same forces "
                 << yes((found.lambda - expected.lambda).norm() <
                        1e-9 * expected.lambda.norm())

@@ -6,6 +6,7 @@
 
 #include "tests.h"
 
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -31,7 +32,7 @@ namespace
   {
     const ContactProblem &problem        = *run.problem;
     const dealii::Vector<double> squares = estimate_error(
-      problem.elasticity(), problem.contact_surface(), problem.state().u, lambda);
+      problem.elasticity(), problem.contact_surface(), {problem.state().u, lambda, {}});
     double sum = 0.;
     for (const double square : squares)
       sum += square;
@@ -227,9 +228,8 @@ namespace
     const double all              = estimate(run);
     for (const unsigned int all_up_to : {49152, 16384, 8192})
       {
-        const MeshError error =
-          estimate_mesh_error(problem.elasticity(), problem.contact_surface(),
-                              problem.state().u, problem.state().lambda, all_up_to);
+        const MeshError error = estimate_mesh_error(
+          problem.elasticity(), problem.contact_surface(), problem.state(), all_up_to);
         const double eta = std::sqrt(error.square);
         out() << "sample: " << error.n_cells << " cells"
               << (error.is_sampled ? " of 49152" : "") << ", as all say "

@@ -130,24 +130,25 @@ int main(int argc, char *argv[])
           parameters.tolerance = tolerance;
           const auto solver    = create_dual_method(parameters, Q, F >= 0.);
           DualProblemVerifier verifier(Q, problem.slip_bound, {});
-          const auto solution =
-            certified_solve(*solver, Q, problem.slip_bound, verifier, tolerance, 2000, "",
-                            [](const ContactStep &) {});
+          Eigen::VectorXd lambda;
+          const auto status = certified_solve(
+            *solver, Q, problem.slip_bound, verifier, tolerance, 2000, "",
+            [](const ContactStep &) {}, lambda);
           const Eigen::VectorXd stiffness = Q.nodal_compliance().cwiseInverse();
-          const auto statuses = node_statuses(verifier.verify(solution.lambda),
-                                              problem.slip_bound, stiffness, tolerance);
+          const auto statuses = node_statuses(verifier.verify(lambda), problem.slip_bound,
+                                              stiffness, tolerance);
           if (F < 0.)
             std::cout << "given friction, ";
           else
             std::cout << "F = " << F << ", ";
           std::cout << method << ", " << tolerance << ": certified "
-                    << yes(solution.converged) << ", nodes with a wrong status "
+                    << yes(status.converged) << ", nodes with a wrong status "
                     << n_wrong(statuses, problem.expected) << std::endl;
           if (F != 0.3 || tolerance != 1e-10 || method != "newton")
             continue;
 
           // the same of an answer that is less exact than it should be
-          Eigen::VectorXd spoilt = solution.lambda;
+          Eigen::VectorXd spoilt = lambda;
           for (Eigen::Index i = 0; i < spoilt.size(); ++i)
             spoilt(i) *= 1. + 1e-4 * std::sin(7. * static_cast<double>(i));
           const auto loose = node_statuses(verifier.verify(spoilt), problem.slip_bound,

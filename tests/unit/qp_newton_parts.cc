@@ -135,7 +135,7 @@ int main()
         const VectorXd g    = random.vector(m, 0., 2.);
         const VectorXd best = reference_solution(A, b, m, g);
         const DenseOperator op(A);
-        Admm admm(A, op);
+        Admm admm(A, op, VectorXd::Constant(m, A.trace() / (3. * m)));
         VectorXd x = VectorXd::Zero(3 * m), r = -b;
         const auto stat =
           admm.solve(x, r, SlipBound::given(g), scaling, 1e-11, 3000, [](double) {});
