@@ -57,9 +57,11 @@ namespace stiction
     MPI_Comm_size(communicator, &n_ranks);
 
     // Q on every rank, and on the first one the Schur complement and a copy;
-    // one more on every rank where Q is factorised
+    // one more on every rank where Q is factorised, and where forces press
+    // obstacles on
     const double copies =
-      (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks + 2.;
+      (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks +
+      (parameters.boundary.has_pressed_obstacles() ? n_ranks : 0.) + 2.;
     return 8. * n_dual_unknowns * n_dual_unknowns * copies;
   }
 

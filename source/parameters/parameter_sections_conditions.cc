@@ -25,6 +25,13 @@ namespace stiction
       return true;
     }
 
+    // The same of all formulas between bars.
+    bool is_zero_for_each(const std::string &text)
+    {
+      const auto parts = split_at_bars(text);
+      return std::all_of(parts.begin(), parts.end(), are_zero);
+    }
+
     // The same of what stands after the colons in 'place : ux; uy; uz | ...'.
     bool are_zero_at_places(const std::string &text)
     {
@@ -139,14 +146,15 @@ namespace stiction
 
   bool BoundaryParameters::has_load() const
   {
-    const auto is_zero_for_each = [](const std::string &text) {
-      const auto parts = split_at_bars(text);
-      return std::all_of(parts.begin(), parts.end(), are_zero);
-    };
     return !traction.empty() || !pressure.empty() || !body_force.empty() ||
            !gravity.empty() || !are_zero_at_places(prescribed_displacement) ||
            !are_zero_at_places(prescribed_points) ||
-           !is_zero_for_each(obstacle_displacement) || !is_zero_for_each(obstacle_force);
+           !is_zero_for_each(obstacle_displacement) || has_pressed_obstacles();
+  }
+
+  bool BoundaryParameters::has_pressed_obstacles() const
+  {
+    return !is_zero_for_each(obstacle_force);
   }
 
   FrictionParameters::FrictionParameters()

@@ -114,6 +114,9 @@ namespace stiction
     /// show.
     bool has_load() const;
 
+    /// Whether forces press obstacles on.
+    bool has_pressed_obstacles() const;
+
     std::string prescribed_displacement = "";
     std::string prescribed_points       = "";
     std::string traction                = "";
