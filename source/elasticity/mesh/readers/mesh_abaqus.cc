@@ -1,14 +1,17 @@
-#include "mesh_for_grid_in.h"
+#include "mesh_builder.h"
+
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <set>
-#include <sstream>
-#include <unordered_map>
 
 namespace stiction
 {
   namespace
   {
+    using dealii::Utilities::split_string_list;
+    using dealii::Utilities::trim;
+
     bool begins_with_any(const std::string &text,
                          const std::vector<std::string> &beginnings)
     {
@@ -30,26 +33,17 @@ namespace stiction
       return 0;
     }
 
-    std::vector<std::string> split_at_commas(const std::string &line)
-    {
-      std::vector<std::string> items;
-      std::istringstream in(line);
-      std::string item;
-      while (std::getline(in, item, ','))
-        items.push_back(trim(item));
-      return items;
-    }
-
-    // GridIn's own reader of these files takes ids from the digits in names,
-    // element n to be the n-th, and nine digits of coordinates.
+    // deal.II's GridIn takes ids from the digits in names, element n to be the
+    // n-th, and nine digits of coordinates.
     // What it takes from an input file: *NODE, *ELEMENT, *ELSET, *SURFACE and
     // *SOLID SECTION; other keywords are passed over. Words are not case
     // sensitive; names appear as they are written first.
     class AbaqusReader
     {
     public:
-      explicit AbaqusReader(MeshText &text)
+      explicit AbaqusReader(TextScanner &text)
         : text_(text)
+        , mesh_(text)
       {
       }
 
@@ -74,10 +68,7 @@ namespace stiction
             add_surfaces();
             name_materials();
           }
-        MeshData mesh = mesh_.read(text_);
-        for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-          mesh.cells[i].material_id = hexahedra_[i].material;
-        return mesh;
+        return mesh_.finish();
       }
 
     private:
@@ -86,7 +77,7 @@ namespace stiction
         end_of_data();
         keyword_ = "";
         options_.clear();
-        for (const std::string &item : split_at_commas(line))
+        for (const std::string &item : split_string_list(line))
           if (keyword_.empty())
             keyword_ = upper(item);
           else
@@ -122,11 +113,11 @@ namespace stiction
             unfinished_ += line;
             if (line.back() == ',')
               return;
-            read_element(split_at_commas(unfinished_));
+            read_element(split_string_list(unfinished_));
             unfinished_.clear();
             return;
           }
-        const std::vector<std::string> items = split_at_commas(line);
+        const std::vector<std::string> items = split_string_list(line);
         if (keyword_ == "*NODE")
           read_node(items);
         else if (keyword_ == "*ELSET")
@@ -151,11 +142,12 @@ namespace stiction
 
       void read_node(const std::vector<std::string> &items)
       {
-        if (items.size() < 4)
+        if (items.size() < 4 || std::count(items.begin(), items.begin() + 4, "") > 0)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
-        mesh_.add_node(text_.to_integer(items[0]),
-                       items[1] + ' ' + items[2] + ' ' + items[3], text_);
+        mesh_.add_node(
+          text_.to_integer(items[0]),
+          {text_.to_real(items[1]), text_.to_real(items[2]), text_.to_real(items[3])});
       }
 
       void read_element(const std::vector<std::string> &items)
@@ -167,13 +159,15 @@ namespace stiction
               text_.refuse("a hexahedron with its number and " + std::to_string(n_nodes) +
                            " nodes should stand here");
             const std::int64_t number = text_.to_integer(items[0]);
-            if (!numbers_.emplace(number, hexahedra_.size()).second)
+            if (!hexahedra_.emplace(number, mesh_.mesh.cells.size()).second)
               text_.refuse("element " + items[0] + " stands twice, must stand once");
-            hexahedra_.push_back({{items.begin() + 1, items.end()}, 0});
-            add_element(n_nodes == 8    ? 5
-                        : n_nodes == 20 ? 17
-                                        : 12,
-                        0, hexahedra_.back().nodes);
+            MeshBuilder::Nodes nodes;
+            for (unsigned int i = 1; i <= n_nodes; ++i)
+              nodes.push_back(text_.to_integer(items[i]));
+            const std::int64_t gmsh_type = n_nodes == 8 ? 5 : n_nodes == 20 ? 17 : 12;
+            // nodes inside: the centre, then faces S1 to S6
+            mesh_.add_element(gmsh_type, 0,
+                              in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
             add_to_set(options_["ELSET"], number);
             if (!options_["ELSET"].empty())
               element_sets_.insert(upper(options_["ELSET"]));
@@ -190,17 +184,6 @@ namespace stiction
         else if (!begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
           // those are no part of a body, written for its edges
           ++mesh_.mesh.other_elements["elements of type " + type];
-      }
-
-      void add_element(const std::int64_t type, const unsigned int id,
-                       const std::vector<std::string> &nodes)
-      {
-        std::string line;
-        for (const std::string &node : nodes)
-          line += node + ' ';
-        mesh_.add_element(type, id,
-                          // nodes inside: the centre, then faces S1 to S6
-                          in_gmsh_order(line, {{21, 23, 26, 24, 25, 22, 20}}), text_);
       }
 
       void add_to_set(const std::string &set, const std::int64_t element)
@@ -252,21 +235,21 @@ namespace stiction
 
       void add_surfaces()
       {
-        // the faces S1 to S6 in Abaqus' manual
-        static const unsigned int face_vertices[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5},
-                                                         {0, 4, 5, 1}, {1, 5, 6, 2},
-                                                         {2, 6, 7, 3}, {3, 7, 4, 0}};
+        // the faces S1 to S6 in Abaqus' manual, by deal.II's numbers of vertices
+        static const unsigned int face_vertices[6][4] = {{0, 1, 5, 4}, {2, 6, 7, 3},
+                                                         {0, 2, 3, 1}, {1, 3, 7, 5},
+                                                         {5, 7, 6, 4}, {4, 6, 2, 0}};
         unsigned int id                               = 0;
         for (const Surface &surface : surfaces_)
           {
-            add_name(surface.name, ++id, mesh_.mesh.boundary_names, text_);
+            mesh_.add_name(surface.name, ++id, mesh_.mesh.boundary_names);
             for (const auto &part : surface.parts)
               for (const std::int64_t element : elements(part.first))
                 {
-                  std::vector<std::string> nodes;
+                  std::vector<unsigned int> vertices;
                   for (const unsigned int v : face_vertices[part.second])
-                    nodes.push_back(hexahedron(element).nodes[v]);
-                  add_element(3, id, nodes);
+                    vertices.push_back(hexahedron(element).vertices[v]);
+                  mesh_.add_face(id, vertices);
                 }
           }
       }
@@ -282,10 +265,10 @@ namespace stiction
           {
             const auto id = ids.emplace(upper(section.second), last + 1);
             if (id.second)
-              add_name(section.second, ++last, mesh_.mesh.material_names, text_);
+              mesh_.add_name(section.second, ++last, mesh_.mesh.material_names);
             for (const std::int64_t element : elements(section.first))
               {
-                unsigned int &material = hexahedron(element).material;
+                unsigned int &material = hexahedron(element).material_id;
                 if (material != 0 && material != id.first->second)
                   text_.refuse("element " + std::to_string(element) +
                                " has two materials, must have one");
@@ -305,18 +288,12 @@ namespace stiction
         return {text_.to_integer(what)};
       }
 
-      struct Hexahedron
+      dealii::CellData<3> &hexahedron(const std::int64_t element)
       {
-        std::vector<std::string> nodes;
-        unsigned int material;
-      };
-
-      Hexahedron &hexahedron(const std::int64_t element)
-      {
-        const auto found = numbers_.find(element);
-        if (found == numbers_.end())
+        const auto found = hexahedra_.find(element);
+        if (found == hexahedra_.end())
           text_.refuse("there is no hexahedron " + std::to_string(element));
-        return hexahedra_[found->second];
+        return mesh_.mesh.cells[found->second];
       }
 
       struct Surface
@@ -326,10 +303,10 @@ namespace stiction
         std::vector<std::pair<std::string, unsigned int>> parts;
       };
 
-      MeshText &text_;
-      MeshForGridIn mesh_;
-      std::vector<Hexahedron> hexahedra_;
-      std::unordered_map<std::int64_t, std::size_t> numbers_; // of hexahedra
+      TextScanner &text_;
+      MeshBuilder mesh_;
+      // by their numbers, where they are in the mesh
+      std::unordered_map<std::int64_t, std::size_t> hexahedra_;
 
       std::string keyword_, unfinished_;
       std::map<std::string, std::string> options_;
@@ -342,7 +319,7 @@ namespace stiction
     };
   } // namespace
 
-  MeshData read_abaqus(MeshText &text)
+  MeshData read_abaqus(TextScanner &text)
   {
     return AbaqusReader(text).read();
   }

@@ -1,4 +1,4 @@
-#include "mesh_text.h"
+#include "mesh_builder.h"
 
 #include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
@@ -29,7 +29,11 @@ namespace stiction
       if (kind != ".MSH" && kind != ".INP" && kind != ".VTK")
         throw InputError(location + ", must be a file .msh (Gmsh), .inp "
                                     "(Abaqus) or .vtk (VTK).");
-      MeshText text(file, location);
+      TextScanner text(file, location);
+      if (!text.is_readable())
+        throw InputError(location + ", cannot be read, must be the path of a mesh file.");
+      if (text.is_empty())
+        throw InputError(location + ", is empty, must be a mesh file.");
       return kind == ".MSH"   ? read_gmsh(text)
              : kind == ".INP" ? read_abaqus(text)
                               : read_vtk(text);
@@ -87,9 +91,8 @@ namespace stiction
 
       void require_one_piece()
       {
-        const std::size_t first = 0;
-        for (std::size_t i = first; i < mesh_.cells.size(); ++i)
-          if (pieces_.find_set(i) != pieces_.find_set(first))
+        for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+          if (pieces_.find_set(i) != pieces_.find_set(std::size_t(0)))
             throw InputError(location_ + ", " + describe_cell(mesh_, i) +
                              " is not connected by faces with hexahedron 1, "
                              "must be one body, in which neighbours have the "
@@ -241,7 +244,6 @@ namespace stiction
   {
     MeshData mesh = read_by_extension(file, location);
     require_hexahedra(mesh, location);
-    GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, mesh.faces);
     Faces faces(mesh, location);
     faces.require_one_piece();
     faces.require_manifold();

@@ -1,4 +1,4 @@
-#include "mesh_for_grid_in.h"
+#include "mesh_builder.h"
 
 #include <set>
 
@@ -7,13 +7,14 @@ namespace stiction
   namespace
   {
     // Sections of the formats 2.2 and 4.1 (Gmsh's manual, "File formats").
-    // GridIn reads 4.1 too, but in a Release build it believes its counts and
-    // dimensions, and it takes no curve in two groups.
+    // deal.II's GridIn reads both, but in a Release build it believes counts
+    // and dimensions, it drops names and takes no curve in two groups.
     class GmshReader
     {
     public:
-      explicit GmshReader(MeshText &text)
+      explicit GmshReader(TextScanner &text)
         : text_(text)
+        , mesh_(text)
       {
       }
 
@@ -25,7 +26,7 @@ namespace stiction
             read_section(line);
         if (!has_format_)
           text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
-        return mesh_.read(text_);
+        return mesh_.finish();
       }
 
     private:
@@ -86,10 +87,9 @@ namespace stiction
               text_.refuse("the physical group '" + name +
                            "' has the number 0, which is that of parts in no "
                            "group, must be a number > 0");
-            add_name(name, to_id(number, text_),
-                     dimension == 2 ? mesh_.mesh.boundary_names
-                                    : mesh_.mesh.material_names,
-                     text_);
+            mesh_.add_name(name, number,
+                           dimension == 2 ? mesh_.mesh.boundary_names
+                                          : mesh_.mesh.material_names);
           }
       }
 
@@ -103,13 +103,13 @@ namespace stiction
             {
               const std::int64_t entity = text_.integer();
               // where it is: a point, or the corners of a box
-              text_.words(dimension == 0 ? 3 : 6);
+              text_.skip(dimension == 0 ? 3 : 6);
               const std::uint64_t n_groups = text_.count();
               std::set<std::int64_t> groups;
               for (std::uint64_t g = 0; g < n_groups; ++g)
                 groups.insert(std::abs(text_.integer()));
               if (dimension > 0)
-                text_.words(text_.count());
+                text_.skip(text_.count());
               if (dimension >= 2 && groups.size() > 1)
                 text_.refuse(std::string(dimension == 2 ? "surface " : "volume ") +
                              std::to_string(entity) +
@@ -124,26 +124,23 @@ namespace stiction
         for (std::uint64_t n = text_.count(); n > 0; --n)
           {
             const std::int64_t number = text_.integer();
-            mesh_.add_node(number, text_.words(3), text_);
+            mesh_.add_node(number, {text_.real(), text_.real(), text_.real()});
           }
       }
 
       void read_nodes_4()
       {
         std::uint64_t n_blocks = text_.count();
-        text_.words(3); // how many, smallest and largest number
+        text_.skip(3); // how many, smallest and largest number
         for (; n_blocks > 0; --n_blocks)
           {
             const std::uint64_t dimension = text_.count();
-            text_.word(); // the entity
+            text_.skip(1); // the entity
             const bool is_parametric = text_.count() != 0;
-            std::vector<std::int64_t> numbers;
-            for (std::uint64_t n = text_.count(); n > 0; --n)
-              numbers.push_back(text_.integer());
-            for (const std::int64_t number : numbers)
+            for (const std::int64_t number : text_.integers(text_.count()))
               {
-                mesh_.add_node(number, text_.words(3), text_);
-                text_.words(is_parametric ? dimension : 0);
+                mesh_.add_node(number, {text_.real(), text_.real(), text_.real()});
+                text_.skip(is_parametric ? dimension : 0);
               }
           }
       }
@@ -156,7 +153,7 @@ namespace stiction
             const std::int64_t type    = text_.integer();
             const std::uint64_t n_tags = text_.count();
             const std::int64_t group   = n_tags == 0 ? 0 : text_.integer();
-            text_.words(n_tags == 0 ? 0 : n_tags - 1);
+            text_.skip(n_tags == 0 ? 0 : n_tags - 1);
             read_element(type, group);
           }
       }
@@ -164,7 +161,7 @@ namespace stiction
       void read_elements_4()
       {
         std::uint64_t n_blocks = text_.count();
-        text_.words(3);
+        text_.skip(3);
         for (; n_blocks > 0; --n_blocks)
           {
             const std::uint64_t dimension = text_.count();
@@ -180,19 +177,19 @@ namespace stiction
 
       void read_element(const std::int64_t type, const std::int64_t group)
       {
-        mesh_.add_element(type, to_id(std::abs(group), text_),
-                          text_.words(element_kind(type, text_).first), text_);
+        mesh_.add_element(type, std::abs(group),
+                          text_.integers(mesh_.element_kind(type).first));
       }
 
-      MeshText &text_;
-      MeshForGridIn mesh_;
+      TextScanner &text_;
+      MeshBuilder mesh_;
       std::array<std::map<std::int64_t, std::int64_t>, 4> group_of_;
       bool has_format_ = false;
       bool is_4_       = false;
     };
   } // namespace
 
-  MeshData read_gmsh(MeshText &text)
+  MeshData read_gmsh(TextScanner &text)
   {
     return GmshReader(text).read();
   }

@@ -1,4 +1,4 @@
-#include "mesh_for_grid_in.h"
+#include "mesh_builder.h"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,14 @@ namespace stiction
   namespace
   {
     // VTK's legacy format, versions 2 to 5.1, data set UNSTRUCTURED_GRID. Of
-    // these GridIn reads version 3.0 alone, without fields, cells before faces.
+    // these deal.II's GridIn reads version 3.0 alone, without fields, cells
+    // before faces.
     class VtkReader
     {
     public:
-      explicit VtkReader(MeshText &text)
+      explicit VtkReader(TextScanner &text)
         : text_(text)
+        , mesh_(text)
       {
       }
 
@@ -26,7 +28,7 @@ namespace stiction
           if (!line.empty())
             read_section(line);
         make_elements();
-        return mesh_.read(text_);
+        return mesh_.finish();
       }
 
     private:
@@ -58,10 +60,8 @@ namespace stiction
         else if (name == "CELLS")
           read_cells(text_.to_count(header[1]), text_.to_count(header[2]));
         else if (name == "CELL_TYPES")
-          {
-            for (std::uint64_t n = text_.to_count(header[1]); n > 0; --n)
-              types_.push_back(text_.integer());
-          }
+          for (const std::int64_t type : text_.integers(text_.to_count(header[1])))
+            types_.push_back(type);
         else if (name == "CELL_DATA" || name == "POINT_DATA")
           {
             n_data_       = text_.to_count(header[1]);
@@ -111,7 +111,8 @@ namespace stiction
       void read_points(const std::uint64_t n)
       {
         for (std::uint64_t i = 0; i < n; ++i)
-          mesh_.add_node(static_cast<std::int64_t>(i), text_.words(3), text_);
+          mesh_.add_node(static_cast<std::int64_t>(i),
+                         {text_.real(), text_.real(), text_.real()});
       }
 
       // "CELLS n size" and rows "n_vertices v v ..."; from 5.1 on "CELLS n + 1
@@ -125,11 +126,11 @@ namespace stiction
               {
                 const std::uint64_t n_vertices =
                   i == 0 ? text_.to_count(first) : text_.count();
-                cells_.push_back(text_.words(n_vertices));
+                cells_.push_back(text_.integers(n_vertices));
               }
             return;
           }
-        text_.word(); // the type of the numbers
+        text_.skip(1); // the type of the numbers
         std::vector<std::uint64_t> offsets;
         for (std::uint64_t i = 0; i < n; ++i)
           {
@@ -141,9 +142,9 @@ namespace stiction
             offsets.back() != size)
           text_.refuse("'CONNECTIVITY' should stand here, with as many "
                        "numbers as the offsets say");
-        text_.word();
+        text_.skip(1);
         for (std::uint64_t i = 0; i + 1 < n; ++i)
-          cells_.push_back(text_.words(offsets[i + 1] - offsets[i]));
+          cells_.push_back(text_.integers(offsets[i + 1] - offsets[i]));
       }
 
       void read_array(const std::string &name, const std::uint64_t n)
@@ -153,13 +154,13 @@ namespace stiction
             ids_.clear();
             for (std::uint64_t i = 0; i < n; ++i)
               {
-                const double id = text_.to_real(text_.word());
+                const double id = text_.real();
                 // no integer has more digits; to_id() refuses what is left
                 ids_.push_back(static_cast<std::int64_t>(std::clamp(id, -1e15, 1e15)));
               }
           }
         else
-          text_.words(n);
+          text_.skip(n);
       }
 
       void make_elements()
@@ -179,9 +180,8 @@ namespace stiction
             // deal.II writes -1 for what has no number
             const std::int64_t id = ids_.empty() ? 0 : ids_[i];
             if (types.count(types_[i]) == 1 && !(types_[i] == 9 && id == -1))
-              mesh_.add_element(types.at(types_[i]), to_id(id == -1 ? 0 : id, text_),
-                                in_gmsh_order(cells_[i], {{24, 22, 20, 21, 23, 25, 26}}),
-                                text_);
+              mesh_.add_element(types.at(types_[i]), id == -1 ? 0 : id,
+                                in_gmsh_order(cells_[i], {{24, 22, 20, 21, 23, 25, 26}}));
             else if (types_[i] < 1 ||
                      (types_[i] > 4 && types_[i] != 9 && types_[i] != 21))
               text_.refuse("has cells of VTK's type " + std::to_string(types_[i]) +
@@ -190,16 +190,16 @@ namespace stiction
           }
       }
 
-      MeshText &text_;
-      MeshForGridIn mesh_;
-      std::vector<std::string> cells_; // their nodes
+      TextScanner &text_;
+      MeshBuilder mesh_;
+      std::vector<MeshBuilder::Nodes> cells_;
       std::vector<std::int64_t> types_, ids_;
       std::uint64_t n_data_ = 0;
       bool is_cell_data_    = false;
     };
   } // namespace
 
-  MeshData read_vtk(MeshText &text)
+  MeshData read_vtk(TextScanner &text)
   {
     return VtkReader(text).read();
   }

@@ -9,12 +9,7 @@ namespace stiction
   /// which: .msh (Gmsh, 2.2 or 4.1), .inp (Abaqus), .vtk (legacy VTK), all as
   /// text.
   ///
-  /// deal.II's GridIn reads nodes and elements. It gets them as a file of
-  /// Gmsh's version 2.2, in which it finds most of what is wrong; in a Release
-  /// build it does not survive damaged files of the others. Names, which it
-  /// drops, are read here.
-  ///
-  /// Vertices that no cell has are left out.
+  /// Nodes that are no corner of a cell are no vertices.
   ///
   /// @param location the beginning of a sentence about the file.
   ///

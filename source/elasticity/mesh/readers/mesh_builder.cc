@@ -1,0 +1,220 @@
+#include "mesh_builder.h"
+
+#include <stiction/base/utf8.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <limits>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  const std::pair<unsigned int, std::string> &MeshBuilder::element_kind(
+    const std::int64_t type) const
+  {
+    static const std::map<std::int64_t, std::pair<unsigned int, std::string>> kinds = {
+      {15, {1, ""}},
+      {1, {2, ""}},
+      {2, {3, "triangles"}},
+      {3, {4, "quadrilaterals"}},
+      {4, {4, "tetrahedra"}},
+      {5, {8, "hexahedra"}},
+      {6, {6, "wedges"}},
+      {7, {5, "pyramids"}},
+      // of second order
+      {8, {3, ""}},
+      {9, {6, "triangles"}},
+      {10, {9, "quadrilaterals"}},
+      {11, {10, "tetrahedra"}},
+      {12, {27, "hexahedra"}},
+      {13, {18, "wedges"}},
+      {14, {14, "pyramids"}},
+      {16, {8, "quadrilaterals"}},
+      {17, {20, "hexahedra"}},
+      {18, {15, "wedges"}},
+      {19, {13, "pyramids"}}};
+    const auto kind = kinds.find(type);
+    if (kind == kinds.end())
+      text_.refuse("has elements of Gmsh's type " + std::to_string(type) +
+                   ", must be hexahedra of first or second order, 'gmsh -order "
+                   "2' writes elements of second order");
+    return kind->second;
+  }
+
+  void MeshBuilder::add_node(const std::int64_t number, const Point<3> &point)
+  {
+    if (std::abs(number) > std::numeric_limits<int>::max())
+      text_.refuse("node " + std::to_string(number) +
+                   " has a number that is too large, must be below 2147483648");
+    if (!positions_.emplace(number, points_.size()).second)
+      text_.refuse("node " + std::to_string(number) + " stands twice, must stand once");
+    points_.push_back(point);
+  }
+
+  void MeshBuilder::add_element(const std::int64_t type, const std::int64_t id,
+                                const Nodes &nodes)
+  {
+    const unsigned int part = to_id(id);
+    std::vector<unsigned int> positions;
+    for (const std::int64_t node : nodes)
+      {
+        const auto found = positions_.find(node);
+        if (found == positions_.end())
+          text_.refuse("there is no node " + std::to_string(node));
+        positions.push_back(found->second);
+      }
+    const auto &[n_nodes, kind] = element_kind(type);
+    if (nodes.size() != n_nodes)
+      text_.refuse("an element has " + std::to_string(nodes.size()) +
+                   " nodes, must have " + std::to_string(n_nodes));
+
+    if (kind == "hexahedra")
+      {
+        mesh.cells.emplace_back();
+        mesh.cells.back().material_id = part;
+        for (const unsigned int v : GeometryInfo<3>::vertex_indices())
+          mesh.cells.back().vertices[GeometryInfo<3>::ucd_to_deal[v]] = positions[v];
+        add_inner_nodes(positions);
+      }
+    else if (kind == "quadrilaterals")
+      add_face(part, {positions.begin(), positions.begin() + 4});
+    else if (!kind.empty())
+      ++mesh.other_elements[kind];
+  }
+
+  void MeshBuilder::add_face(const unsigned int id,
+                             const std::vector<unsigned int> &vertices)
+  {
+    mesh.faces.boundary_quads.emplace_back();
+    mesh.faces.boundary_quads.back().boundary_id = id;
+    mesh.faces.boundary_quads.back().vertices    = vertices;
+  }
+
+  void MeshBuilder::add_inner_nodes(const std::vector<unsigned int> &nodes)
+  {
+    // what nodes 8 to 26 are inside of
+    static const std::array<std::string, 19> corners_of = {
+      {"01", "03", "04", "12", "15", "23", "26", "37", "45", "47", "56", "67", "0123",
+       "0145", "0347", "1256", "2367", "4567", "01234567"}};
+    for (unsigned int i = 8; i < nodes.size(); ++i)
+      {
+        std::vector<unsigned int> corners;
+        for (const char corner : corners_of[i - 8])
+          corners.push_back(nodes[corner - '0']);
+        std::sort(corners.begin(), corners.end());
+        if (inner_nodes_.emplace(corners, nodes[i]).first->second != nodes[i])
+          text_.refuse("a hexahedron has another node " + std::to_string(i + 1) +
+                       " than a neighbour inside of the same " +
+                       (corners.size() == 2 ? "edge" : "face") +
+                       ", neighbours must have the same nodes");
+      }
+  }
+
+  unsigned int MeshBuilder::to_id(const std::int64_t number) const
+  {
+    if (number < 0 || number > 999999999)
+      text_.refuse("'" + std::to_string(number) +
+                   "' is no number for a boundary or a material, must be from "
+                   "0 to 999999999");
+    return static_cast<unsigned int>(number);
+  }
+
+  void MeshBuilder::add_name(const std::string &name, const std::int64_t id,
+                             std::map<std::string, unsigned int> &names) const
+  {
+    const unsigned int part = to_id(id);
+    if (name.empty() || name.find_first_of(":|;#") != std::string::npos ||
+        Utilities::trim(name) != name ||
+        std::any_of(name.begin(), name.end(),
+                    [](const unsigned char c) { return std::iscntrl(c) != 0; }))
+      text_.refuse("'" + name +
+                   "' is no name that a parameter file could use, must be a "
+                   "word or words without ':', '|', ';' and '#'");
+    const std::size_t bad = first_byte_not_utf8(name);
+    if (bad != std::string::npos)
+      text_.refuse("byte " + std::to_string(bad + 1) + " of the name '" + name +
+                   "' is no UTF-8, names must be in UTF-8, 'iconv -f latin1 -t "
+                   "utf-8' makes that of a file in Latin-1");
+    if (name.find_first_not_of("0123456789") == std::string::npos &&
+        name != std::to_string(part))
+      text_.refuse("'" + name + "' is the name of number " + std::to_string(part) +
+                   ", must not be another number");
+    const unsigned int known = names.emplace(name, part).first->second;
+    if (known != part)
+      text_.refuse("'" + name + "' is the name of number " + std::to_string(known) +
+                   " already, must be that of one");
+  }
+
+  bool MeshBuilder::is_of_hexahedra() const
+  {
+    return !mesh.cells.empty() && mesh.other_elements.empty();
+  }
+
+  MeshData MeshBuilder::finish()
+  {
+    if (!is_of_hexahedra())
+      return mesh;
+    make_volumes_positive();
+
+    // Nodes that are no corner of a cell are no vertices.
+    std::vector<unsigned int> vertices(points_.size(), numbers::invalid_unsigned_int);
+    for (const CellData<3> &cell : mesh.cells)
+      for (const unsigned int node : cell.vertices)
+        vertices[node] = 0;
+    for (std::size_t node = 0; node < points_.size(); ++node)
+      if (vertices[node] == 0)
+        {
+          vertices[node] = mesh.vertices.size();
+          mesh.vertices.push_back(points_[node]);
+        }
+    const auto renumbered = [&](std::vector<unsigned int> nodes) {
+      for (unsigned int &node : nodes)
+        node = vertices[node];
+      return nodes;
+    };
+    for (CellData<3> &cell : mesh.cells)
+      cell.vertices = renumbered(cell.vertices);
+    for (CellData<2> &face : mesh.faces.boundary_quads)
+      face.vertices = renumbered(face.vertices);
+    for (const auto &[corners, node] : inner_nodes_)
+      mesh.inner_nodes.emplace(renumbered(corners), points_[node]);
+    return std::move(mesh);
+  }
+
+  void MeshBuilder::make_volumes_positive()
+  {
+    for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+      try
+        {
+          std::vector<CellData<3>> cell = {mesh.cells[i]};
+          GridTools::invert_cells_with_negative_measure(points_, cell);
+          mesh.cells[i] = cell.front();
+        }
+      catch (const ExceptionBase &)
+        {
+          text_.refuse("hexahedron " + std::to_string(i + 1) +
+                       " up to here is inverted or degenerate, its corners must "
+                       "make a hexahedron that is not folded");
+        }
+  }
+
+  MeshBuilder::Nodes in_gmsh_order(const MeshBuilder::Nodes &nodes,
+                                   const std::array<unsigned int, 7> &faces_and_centre)
+  {
+    if (nodes.size() != 20 && nodes.size() != 27)
+      return nodes;
+    std::vector<unsigned int> order = {0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
+                                       16, 9, 17, 10, 18, 19, 12, 15, 13, 14};
+    order.insert(order.end(), faces_and_centre.begin(), faces_and_centre.end());
+    MeshBuilder::Nodes ordered;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      ordered.push_back(nodes[order[i]]);
+    return ordered;
+  }
+} // namespace stiction

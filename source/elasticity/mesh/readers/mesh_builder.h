@@ -1,0 +1,96 @@
+#ifndef stiction_source_elasticity_mesh_readers_mesh_builder_h
+#define stiction_source_elasticity_mesh_readers_mesh_builder_h
+
+#include <stiction/base/text_scanner.h>
+#include <stiction/elasticity/mesh/readers/mesh_data.h>
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+namespace stiction
+{
+  /// Puts a mesh together from nodes and elements as a file numbers them.
+  /// Whatever it refuses, it does so with the line that the file is at.
+  class MeshBuilder
+  {
+  public:
+    using Nodes = std::vector<std::int64_t>; ///< numbers of nodes
+
+    explicit MeshBuilder(const TextScanner &text)
+      : text_(text)
+    {
+    }
+
+    /// How many nodes elements have of the type that Gmsh gives this number,
+    /// and what they are called, if they matter. Throws InputError if they are
+    /// not of first or second order.
+    const std::pair<unsigned int, std::string> &element_kind(std::int64_t type) const;
+
+    /// Throws InputError if there is a node of this number already.
+    void add_node(std::int64_t number, const dealii::Point<3> &point);
+
+    /// Of elements that are no use it notes how many there are.
+    ///
+    /// @param type as for element_kind().
+    /// @param id of the boundary or the material.
+    /// @param nodes in Gmsh's order.
+    ///
+    /// Throws InputError if the id is negative or absurd, if it does not have
+    /// as many nodes as its type or some that were not added, or if a
+    /// neighbour has another node inside of the same edge or face.
+    void add_element(std::int64_t type, std::int64_t id, const Nodes &nodes);
+
+    /// A face of a hexahedron, by its vertices in mesh.cells.
+    void add_face(unsigned int id, const std::vector<unsigned int> &vertices);
+
+    /// Gives a boundary or a material a name. Throws InputError if a parameter
+    /// file could not use the name or if it is that of another part already.
+    void add_name(const std::string &name, std::int64_t id,
+                  std::map<std::string, unsigned int> &names) const;
+
+    /// Whether there are hexahedra and nothing that is no use.
+    bool is_of_hexahedra() const;
+
+    /// The mesh, if it is of hexahedra with vertices, nodes inside and positive
+    /// volumes.
+    ///
+    /// Throws InputError if a hexahedron has no volume in any order of nodes.
+    MeshData finish();
+
+    /// Has no vertices and no nodes inside yet. Those of cells and faces are
+    /// nodes in the order of the file, from 0.
+    MeshData mesh;
+
+  private:
+    unsigned int to_id(std::int64_t number) const;
+
+    void add_inner_nodes(const std::vector<unsigned int> &nodes);
+
+    void make_volumes_positive();
+
+    const TextScanner &text_;
+    std::unordered_map<std::int64_t, unsigned int> positions_; // in points_
+    std::vector<dealii::Point<3>> points_;
+    // by the sorted corners of the edge, face or cell that they are inside of
+    std::map<std::vector<unsigned int>, unsigned int> inner_nodes_;
+  };
+
+  /// Nodes of a hexahedron of second order, which Abaqus and VTK number alike
+  /// but for those inside of faces and the cell, in the order of Gmsh. Any
+  /// other number of nodes is left as it is.
+  ///
+  /// @param faces_and_centre where Gmsh's nodes 20 to 26 are.
+  MeshBuilder::Nodes in_gmsh_order(const MeshBuilder::Nodes &nodes,
+                                   const std::array<unsigned int, 7> &faces_and_centre);
+
+  /// The readers of the formats.
+  MeshData read_gmsh(TextScanner &text);
+
+  MeshData read_abaqus(TextScanner &text);
+
+  MeshData read_vtk(TextScanner &text);
+} // namespace stiction
+
+#endif
