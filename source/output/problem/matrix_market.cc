@@ -1,10 +1,9 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/files.h>
+#include <stiction/base/text_scanner.h>
 #include <stiction/output/problem/matrix_market.h>
 #include <stiction/output/problem/problem_check.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -60,60 +59,32 @@ namespace stiction
 
     // ------------------------------------------------------------- reading
 
-    // The words of a file, each with its line.
-    class Words
+    // The words of a file of a matrix.
+    class Words : public TextScanner
     {
     public:
       explicit Words(const std::string &path)
-        : path_(path)
-        , in_(path, std::ios::binary)
+        : TextScanner(path, path, "%") // which the first line begins with, too
+        , path_(path)
       {
-        std::error_code error;
-        if (!in_ || fs::is_directory(path, error))
+        if (!is_readable())
           throw InputError(path + ": cannot be read, must be a file that "
                                   "exists and may be read.");
         read_banner();
       }
 
-      // Goes to the next word; false at the end of the file.
-      bool next()
-      {
-        for (;;)
-          {
-            position_ = text_.find_first_not_of(" \t\r\v\f", end_);
-            if (position_ != std::string::npos)
-              break;
-            end_ = 0;
-            do
-              {
-                ++line_;
-                if (!std::getline(in_, text_))
-                  {
-                    text_.clear();
-                    position_ = 0;
-                    return false;
-                  }
-                // a message that quotes it would end there
-                std::replace(text_.begin(), text_.end(), '\0', '?');
-              }
-            while (!text_.empty() && text_[0] == '%');
-          }
-        end_ = std::min(text_.find_first_of(" \t\r\v\f", position_), text_.size());
-        return true;
-      }
-
       void require_next(const std::string &what)
       {
-        if (!next())
-          throw InputError(place() + ": the file ends, must hold " + what + ".");
+        if (!next_word())
+          refuse_end(", must hold " + what);
       }
 
       // The word as a number.
       double number(const Allowed allowed) const
       {
         char *end          = nullptr;
-        const double value = std::strtod(text_.c_str() + position_, &end);
-        if (end != text_.c_str() + end_)
+        const double value = std::strtod(this_word().c_str(), &end);
+        if (*end != '\0')
           fail("must be a number");
         problem_check::require(value, allowed, [&]() { return place() + ": the entry"; });
         if (is_integer_ && value != std::floor(value))
@@ -125,9 +96,9 @@ namespace stiction
       Index integer(const Index least, const Index most, const char *what) const
       {
         char *end             = nullptr;
-        const long long value = std::strtoll(text_.c_str() + position_, &end,
+        const long long value = std::strtoll(this_word().c_str(), &end,
                                              10); // too large: the largest
-        if (end != text_.c_str() + end_ || value < least || value > most)
+        if (*end != '\0' || value < least || value > most)
           fail("must be " + std::string(what) + ", an integer from " +
                std::to_string(least) + " to " + std::to_string(most));
         return value;
@@ -136,62 +107,52 @@ namespace stiction
       [[noreturn]] void fail(const std::string &must) const
       {
         constexpr std::size_t at_most = 40;
-        std::string word              = text_.substr(position_, end_ - position_);
+        std::string word              = this_word();
         if (word.size() > at_most)
           word = word.substr(0, at_most) + "...";
-        throw InputError(place() + ": '" + word + "' is not allowed, " + must + ".");
+        refuse("'" + word + "' is not allowed, " + must);
       }
 
-      std::string place() const { return path_ + ", line " + std::to_string(line_); }
-
-      std::size_t line() const { return line_; }
+      [[noreturn]] void refuse_end(const std::string &rest) const
+      {
+        throw InputError(path_ + ", line " + std::to_string(line_number() + 1) +
+                         ": the file ends" + rest + ".");
+      }
 
       bool is_coordinate() const { return is_coordinate_; }
 
       bool is_symmetric() const { return is_symmetric_; }
 
     private:
-      static std::string lower_case(std::string text)
-      {
-        for (char &c : text)
-          c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        return text;
-      }
-
       void read_banner()
       {
-        const std::string banner = "%%matrixmarket";
+        const std::string banner = "%%MATRIXMARKET";
         const std::string rule =
           "must begin with '%%MatrixMarket matrix array real general', or "
           "with coordinate, integer, symmetric in place of the last three";
 
         // a binary file may be one long line
-        line_ = 1;
-        std::string begin(banner.size(), ' ');
-        if (!in_.read(&begin[0], static_cast<std::streamsize>(begin.size())) ||
-            lower_case(begin) != banner)
-          throw InputError(place() + ": is no Matrix Market file, " + rule + ".");
-        std::getline(in_, text_);
-        std::istringstream words(lower_case(text_));
+        std::ifstream in(path_);
+        std::string text(banner.size(), ' ');
+        if (!in.read(&text[0], static_cast<std::streamsize>(text.size())) ||
+            upper(text) != banner)
+          throw InputError(path_ + ", line 1: is no Matrix Market file, " + rule + ".");
+        std::getline(in, text);
+        std::istringstream words(upper(text));
         std::string object, format, field, symmetry, more;
         words >> object >> format >> field >> symmetry >> more;
-        is_coordinate_ = format == "coordinate";
-        is_integer_    = field == "integer";
-        is_symmetric_  = symmetry == "symmetric";
-        if (object != "matrix" || !(is_coordinate_ || format == "array") ||
-            !(is_integer_ || field == "real" || field == "double") ||
-            !(is_symmetric_ || symmetry == "general") || !more.empty())
-          throw InputError(place() + ": another kind of Matrix Market file, " + rule +
-                           ".");
-        text_.clear();
+        is_coordinate_ = format == "COORDINATE";
+        is_integer_    = field == "INTEGER";
+        is_symmetric_  = symmetry == "SYMMETRIC";
+        if (object != "MATRIX" || !(is_coordinate_ || format == "ARRAY") ||
+            !(is_integer_ || field == "REAL" || field == "DOUBLE") ||
+            !(is_symmetric_ || symmetry == "GENERAL") || !more.empty())
+          throw InputError(path_ + ", line 1: another kind of Matrix Market file, " +
+                           rule + ".");
       }
 
       const std::string path_;
-      std::ifstream in_;
       bool is_coordinate_ = false, is_integer_ = false, is_symmetric_ = false;
-      std::string text_;
-      std::size_t line_     = 0;
-      std::size_t position_ = 0, end_ = 0; // of the word in the line
     };
 
     // A matrix and where its diagonal stands in the file.
@@ -216,14 +177,13 @@ namespace stiction
       const bool is_Q        = n_rows == 0;
       if (is_Q ? rows != columns || rows % 3 != 0
                : rows != n_rows || columns != n_columns)
-        throw InputError(
-          words.place() + ": the matrix is " + size + ", must be " +
-          (is_Q ? std::string("square, of order 3, 6, 9, ...")
-                : std::to_string(n_rows) + " x " + std::to_string(n_columns)) +
-          ", " + meaning + ".");
+        words.refuse("the matrix is " + size + ", must be " +
+                     (is_Q ? std::string("square, of order 3, 6, 9, ...")
+                           : std::to_string(n_rows) + " x " + std::to_string(n_columns)) +
+                     ", " + meaning);
       if (words.is_symmetric() && rows != columns)
-        throw InputError(words.place() + ": the matrix is symmetric and " + size +
-                         ", must be square or general.");
+        words.refuse("the matrix is symmetric and " + size +
+                     ", must be square or general");
 
       const Index full = words.is_symmetric() ? rows * (rows + 1) / 2 : rows * columns;
       Index n_entries  = full;
@@ -241,9 +201,8 @@ namespace stiction
       std::error_code error;
       const auto n_bytes = static_cast<double>(fs::file_size(path, error));
       if (!error && 2. * static_cast<double>(n_entries) > n_bytes + 1.)
-        throw InputError(words.place() + ": the file is too short for " +
-                         std::to_string(n_entries) +
-                         " entries, must hold as many as are announced.");
+        words.refuse("the file is too short for " + std::to_string(n_entries) +
+                     " entries, must hold as many as are announced");
       if (is_Q)
         problem_check::require_memory(static_cast<double>(rows),
                                       words.place() + ": this");
@@ -256,10 +215,10 @@ namespace stiction
       for (Index k = 0; k < n_entries; ++k)
         {
           const auto require_next = [&]() {
-            if (!words.next())
-              throw InputError(words.place() + ": the file ends after " +
-                               std::to_string(k) + " of " + std::to_string(n_entries) +
-                               " entries, must hold all of them.");
+            if (!words.next_word())
+              words.refuse_end(" after " + std::to_string(k) + " of " +
+                               std::to_string(n_entries) +
+                               " entries, must hold all of them");
           };
           require_next();
           if (words.is_coordinate())
@@ -280,7 +239,7 @@ namespace stiction
           if (words.is_symmetric())
             file.matrix(j, i) = file.matrix(i, j);
           if (is_Q && i == j)
-            file.diagonal_lines[i] = words.line();
+            file.diagonal_lines[i] = words.line_number();
 
           if (!words.is_coordinate() && ++i == rows)
             {
@@ -288,7 +247,7 @@ namespace stiction
               i = words.is_symmetric() ? j : 0;
             }
         }
-      if (words.next())
+      if (words.next_word())
         words.fail("must be the end of the file after " + std::to_string(n_entries) +
                    " entries");
       return file;

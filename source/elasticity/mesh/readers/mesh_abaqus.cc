@@ -142,7 +142,7 @@ namespace stiction
 
       void read_node(const std::vector<std::string> &items)
       {
-        if (items.size() < 4 || std::count(items.begin(), items.begin() + 4, "") > 0)
+        if (items.size() < 4 || std::count(items.begin() + 1, items.begin() + 4, "") > 0)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
         mesh_.add_node(
