@@ -21,4 +21,12 @@ namespace stiction
       if (!one.empty())
         throw InputError(one);
   }
+
+  void do_on_first_rank(MPI_Comm communicator, const std::function<void()> &work)
+  {
+    throw_on_all_ranks(communicator, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        work();
+    });
+  }
 } // namespace stiction

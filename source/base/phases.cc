@@ -1,8 +1,6 @@
 #include <stiction/base/log.h>
 #include <stiction/base/phases.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <utility>
 
@@ -82,31 +80,26 @@ namespace stiction
     });
   }
 
-  nlohmann::json Phases::to_json() const
+  std::map<std::string, std::optional<double>> Phases::all_seconds() const
   {
     // those that no other one is around
     static const std::vector<std::string> outermost = {
       "reading",     "mesh",           "assembly",   "contact_solve",
       "certificate", "error_estimate", "yardsticks", "output"};
-    nlohmann::json section;
+    std::map<std::string, std::optional<double>> all(seconds_.begin(), seconds_.end());
     for (const char *phase :
          {"reading", "mesh", "assembly", "stiffness_setup", "dual_operator",
           "dual_iteration", "displacement_iteration", "contact_solve", "certificate",
           "error_estimate", "elastic_solve", "elastic_solve_iteration",
           "sparse_factorization", "dual_cholesky", "yardsticks", "output", "total"})
+      all.try_emplace(phase);
+    if (all["total"])
       {
-        const auto entry = seconds_.find(phase);
-        section[phase]   = entry == seconds_.end() ? nlohmann::json(nullptr)
-                                                   : nlohmann::json(entry->second);
-      }
-    if (!section["total"].is_null())
-      {
-        double other = section["total"].get<double>();
+        double other = *all["total"];
         for (const std::string &phase : outermost)
-          if (!section[phase].is_null())
-            other -= section[phase].get<double>();
-        section["other"] = other;
+          other -= all[phase].value_or(0.);
+        all["other"] = other;
       }
-    return section;
+    return all;
   }
 } // namespace stiction

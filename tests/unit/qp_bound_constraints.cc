@@ -129,7 +129,7 @@ namespace
                 x = random.vector(n).cwiseMax(0.);
               VectorXd gradient = problem.A * x - problem.b;
               const DenseOperator A(problem.A);
-              const ActiveSetStatistics statistics =
+              const SolverRun statistics =
                 Proportioning(A, half_lines, problem.norm, {gamma})
                   .solve(x, gradient, {VectorXd::Ones(n), 1.}, 1e-13, 10000);
               not_converged += !statistics.converged;

@@ -51,7 +51,7 @@ namespace
               VectorXd x        = VectorXd::Zero(n);
               x.tail(m)         = start * radii;
               VectorXd gradient = matrix * x - b;
-              const ActiveSetStatistics statistics =
+              const SolverRun statistics =
                 Proportioning(A, set, 1.)
                   .solve(x, gradient, {VectorXd::Ones(m), 1.}, tolerances[t], 5000);
               not_solved[t] += !statistics.converged;

@@ -92,8 +92,7 @@ namespace
         for (int repeat = 0; repeat < 2; ++repeat)
           {
             VectorXd x = start, r = matrix * x - b;
-            const ActiveSetStatistics statistics =
-              run.solver->solve(x, r, scaling, 1e-10, 5000);
+            const SolverRun statistics = run.solver->solve(x, r, scaling, 1e-10, 5000);
             not_converged += !statistics.converged;
             not_stopped += !(statistics.multiplications < 2500);
             distance.add((x - reference).norm());

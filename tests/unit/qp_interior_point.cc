@@ -53,7 +53,7 @@ int main()
             const auto run =
               InteriorPoint(Q).solve(x, gradient, bound, scaling, 1e-7, 100, silent);
             not_converged += run.converged ? 0 : 1;
-            most_steps = std::max(most_steps, run.steps);
+            most_steps = std::max(most_steps, run.interior_point_steps);
             error.add((x - solution).norm() / solution.norm());
             wrong_gradient.add((gradient - (Q * x - h)).norm() / ratio);
             VectorXd projected = x;
@@ -74,10 +74,10 @@ int main()
   const auto bound = SlipBound::given(0.1 * all);
   const auto one   = InteriorPoint(Q).solve(x, r, bound, scaling, 1e-12, 1, silent);
   print("After one step it does not claim success",
-        !one.converged && one.steps == 1 && one.residual > 1e-12);
+        !one.converged && one.interior_point_steps == 1 && one.residual > 1e-12);
   const auto exact = InteriorPoint(Q).solve(x, r, bound, scaling, 0., 1000, silent);
   print("It ends at rounding",
-        !exact.converged && exact.steps < 100 && exact.residual < 1e-9);
+        !exact.converged && exact.interior_point_steps < 100 && exact.residual < 1e-9);
   VectorXd nan = VectorXd::Constant(3 * m, NAN), rn = nan;
   print("A NaN ends it",
         !InteriorPoint(Q).solve(nan, rn, bound, scaling, 1e-12, 100, silent).converged);

@@ -89,9 +89,8 @@ namespace
         static_cast<DiscActiveSet::Variant>(variant));
     }
 
-    ActiveSetStatistics solve(const SymmetricOperator &op, VectorXd &x,
-                              VectorXd &gradient, const double tolerance,
-                              const unsigned int max_multiplications) const
+    SolverRun solve(const SymmetricOperator &op, VectorXd &x, VectorXd &gradient,
+                    const double tolerance, const unsigned int max_multiplications) const
     {
       const auto feasible = set();
       return solver(op, *feasible)
@@ -126,9 +125,9 @@ namespace
         for (unsigned int max = 0; max <= 60; ++max)
           {
             VectorXd x = problem.start, r = problem.A * x - problem.b;
-            const unsigned long counter          = A.n_multiplications();
-            const ActiveSetStatistics statistics = problem.solve(A, x, r, 1e-6, max);
-            const double now                     = energy(problem.A, problem.b, x);
+            const unsigned long counter = A.n_multiplications();
+            const SolverRun statistics  = problem.solve(A, x, r, 1e-6, max);
+            const double now            = energy(problem.A, problem.b, x);
             rise.add((now - before) / (1. + std::abs(first)));
             before = now;
 
@@ -186,9 +185,9 @@ namespace
         // ------------------------------------------------------ other units
         for (const unsigned int max : {1u, 3u, 10u, 40u})
           {
-            VectorXd x0                         = problem.start;
-            VectorXd r0                         = problem.A * x0 - problem.b;
-            const ActiveSetStatistics reference = problem.solve(A, x0, r0, 1e-6, max);
+            VectorXd x0               = problem.start;
+            VectorXd r0               = problem.A * x0 - problem.b;
+            const SolverRun reference = problem.solve(A, x0, r0, 1e-6, max);
 
             // lengths by `length`, forces by `force`
             for (const double length : {1., std::ldexp(1., 20)})
@@ -204,7 +203,7 @@ namespace
                   other.scaling.displacement *= length;
                   VectorXd x = other.start, r = other.A * x - other.b;
                   const DenseOperator B(other.A);
-                  const ActiveSetStatistics statistics = other.solve(B, x, r, 1e-6, max);
+                  const SolverRun statistics = other.solve(B, x, r, 1e-6, max);
                   ++compared;
                   other_bits += (x != force * x0 || r != length * r0 ||
                                  statistics.residual != reference.residual ||
@@ -230,7 +229,7 @@ namespace
     const Problem empty(method, 0, random);
     const DenseOperator A(empty.A);
     VectorXd x(0), r(0);
-    const ActiveSetStatistics statistics = empty.solve(A, x, r, 0., 10);
+    const SolverRun statistics = empty.solve(A, x, r, 0., 10);
     print("  an empty problem is solved by no product",
           statistics.converged && statistics.multiplications == 0 &&
             statistics.residual == 0.);

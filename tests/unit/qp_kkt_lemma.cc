@@ -116,7 +116,7 @@ namespace
         VectorXd x        = VectorXd::Zero(2 * m);
         x.tail(m)         = start * problem.radii;
         VectorXd gradient = problem.A * x - problem.b;
-        const ActiveSetStatistics statistics =
+        const SolverRun statistics =
           DiscActiveSet(A, discs, 1., variants[variant])
             .solve(x, gradient, {VectorXd::Ones(m), 1.}, 1e-9, 20000);
 

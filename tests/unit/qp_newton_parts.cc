@@ -140,7 +140,7 @@ int main()
         const auto stat =
           admm.solve(x, r, SlipBound::given(g), scaling, 1e-11, 3000, [](double) {});
         not_converged += stat.converged ? 0 : 1;
-        many_factors += stat.factorizations > 4 ? 1 : 0;
+        many_factors += stat.dense_factorizations > 4 ? 1 : 0;
         error.add((x - best).norm() / best.norm());
         wrong_gradient.add((r - (A * x - b)).norm());
       }

@@ -50,9 +50,9 @@ namespace
     Scaling scaling;
   };
 
-  ActiveSetStatistics solve(const Problem &problem, const ProportioningOptions &options,
-                            const NodalScaling *const nodal, const double tolerance,
-                            VectorXd &x, VectorXd &gradient)
+  SolverRun solve(const Problem &problem, const ProportioningOptions &options,
+                  const NodalScaling *const nodal, const double tolerance, VectorXd &x,
+                  VectorXd &gradient)
   {
     const DenseOperator A(problem.A);
     if (nodal == nullptr)
@@ -64,7 +64,7 @@ namespace
     const ScaledOperator DAD(A, *nodal);
     const HalfLinesTimesDiscs set(nodal->divide(problem.radii));
     VectorXd y = nodal->divide(x), Dr = nodal->times(gradient);
-    const ActiveSetStatistics statistics =
+    const SolverRun statistics =
       Proportioning(DAD, set, spectral_norm(DAD), options)
         .solve(y, Dr, nodal->scaled(problem.scaling), tolerance, 20000);
     x        = nodal->times(y);

@@ -94,9 +94,9 @@ namespace
   }
 
   // Forces by the layer under test, from a given start.
-  ActiveSetStatistics solve(const MatrixXd &matrix, const VectorXd &b,
-                            const unsigned int r, const VectorXd &g, VectorXd &forces,
-                            const ProportioningOptions &options = {})
+  SolverRun solve(const MatrixXd &matrix, const VectorXd &b, const unsigned int r,
+                  const VectorXd &g, VectorXd &forces,
+                  const ProportioningOptions &options = {})
   {
     const DenseOperator Q(matrix);
     const RotatedSquares squares(r, g);
@@ -104,7 +104,7 @@ namespace
     const HalfLinesTimesBoxes boxes(squares.half_widths(), 2 * r);
     VectorXd mu       = squares.lift(forces);
     VectorXd gradient = squares.pull_back(matrix * squares.to_forces(mu) - b);
-    const ActiveSetStatistics statistics =
+    const SolverRun statistics =
       Proportioning(A, boxes, spectral_norm(A), options)
         .solve(mu, gradient, {VectorXd::Ones(g.size()), 1.}, 1e-10, 20000);
     forces = squares.to_forces(mu);
@@ -192,7 +192,7 @@ namespace
           for (const bool warm : {false, true})
             {
               VectorXd x = warm ? reference : random.vector(3 * m, -3., 3.);
-              const ActiveSetStatistics statistics = solve(matrix, b, r, g, x, options);
+              const SolverRun statistics = solve(matrix, b, r, g, x, options);
               not_converged += !statistics.converged;
               distance.add((x - reference).norm());
               energy_above.add(energy(matrix, b, x) - energy(matrix, b, reference));

@@ -26,9 +26,8 @@ namespace
                                "Proportioning on discs",
                                "Proportioning on half-lines times discs"};
 
-  ActiveSetStatistics solve(const int method, const MatrixXd &matrix,
-                            const VectorXd &radii, const double tolerance, VectorXd &x,
-                            VectorXd &gradient)
+  SolverRun solve(const int method, const MatrixXd &matrix, const VectorXd &radii,
+                  const double tolerance, VectorXd &x, VectorXd &gradient)
   {
     const DenseOperator A(matrix);
     const Scaling scaling{VectorXd::Ones(radii.size()), 1.};
@@ -63,7 +62,7 @@ int main()
           for (const double tolerance : {1e-13, 0.})
             {
               VectorXd x = VectorXd::Zero(n), gradient = -b;
-              const ActiveSetStatistics statistics =
+              const SolverRun statistics =
                 solve(method, matrix, radii, tolerance, x, gradient);
               if (tolerance > 0.)
                 {

@@ -122,7 +122,7 @@ int main()
           VectorXd x      = best + random.vector(3 * m, -1e-10, 1e-10);
           r               = A * x - b;
           const auto stat = newton.solve(x, r, bound, scaling, 1e-6, 100, silent);
-          most_steps      = std::max(most_steps, stat.steps);
+          most_steps      = std::max(most_steps, stat.newton_steps);
           not_converged += stat.converged ? 0 : 1;
           error.add((x - best).norm() / best.norm());
         }
@@ -143,7 +143,7 @@ int main()
     const auto bound = SlipBound::given(VectorXd::Constant(m, 0.1));
     const auto stat  = newton.solve(x, r, bound, scaling, 1e-12, 1, silent);
     print("After one step it does not claim success",
-          !stat.converged && stat.steps == 1 && stat.residual > 1e-12);
+          !stat.converged && stat.newton_steps == 1 && stat.residual > 1e-12);
     VectorXd nan = VectorXd::Constant(3 * m, NAN), rn = nan;
     print("A NaN ends it",
           !newton.solve(nan, rn, bound, scaling, 1e-12, 100, silent).converged);

@@ -15,9 +15,8 @@ using namespace qp_tests;
 
 namespace
 {
-  ActiveSetStatistics solve(const int method, const MatrixXd &matrix,
-                            const VectorXd &radii, VectorXd &x, VectorXd &r,
-                            const unsigned int max = 5000)
+  SolverRun solve(const int method, const MatrixXd &matrix, const VectorXd &radii,
+                  VectorXd &x, VectorXd &r, const unsigned int max = 5000)
   {
     const DenseOperator A(matrix);
     const Discs discs(radii);
@@ -39,7 +38,7 @@ int main()
       VectorXd x          = VectorXd::Zero(2), b(2);
       b << 3., 4.;
       VectorXd r = -b;
-      const ActiveSetStatistics statistics =
+      const SolverRun statistics =
         solve(method, zero, VectorXd::Constant(1, 10.), x, r, 1);
       not_exact += !(statistics.converged && statistics.expansion_steps == 1 &&
                      (x - 2. * b).norm() < 1e-14);

@@ -26,6 +26,9 @@ namespace stiction
   /// For checks that only the owner of a cell can make: an exception on one
   /// rank alone would leave the others waiting for ever.
   void throw_on_all_ranks(MPI_Comm communicator, const std::function<void()> &work);
+
+  /// The same for work of the first rank alone, such as writing a file.
+  void do_on_first_rank(MPI_Comm communicator, const std::function<void()> &work);
 } // namespace stiction
 
 #endif

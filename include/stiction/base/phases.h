@@ -1,12 +1,11 @@
 #ifndef stiction_base_phases_h
 #define stiction_base_phases_h
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -53,11 +52,11 @@ namespace stiction
     /// Throws std::out_of_range if there was no such phase.
     double seconds(const std::string &phase) const { return seconds_.at(phase); }
 
-    /// The section "seconds" of summary.json: null for what did not happen.
+    /// The section "seconds" of summary.json: nothing for what did not happen.
     /// "contact_solve" has within it stiffness_setup, dual_operator and the
     /// iterations, "yardsticks" the elastic solves and factorisations; "other"
     /// is what of "total" belongs to no phase.
-    nlohmann::json to_json() const;
+    std::map<std::string, std::optional<double>> all_seconds() const;
 
   private:
     struct Running

@@ -79,37 +79,24 @@ namespace stiction
 
       void add(const std::string &name, const std::vector<int> &values)
       {
-        write_part(add_dataset(name, H5T_STD_I32LE, {values.size()}), 0, values);
+        add(name, H5T_STD_I32LE, H5T_NATIVE_INT, {values.size()}, values.data());
       }
 
-      void add(const std::string &name, const Eigen::VectorXd &values)
-      {
-        write_part(
-          add_dataset(name, H5T_IEEE_F64LE, {static_cast<hsize_t>(values.size())}), 0,
-          std::vector<double>(values.data(), values.data() + values.size()));
-      }
-
-      // Row by row.
+      // A list, or a table row by row.
       void add(const std::string &name, const Eigen::MatrixXd &values)
       {
-        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-          by_rows            = values;
-        const Handle dataset = add_dataset(
-          name, H5T_IEEE_F64LE,
-          {static_cast<hsize_t>(values.rows()), static_cast<hsize_t>(values.cols())});
-        checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                         by_rows.data()));
+        std::vector<hsize_t> size(1, values.rows());
+        if (values.cols() > 1)
+          size.push_back(values.cols());
+        const Eigen::MatrixXd rows_first = values.transpose();
+        add(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, size, rows_first.data());
       }
 
       void add(const std::string &name, const std::string &text)
       {
         const Handle type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
         checked(H5Tset_size(type, text.size() + 1));
-        const Handle space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
-        const Handle dataset(checked(H5Dcreate2(file_, name.c_str(), type, space,
-                                                H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
-                             H5Dclose);
-        checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
+        add(name, type, type, {}, text.c_str()); // a scalar
       }
 
       void write(std::ostream &out) const
@@ -121,6 +108,13 @@ namespace stiction
       }
 
     private:
+      void add(const std::string &name, const hid_t type, const hid_t memory_type,
+               const std::vector<hsize_t> &size, const void *entries)
+      {
+        checked(H5Dwrite(add_dataset(name, type, size), memory_type, H5S_ALL, H5S_ALL,
+                         H5P_DEFAULT, entries));
+      }
+
       static hid_t create(const std::size_t expected_size)
       {
         // room is made by so many bytes at a time: few times, little too much
@@ -230,7 +224,7 @@ namespace stiction
     image.add(group + "/spacedim", std::vector<int>{3});
     add_matrix(image, problem.Q);
     image.add_group(group + "/vectors");
-    image.add(group + "/vectors/q", Eigen::VectorXd(-interleaved(problem.h)));
+    image.add(group + "/vectors/q", -interleaved(problem.h));
     image.add(group + "/vectors/mu", is_coulomb
                                        ? problem.slip_bound.data()
                                        : Eigen::VectorXd(Eigen::VectorXd::Zero(n / 3)));

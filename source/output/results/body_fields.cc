@@ -9,10 +9,8 @@
 #include <stiction/output/results/vtu.h>
 #include <stiction/parameters/parameters.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -20,9 +18,7 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
-#include <system_error>
 
 namespace stiction
 {
@@ -32,60 +28,9 @@ namespace stiction
   {
     using Cell = DoFHandler<3>::active_cell_iterator;
 
-    // The rows of the fields in the patches: those of 'basic' first.
-    enum BodyRow : unsigned int
-    {
-      displacement_row       = 0,
-      stress_row             = 3,
-      von_mises_row          = 12,
-      n_basic_rows           = 13,
-      strain_row             = 13,
-      principal_row          = 22,
-      averaged_row           = 25,
-      averaged_von_mises_row = 34,
-      reaction_row           = 35,
-      material_row           = 38,
-      body_row               = 39,
-      n_all_rows             = 40
-    };
-
-    std::vector<Field> body_fields(const OutputParameters &parameters,
-                                   const bool has_indicator)
-    {
-      const Units units         = Units::named(parameters.units);
-      std::vector<Field> fields = {{"displacement", 3, units.length},
-                                   {"stress", 9, units.stress},
-                                   {"von_Mises_stress", 1, units.stress}};
-      if (parameters.has_all_fields())
-        fields.insert(fields.end(), {{"strain", 9, ""},
-                                     {"principal_stresses", 3, units.stress},
-                                     {"stress_averaged", 9, units.stress},
-                                     {"von_Mises_stress_averaged", 1, units.stress},
-                                     {"reaction", 3, units.force},
-                                     {"material_id", 1, ""},
-                                     {"body_id", 1, ""}});
-      if (has_indicator)
-        fields.push_back({"error_indicator", 1, ""});
-      return fields;
-    }
-
     double von_mises(const SymmetricTensor<2, 3> &stress)
     {
       return std::sqrt(1.5) * deviator(stress).norm();
-    }
-
-    LA::Vector with_ghosts(const Body &body)
-    {
-      return LA::Vector(body.locally_owned_dofs(), body.locally_relevant_dofs(),
-                        body.communicator());
-    }
-
-    LA::Vector with_ghosts(const Body &body, const LA::Vector &v)
-    {
-      LA::Vector copy = with_ghosts(body);
-      copy            = v;
-      copy.update_ghost_values();
-      return copy;
     }
 
     // Strains at the nodes of a cell. Derivatives along the edges of the
@@ -181,57 +126,32 @@ namespace stiction
     class BodyOutput : public FieldOutput<3>
     {
     public:
-      BodyOutput(const LinearElasticity &elasticity, const OutputParameters &parameters,
-                 const bool has_indicator)
-        : FieldOutput<3>(body_fields(parameters, has_indicator))
+      BodyOutput(const LinearElasticity &elasticity, const LA::Vector &u,
+                 const LA::Vector &reaction, const Vector<double> &error_indicators,
+                 const OutputParameters &parameters)
+        : FieldOutput<3>(elasticity.body())
         , elasticity_(elasticity)
-        , body_(elasticity.body())
+        , units_(Units::named(parameters.units))
+        , has_all_(parameters.has_all_fields())
         , first_dof_(make_first_dofs())
-        , at_nodes_(body_.mapping(), body_.dof_handler().get_fe(),
-                    QIterated<3>(QTrapezoid<1>(), body_.dof_handler().get_fe().degree),
-                    update_quadrature_points)
       {
+        add_more("body_id", 1); // 0, there is one body
+        const bool has_error     = error_indicators.size() > 0;
+        const unsigned int error = has_error ? add_field("error_indicator", 1) : 0;
+        const LA::Vector ghosted = with_ghosts(body_, u);
+        add_cells(ghosted);
+        if (has_all_)
+          {
+            add_averaged_stress(ghosted);
+            add_reaction(with_ghosts(body_, reaction));
+            add_constants(material_,
+                          [](const Cell &cell) { return cell->material_id(); });
+          }
+        if (has_error)
+          add_constants(error, [&](const Cell &cell) {
+            return error_indicators(cell->active_cell_index());
+          });
       }
-
-      void add_cells(const LA::Vector &u, const bool has_all_fields)
-      {
-        NodalStrains strains(body_, elasticity_.materials().have_mean_dilatation());
-        for (const auto &cell : body_.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned())
-            add_cell(cell, u, strains, has_all_fields);
-      }
-
-      // Of a nodal vector field.
-      void add_vector(const unsigned int row, const LA::Vector &v)
-      {
-        for_each_patch([&](const Cell &, const auto &dofs, Patch &patch) {
-          for (unsigned int p = 0; p < dofs.size(); ++p)
-            for (unsigned int c = 0; c < 3; ++c)
-              patch.data(row + c, p) = static_cast<float>(v(dofs[p] + c));
-        });
-      }
-
-      void add_ids()
-      {
-        for_each_patch([&](const Cell &cell, const auto &dofs, Patch &patch) {
-          for (unsigned int p = 0; p < dofs.size(); ++p)
-            {
-              patch.data(material_row, p) = static_cast<float>(cell->material_id());
-              patch.data(body_row, p)     = 0.f; // there is one body
-            }
-        });
-      }
-
-      void add_indicators(const Vector<double> &indicators)
-      {
-        for_each_patch([&](const Cell &cell, const auto &dofs, Patch &patch) {
-          for (unsigned int p = 0; p < dofs.size(); ++p)
-            patch.data(n_rows() - 1, p) =
-              static_cast<float>(indicators(cell->active_cell_index()));
-        });
-      }
-
-      void add_averaged_stress();
 
     private:
       // Of the nodes of a cell in the order of a table, their place among the
@@ -247,116 +167,130 @@ namespace stiction
         return first;
       }
 
-      void get_first_dofs(const Cell &cell, std::vector<types::global_dof_index> &of_cell,
-                          std::vector<types::global_dof_index> &of_nodes) const
+      // With 'Output/Fields = all' only.
+      unsigned int add_more(const std::string &name, const unsigned int n_components,
+                            const std::string &unit = "")
       {
-        of_cell.resize(3 * first_dof_.size());
-        of_nodes.resize(first_dof_.size());
-        cell->get_dof_indices(of_cell);
-        for (unsigned int p = 0; p < first_dof_.size(); ++p)
-          of_nodes[p] = of_cell[first_dof_[p]];
+        return has_all_ ? add_field(name, n_components, unit) : 0;
       }
 
       // Calls f(cell, first unknowns of its nodes, patch).
       template<typename Function>
       void for_each_patch(const Function &f)
       {
-        std::vector<types::global_dof_index> of_cell, of_nodes;
+        std::vector<types::global_dof_index> of_cell(3 * first_dof_.size()),
+          of_nodes(first_dof_.size());
         auto patch = patches_.begin();
         for (const auto &cell : body_.dof_handler().active_cell_iterators())
           if (cell->is_locally_owned())
             {
-              get_first_dofs(cell, of_cell, of_nodes);
+              cell->get_dof_indices(of_cell);
+              for (unsigned int p = 0; p < of_nodes.size(); ++p)
+                of_nodes[p] = of_cell[first_dof_[p]];
               f(cell, of_nodes, *patch++);
             }
       }
 
-      void add_cell(const Cell &cell, const LA::Vector &u, NodalStrains &nodal_strains,
-                    bool has_all_fields);
+      // With all that the displacement tells at a node of a cell alone.
+      void add_cells(const LA::Vector &u);
+
+      void add_averaged_stress(const LA::Vector &u);
+
+      void add_reaction(const LA::Vector &reaction)
+      {
+        for_each_patch([&](const Cell &, const auto &dofs, Patch &patch) {
+          for (unsigned int p = 0; p < dofs.size(); ++p)
+            for (unsigned int c = 0; c < 3; ++c)
+              set(patch, reaction_ + c, p, reaction(dofs[p] + c));
+        });
+      }
+
+      // What a cell has at all its nodes.
+      template<typename Function>
+      void add_constants(const unsigned int row, const Function &value)
+      {
+        for_each_patch([&](const Cell &cell, const auto &dofs, Patch &patch) {
+          for (unsigned int p = 0; p < dofs.size(); ++p)
+            set(patch, row, p, value(cell));
+        });
+      }
 
       const LinearElasticity &elasticity_;
-      const Body &body_;
+      const Units units_;
+      const bool has_all_;
       const std::vector<unsigned int> first_dof_;
-      FEValues<3> at_nodes_; // in the order of a table
-      std::vector<types::global_dof_index> of_cell_, of_nodes_;
-      std::vector<Point<3>> places_;
-      std::vector<Tensor<1, 3>> displacements_;
+
+      const unsigned int displacement_ = add_field("displacement", 3, units_.length),
+                         stress_       = add_field("stress", 9, units_.stress),
+                         von_mises_    = add_field("von_Mises_stress", 1, units_.stress),
+                         strain_       = add_more("strain", 9),
+                         principal_    = add_more("principal_stresses", 3, units_.stress),
+                         averaged_     = add_more("stress_averaged", 9, units_.stress),
+                         averaged_von_mises_ =
+                           add_more("von_Mises_stress_averaged", 1, units_.stress),
+                         reaction_ = add_more("reaction", 3, units_.force),
+                         material_ = add_more("material_id", 1);
     };
 
-    void set_tensor(Table<2, float> &data, const unsigned int row, const unsigned int p,
-                    const SymmetricTensor<2, 3> &t)
+    void BodyOutput::add_cells(const LA::Vector &u)
     {
-      for (unsigned int a = 0; a < 3; ++a)
-        for (unsigned int b = 0; b < 3; ++b)
-          data(row + 3 * a + b, p) = static_cast<float>(t[a][b]);
-    }
-
-    void BodyOutput::add_cell(const Cell &cell, const LA::Vector &u,
-                              NodalStrains &nodal_strains, const bool has_all_fields)
-    {
-      const FiniteElement<3> &fe  = body_.dof_handler().get_fe();
-      const unsigned int n_points = first_dof_.size();
+      const unsigned int degree = body_.dof_handler().get_fe().degree;
       // deal.II puts the points in between where straight edges have them
-      const bool has_places = fe.degree > 1;
+      const bool has_places = degree > 1;
+      for (const auto &cell : body_.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          add_patch(cell, has_places);
 
-      patches_.emplace_back();
-      Patch &patch               = patches_.back();
-      patch.n_subdivisions       = fe.degree;
-      patch.reference_cell       = ReferenceCells::Hexahedron;
-      patch.patch_index          = patches_.size() - 1;
-      patch.points_are_available = has_places;
-      patch.data.reinit(n_rows() + (has_places ? 3 : 0), n_points);
-      for (const unsigned int v : cell->vertex_indices())
-        patch.vertices[v] = cell->vertex(v);
+      FEValues<3> at_nodes(body_.mapping(), body_.dof_handler().get_fe(),
+                           QIterated<3>(QTrapezoid<1>(), degree), // as a table
+                           update_quadrature_points);
+      NodalStrains nodal_strains(body_, elasticity_.materials().have_mean_dilatation());
+      std::vector<Point<3>> places(first_dof_.size());
+      std::vector<Tensor<1, 3>> displacements(first_dof_.size());
+      for_each_patch([&](const Cell &cell, const auto &dofs, Patch &patch) {
+        if (has_places)
+          at_nodes.reinit(cell);
+        for (unsigned int p = 0; p < dofs.size(); ++p)
+          {
+            places[p] = has_places ? at_nodes.quadrature_point(p) : cell->vertex(p);
+            if (has_places)
+              set(patch, row_names_.size(), p, places[p]);
+            for (unsigned int c = 0; c < 3; ++c)
+              displacements[p][c] = u(dofs[p] + c);
+            set(patch, displacement_, p, displacements[p]);
+          }
 
-      if (has_places)
-        at_nodes_.reinit(cell);
-      get_first_dofs(cell, of_cell_, of_nodes_);
-      places_.resize(n_points);
-      displacements_.resize(n_points);
-      for (unsigned int p = 0; p < n_points; ++p)
-        {
-          places_[p] = has_places ? at_nodes_.quadrature_point(p) : cell->vertex(p);
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              displacements_[p][c] = u(of_nodes_[p] + c);
-              patch.data(displacement_row + c, p) =
-                static_cast<float>(displacements_[p][c]);
-              if (has_places)
-                patch.data(n_rows() + c, p) = static_cast<float>(places_[p][c]);
-            }
-        }
-
-      const Material &material = elasticity_.materials().of(cell->material_id());
-      const auto &strains      = nodal_strains(cell, places_, displacements_, u);
-      for (unsigned int p = 0; p < n_points; ++p)
-        {
-          const SymmetricTensor<2, 3> stress = material.stress(strains[p]);
-          set_tensor(patch.data, stress_row, p, stress);
-          patch.data(von_mises_row, p) = static_cast<float>(von_mises(stress));
-          if (!has_all_fields)
-            continue;
-          set_tensor(patch.data, strain_row, p, strains[p]);
-          const auto principal = eigenvalues(stress); // the largest first
-          for (unsigned int c = 0; c < 3; ++c)
-            patch.data(principal_row + c, p) = static_cast<float>(principal[c]);
-        }
+        const Material &material = elasticity_.materials().of(cell->material_id());
+        const auto &strains      = nodal_strains(cell, places, displacements, u);
+        for (unsigned int p = 0; p < dofs.size(); ++p)
+          {
+            const SymmetricTensor<2, 3> stress = material.stress(strains[p]);
+            set(patch, stress_, p, stress);
+            set(patch, von_mises_, p, von_mises(stress));
+            if (!has_all_)
+              continue;
+            set(patch, strain_, p, strains[p]);
+            const auto principal = eigenvalues(stress); // the largest first
+            for (unsigned int c = 0; c < 3; ++c)
+              set(patch, principal_ + c, p, principal[c]);
+          }
+      });
     }
 
     // At each node the mean of the stresses that the cells around it have
     // there, weighted by their volumes: of the cells of the same material, for
     // stress jumps where materials meet. Hanging nodes follow the others.
-    void BodyOutput::add_averaged_stress()
+    void BodyOutput::add_averaged_stress(const LA::Vector &u)
     {
       // six components of the stress and the volume
       std::array<LA::Vector, 3> sums;
       for (auto &sum : sums)
-        sum = with_ghosts(body_);
-      const auto stress_at = [&](const types::global_dof_index node) {
+        sum.reinit(u);
+      const auto mean_at = [&](const types::global_dof_index node, const double weight) {
         SymmetricTensor<2, 3> stress;
         for (unsigned int k = 0; k < 6; ++k)
           stress.access_raw_entry(k) = sums[k / 3](node + k % 3);
-        return stress;
+        return weight * stress / sums[2](node);
       };
 
       for (const auto material : body_.material_names().ids())
@@ -378,7 +312,7 @@ namespace stiction
                       const auto at =
                         SymmetricTensor<2, 3>::unrolled_to_component_indices(k);
                       sums[k / 3](dofs[p] + k % 3) +=
-                        volume * patch.data(stress_row + 3 * at[0] + at[1], p);
+                        volume * patch.data(stress_ + 3 * at[0] + at[1], p);
                     }
                   sums[2](dofs[p]) += volume;
                 }
@@ -395,15 +329,13 @@ namespace stiction
               {
                 SymmetricTensor<2, 3> stress;
                 if (!body_.is_hanging(dofs[p]))
-                  stress = stress_at(dofs[p]) / sums[2](dofs[p]);
+                  stress = mean_at(dofs[p], 1.);
                 else
                   for (const auto &master :
                        *body_.hanging_nodes().get_constraint_entries(dofs[p]))
-                    stress +=
-                      master.second * stress_at(master.first) / sums[2](master.first);
-                set_tensor(patch.data, averaged_row, p, stress);
-                patch.data(averaged_von_mises_row, p) =
-                  static_cast<float>(von_mises(stress));
+                    stress += mean_at(master.first, master.second);
+                set(patch, averaged_, p, stress);
+                set(patch, averaged_von_mises_, p, von_mises(stress));
               }
           });
         }
@@ -414,20 +346,7 @@ namespace stiction
                       const LA::Vector &reaction, const Vector<double> &error_indicators,
                       const OutputParameters &parameters)
   {
-    const Body &body     = elasticity.body();
-    const bool has_error = error_indicators.size() > 0;
-    const bool has_all   = parameters.has_all_fields();
-    BodyOutput out(elasticity, parameters, has_error);
-    out.add_cells(with_ghosts(body, u), has_all);
-    if (has_all)
-      {
-        out.add_averaged_stress();
-        out.add_vector(reaction_row, with_ghosts(body, reaction));
-        out.add_ids();
-      }
-    if (has_error)
-      out.add_indicators(error_indicators);
-    out.write(parameters.directory, "solution", body.communicator());
+    BodyOutput(elasticity, u, reaction, error_indicators, parameters)
+      .write(parameters.directory, "solution");
   }
-
 } // namespace stiction

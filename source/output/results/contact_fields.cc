@@ -5,7 +5,6 @@
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/vtu.h>
 #include <stiction/parameters/parameters.h>
@@ -17,7 +16,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -27,52 +25,18 @@ namespace stiction
 
   namespace
   {
-    // The rows of the fields in the patches.
-    enum ContactRow : unsigned int
-    {
-      pressure_row,
-      traction_row,
-      slip_row              = traction_row + 3,
-      gap_row               = slip_row + 3,
-      normal_status_row     = gap_row + 1,
-      tangential_status_row = normal_status_row + 1,
-      area_row              = tangential_status_row + 1,
-      slip_bound_row        = area_row + 1,
-      boundary_row          = slip_bound_row + 1,
-      moved_row             = boundary_row + 1,
-      normal_row            = moved_row + 3,
-      tangential_row        = normal_row + 3,
-      n_contact_rows        = tangential_row + 3
-    };
-
-    std::vector<Field> contact_fields(const Units &units)
-    {
-      return {{"pressure", 1, units.stress},
-              {"traction", 3, units.stress},
-              {"slip", 3, units.length},
-              {"gap", 1, units.length},
-              {"normal_status", 1, ""},
-              {"tangential_status", 1, ""},
-              {"area", 1, units.area},
-              {"slip_bound", 1, units.stress},
-              {"boundary", 1, ""},
-              {"displacement", 3, units.length},
-              {"normal", 3, ""},
-              {"tangential_traction", 3, units.stress}};
-    }
-
     // One patch a face.
     class ContactOutput : public FieldOutput<2>
     {
     public:
-      ContactOutput(const LinearElasticity &elasticity, const LA::Vector &u,
-                    const ContactSurface &surface, const Certificate &certificate,
+      ContactOutput(const Body &body, const LA::Vector &u, const ContactSurface &surface,
+                    const Certificate &certificate,
                     const std::vector<NodeStatus> &statuses, const Units &units)
-        : FieldOutput<2>(contact_fields(units))
-        , body_(elasticity.body())
+        : FieldOutput<2>(body)
         , surface_(surface)
         , certificate_(certificate)
         , statuses_(statuses)
+        , units_(units)
       {
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();
         // points of a patch are in the order of a table, unknowns first those
@@ -89,34 +53,24 @@ namespace stiction
                   face->at_boundary() && surface.is_contact_boundary(face->boundary_id()))
                 {
                   face->get_dof_indices(dofs);
-                  Patch patch;
-                  patch.n_subdivisions       = fe.degree;
-                  patch.reference_cell       = ReferenceCells::Quadrilateral;
-                  patch.patch_index          = patches_.size();
-                  patch.points_are_available = true; // it may be curved
-                  patch.data.reinit(n_contact_rows + 3, order.size());
                   places.reinit(cell, f);
-                  for (const unsigned int v : face->vertex_indices())
-                    patch.vertices[v] = face->vertex(v);
+                  Patch &patch = add_patch(face, true); // it may be curved
                   for (unsigned int p = 0; p < order.size(); ++p)
                     {
-                      const auto dof       = dofs[3 * order[p]];
-                      Values values        = values_at(dof);
-                      values[boundary_row] = face->boundary_id();
+                      const auto dof      = dofs[3 * order[p]];
+                      const Values values = values_at(dof);
+                      for (unsigned int k = 0; k < values.size(); ++k)
+                        set(patch, k, p, values[k]);
+                      set(patch, boundary_, p, face->boundary_id());
                       for (unsigned int c = 0; c < 3; ++c)
-                        values[moved_row + c] = u(dof + c);
-                      for (unsigned int k = 0; k < n_contact_rows; ++k)
-                        patch.data(k, p) = static_cast<float>(values[k]);
-                      for (unsigned int c = 0; c < 3; ++c)
-                        patch.data(n_contact_rows + c, p) =
-                          static_cast<float>(places.quadrature_point(p)[c]);
+                        set(patch, displacement_ + c, p, u(dof + c));
+                      set(patch, values.size(), p, places.quadrature_point(p));
                     }
-                  patches_.push_back(patch);
                 }
       }
 
     private:
-      using Values = std::array<double, n_contact_rows>;
+      using Values = std::vector<double>; // of all rows
 
       // At a node of the boundary, interpolated if it hangs; its status is
       // then that of the first node it follows.
@@ -124,30 +78,30 @@ namespace stiction
       {
         if (!body_.is_hanging(first_dof))
           return values_at_node(surface_.node_of(first_dof));
-        Values sum{};
+        Values sum(row_names_.size());
         const auto &masters = *body_.hanging_nodes().get_constraint_entries(first_dof);
         for (auto master = masters.rbegin(); master != masters.rend(); ++master)
           {
             const Values values = values_at_node(surface_.node_of(master->first));
-            for (unsigned int k = 0; k < n_contact_rows; ++k)
+            for (unsigned int k = 0; k < sum.size(); ++k)
               sum[k] += master->second * values[k];
-            for (const auto row : {normal_status_row, tangential_status_row})
+            for (const auto row : {normal_status_, tangential_status_})
               sum[row] = values[row];
           }
-        sum[area_row] = 0.; // it has none of its own
+        sum[area_] = 0.; // it has none of its own
         const double length =
-          std::hypot(sum[normal_row], sum[normal_row + 1], sum[normal_row + 2]);
+          std::hypot(sum[normal_], sum[normal_ + 1], sum[normal_ + 2]);
         for (unsigned int c = 0; c < 3 && length > 0.; ++c)
-          sum[normal_row + c] /= length;
+          sum[normal_ + c] /= length;
         return sum;
       }
 
       Values values_at_node(const Eigen::Index i) const
       {
-        Values values{};
+        Values values(row_names_.size());
         if (i < 0) // clamped or facing away: not a contact node
           {
-            values[normal_status_row] = values[tangential_status_row] = -1.;
+            values[normal_status_] = values[tangential_status_] = -1.;
             return values;
           }
         const Eigen::Index m    = surface_.n_nodes();
@@ -159,27 +113,41 @@ namespace stiction
         const Eigen::Vector3d slip_vector =
           node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
-        values[pressure_row]          = lambda(i) / node.area;
-        values[gap_row]               = r(i);
-        values[area_row]              = node.area;
-        values[slip_bound_row]        = certificate_.slip_bound()(i) / node.area;
-        values[normal_status_row]     = static_cast<double>(statuses_[i].normal);
-        values[tangential_status_row] = static_cast<double>(statuses_[i].tangential);
+        values[pressure_]          = lambda(i) / node.area;
+        values[gap_]               = r(i);
+        values[area_]              = node.area;
+        values[slip_bound_]        = certificate_.slip_bound()(i) / node.area;
+        values[normal_status_]     = static_cast<double>(statuses_[i].normal);
+        values[tangential_status_] = static_cast<double>(statuses_[i].tangential);
         for (unsigned int c = 0; c < 3; ++c)
           {
-            values[traction_row + c] = -force[c] / node.area;
-            values[slip_row + c]     = slip_vector[c];
-            values[normal_row + c]   = node.normal[c];
-            values[tangential_row + c] =
+            values[traction_ + c] = -force[c] / node.area;
+            values[slip_ + c]     = slip_vector[c];
+            values[normal_ + c]   = node.normal[c];
+            values[tangential_traction_ + c] =
               (lambda(i) * node.normal[c] - force[c]) / node.area;
           }
         return values;
       }
 
-      const Body &body_;
       const ContactSurface &surface_;
       const Certificate &certificate_;
       const std::vector<NodeStatus> &statuses_;
+      const Units units_;
+
+      const unsigned int pressure_          = add_field("pressure", 1, units_.stress),
+                         traction_          = add_field("traction", 3, units_.stress),
+                         slip_              = add_field("slip", 3, units_.length),
+                         gap_               = add_field("gap", 1, units_.length),
+                         normal_status_     = add_field("normal_status", 1),
+                         tangential_status_ = add_field("tangential_status", 1),
+                         area_              = add_field("area", 1, units_.area),
+                         slip_bound_        = add_field("slip_bound", 1, units_.stress),
+                         boundary_          = add_field("boundary", 1),
+                         displacement_      = add_field("displacement", 3, units_.length),
+                         normal_            = add_field("normal", 3),
+                         tangential_traction_ =
+                           add_field("tangential_traction", 3, units_.stress);
     };
   } // namespace
 
@@ -189,12 +157,8 @@ namespace stiction
                      const OutputParameters &parameters)
   {
     const Body &body = elasticity.body();
-    LA::Vector with_ghosts(body.locally_owned_dofs(), body.locally_relevant_dofs(),
-                           body.communicator());
-    with_ghosts = u;
-    with_ghosts.update_ghost_values();
-    ContactOutput out(elasticity, with_ghosts, surface, certificate, statuses,
-                      Units::named(parameters.units));
-    out.write(parameters.directory, "contact", body.communicator());
+    ContactOutput(body, with_ghosts(body, u), surface, certificate, statuses,
+                  Units::named(parameters.units))
+      .write(parameters.directory, "contact");
   }
 } // namespace stiction

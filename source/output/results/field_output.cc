@@ -5,79 +5,53 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-
-#include <utility>
+#include <deal.II/lac/la_parallel_vector.h>
 
 namespace stiction
 {
   using namespace dealii;
 
-  template<int dim>
-  FieldOutput<dim>::FieldOutput(std::vector<Field> fields)
-    : fields_(std::move(fields))
+  LA::Vector with_ghosts(const Body &body, const LA::Vector &v)
   {
+    LA::Vector copy(body.locally_owned_dofs(), body.locally_relevant_dofs(),
+                    body.communicator());
+    copy = v;
+    copy.update_ghost_values();
+    return copy;
   }
 
   template<int dim>
-  unsigned int FieldOutput<dim>::n_rows() const
+  unsigned int FieldOutput<dim>::add_field(const std::string &name,
+                                           const unsigned int n_components,
+                                           const std::string &unit)
   {
-    unsigned int n = 0;
-    for (const Field &field : fields_)
-      n += field.n_components;
-    return n;
+    const unsigned int first = row_names_.size();
+    row_names_.insert(row_names_.end(), n_components, name);
+    if (n_components > 1)
+      ranges_.emplace_back(first, first + n_components - 1, name,
+                           n_components == 3
+                             ? DataComponentInterpretation::component_is_part_of_vector
+                             : DataComponentInterpretation::component_is_part_of_tensor);
+    if (!unit.empty())
+      flags_.physical_units[name] = unit;
+    return first;
   }
 
   template<int dim>
-  std::vector<std::string> FieldOutput<dim>::get_dataset_names() const
+  void FieldOutput<dim>::write(const std::string &directory, const std::string &name)
   {
-    std::vector<std::string> names;
-    for (const Field &field : fields_)
-      names.insert(names.end(), field.n_components, field.name);
-    return names;
-  }
-
-  template<int dim>
-  std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                         DataComponentInterpretation::DataComponentInterpretation>>
-  FieldOutput<dim>::get_nonscalar_data_ranges() const
-  {
-    std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                           DataComponentInterpretation::DataComponentInterpretation>>
-      ranges;
-    unsigned int row = 0;
-    for (const Field &field : fields_)
-      {
-        if (field.n_components > 1)
-          ranges.emplace_back(
-            row, row + field.n_components - 1, field.name,
-            field.n_components == 3
-              ? DataComponentInterpretation::component_is_part_of_vector
-              : DataComponentInterpretation::component_is_part_of_tensor);
-        row += field.n_components;
-      }
-    return ranges;
-  }
-
-  template<int dim>
-  void FieldOutput<dim>::write(const std::string &directory, const std::string &name,
-                               MPI_Comm communicator)
-  {
-    DataOutBase::VtkFlags flags;
     // the default takes three times as long for a tenth less
-    flags.compression_level = DataOutBase::VtkFlags::best_speed;
-    for (const Field &field : fields_)
-      if (!field.unit.empty())
-        flags.physical_units[field.name] = field.unit;
-    this->set_flags(flags);
+    flags_.compression_level = DataOutBase::VtkFlags::best_speed;
+    this->set_flags(flags_);
 
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    const auto piece        = [&](const unsigned int r) {
+    const MPI_Comm communicator = body_.communicator();
+    const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);
+    const auto piece            = [&](const unsigned int r) {
       return name + "." + Utilities::int_to_string(r, 4) + ".vtu";
     };
     // readers complain of pieces that are empty
     std::vector<std::string> pieces;
-    const auto n_patches =
-      Utilities::MPI::all_gather(communicator, this->get_patches().size());
+    const auto n_patches = Utilities::MPI::all_gather(communicator, patches_.size());
     for (unsigned int r = 0; r < n_patches.size(); ++r)
       if (n_patches[r] > 0)
         pieces.push_back(piece(r));

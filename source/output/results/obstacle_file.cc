@@ -29,25 +29,20 @@ namespace stiction
 
   namespace
   {
-    // Polygons with the contact boundary that each belongs to.
-    struct ObstacleFaces
+    // A polygon with the contact boundary that it belongs to.
+    struct ObstacleFace
     {
-      std::vector<Point<3>> vertices;
-      std::vector<std::vector<std::size_t>> polygons;
-      std::vector<types::boundary_id> boundaries;
+      types::boundary_id boundary;
+      std::vector<Point<3>> corners;
 
-      template<typename Points>
-      void add(const Points &points, const types::boundary_id boundary)
+      template<typename Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
       {
-        polygons.emplace_back();
-        for (const Point<3> &p : points)
-          {
-            polygons.back().push_back(vertices.size());
-            vertices.push_back(p);
-          }
-        boundaries.push_back(boundary);
+        archive &boundary &corners;
       }
     };
+
+    using ObstacleFaces = std::vector<ObstacleFace>;
 
     // From a node of this boundary to the foundation; nothing where it is no
     // contact node of it.
@@ -82,53 +77,40 @@ namespace stiction
     // The faces of the contact boundaries with a foundation, moved to it; on
     // rank 0 those of all ranks. Corners that are no contact nodes are moved
     // like the others of their face. Collective.
-    void add_foundations(const Body &body, const ContactSurface &surface,
-                         const State &state, ObstacleFaces &faces)
+    ObstacleFaces foundations(const Body &body, const ContactSurface &surface,
+                              const State &state)
     {
-      using Quadrilateral = std::array<double, 13>; // boundary, corners
-      std::vector<Quadrilateral> mine;
+      ObstacleFaces mine;
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const auto &face : cell->face_iterators())
             {
-              if (!face->at_boundary() ||
-                  !surface.is_contact_boundary(face->boundary_id()) ||
-                  surface.boundary(face->boundary_id()).obstacle() != nullptr)
+              const types::boundary_id boundary = face->boundary_id();
+              if (!face->at_boundary() || !surface.is_contact_boundary(boundary) ||
+                  surface.boundary(boundary).obstacle() != nullptr)
                 continue;
               std::array<std::optional<Tensor<1, 3>>, 4> ways;
               Tensor<1, 3> mean;
               unsigned int n = 0;
               for (unsigned int v = 0; v < 4; ++v)
                 {
-                  ways[v] = way_to_foundation(body, surface, face->boundary_id(),
+                  ways[v] = way_to_foundation(body, surface, boundary,
                                               face->vertex_dof_index(v, 0));
                   mean += ways[v].value_or(Tensor<1, 3>());
                   n += ways[v] ? 1 : 0;
                 }
               if (n == 0)
                 continue;
-              Quadrilateral corners;
-              corners[0] = face->boundary_id();
-              // around the face
-              const std::array<unsigned int, 4> around = {{0, 1, 3, 2}};
-              for (unsigned int k = 0; k < 4; ++k)
-                {
-                  const unsigned int v = around[k];
-                  const Point<3> p =
-                    face->vertex(v) + ways[v].value_or(mean / n) +
-                    surface.obstacle_displacement(face->boundary_id(), state.distances);
-                  std::copy_n(p.begin_raw(), 3, &corners[1 + 3 * k]);
-                }
-              mine.push_back(corners);
+              mine.push_back({boundary, {}});
+              for (const unsigned int v : {0, 1, 3, 2}) // around the face
+                mine.back().corners.push_back(
+                  face->vertex(v) + ways[v].value_or(mean / n) +
+                  surface.obstacle_displacement(boundary, state.distances));
             }
+      ObstacleFaces all;
       for (const auto &theirs : Utilities::MPI::gather(body.communicator(), mine))
-        for (const Quadrilateral &corners : theirs)
-          {
-            std::array<Point<3>, 4> points;
-            for (unsigned int k = 0; k < 4; ++k)
-              std::copy_n(&corners[1 + 3 * k], 3, points[k].begin_raw());
-            faces.add(points, static_cast<types::boundary_id>(corners[0]));
-          }
+        all.insert(all.end(), theirs.begin(), theirs.end());
+      return all;
     }
 
     // The distance from an obstacle as it is, moved and with its initial gap.
@@ -227,10 +209,10 @@ namespace stiction
         std::max({box.side_length(0), box.side_length(1), box.side_length(2)}) / 40.;
       for (const auto &triangle : surface.triangles)
         {
-          std::array<Point<3>, 3> points;
-          for (unsigned int k = 0; k < 3; ++k)
-            points[k] = obstacle.nearest(surface.vertices[triangle[k]], reach);
-          faces.add(points, boundary);
+          faces.push_back({boundary, {}});
+          for (const auto vertex : triangle)
+            faces.back().corners.push_back(
+              obstacle.nearest(surface.vertices[vertex], reach));
         }
     }
 
@@ -241,9 +223,9 @@ namespace stiction
     {
       for (const auto &triangle : triangulated.triangles)
         {
-          std::array<Point<3>, 3> points;
-          for (unsigned int k = 0; k < 3; ++k)
-            points[k] = triangulated.vertices[triangle[k]];
+          std::vector<Point<3>> points;
+          for (const auto vertex : triangle)
+            points.push_back(triangulated.vertices[vertex]);
           Tensor<1, 3> normal =
             cross_product_3d(points[1] - points[0], points[2] - points[0]);
           normal /= normal.norm();
@@ -256,58 +238,58 @@ namespace stiction
             {
               continue; // no gap is defined there
             }
-          faces.add(points, boundary.id());
+          faces.push_back({boundary.id(), points});
         }
     }
 
     void write_faces(std::ostream &file, const ObstacleFaces &faces)
     {
       file.precision(9);
+      std::size_t n_points = 0;
+      for (const ObstacleFace &face : faces)
+        n_points += face.corners.size();
+      const auto write_array = [&](const std::string &attributes, const auto &write) {
+        file << "<DataArray " << attributes << " format=\"ascii\">\n";
+        for (const ObstacleFace &face : faces)
+          write(face);
+        file << "</DataArray>\n";
+      };
+
       file << "<?xml version=\"1.0\"?>\n"
            << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
               "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
-           << "<Piece NumberOfPoints=\"" << faces.vertices.size() << "\" NumberOfCells=\""
-           << faces.polygons.size() << "\">\n";
-      const auto begin = [&](const std::string &attributes) {
-        file << "<DataArray " << attributes << " format=\"ascii\">\n";
-      };
-      const std::string end = "</DataArray>\n";
-
-      file << "<Points>\n";
-      begin("type=\"Float64\" NumberOfComponents=\"3\"");
-      for (const Point<3> &p : faces.vertices)
-        file << p << '\n';
-      file << end << "</Points>\n<Cells>\n";
-      begin("type=\"Int64\" Name=\"connectivity\"");
-      for (const auto &polygon : faces.polygons)
-        for (std::size_t k = 0; k < polygon.size(); ++k)
-          file << polygon[k] << (k + 1 < polygon.size() ? ' ' : '\n');
-      file << end;
-      begin("type=\"Int64\" Name=\"offsets\"");
-      std::size_t offset = 0;
-      for (const auto &polygon : faces.polygons)
-        file << (offset += polygon.size()) << '\n';
-      file << end;
-      begin("type=\"UInt8\" Name=\"types\"");
-      for (const auto &polygon : faces.polygons)
-        file << (polygon.size() == 3 ? 5 : 9) << '\n';
-      file << end << "</Cells>\n<CellData Scalars=\"boundary\">\n";
-      begin("type=\"Int32\" Name=\"boundary\"");
-      for (const auto boundary : faces.boundaries)
-        file << boundary << '\n';
-      file << end << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+           << "<Piece NumberOfPoints=\"" << n_points << "\" NumberOfCells=\""
+           << faces.size() << "\">\n<Points>\n";
+      write_array("type=\"Float64\" NumberOfComponents=\"3\"",
+                  [&](const ObstacleFace &face) {
+                    for (const Point<3> &p : face.corners)
+                      file << p << '\n';
+                  });
+      file << "</Points>\n<Cells>\n";
+      std::size_t point = 0, offset = 0;
+      write_array("type=\"Int64\" Name=\"connectivity\"", [&](const ObstacleFace &face) {
+        for (std::size_t k = 0; k < face.corners.size(); ++k)
+          file << point++ << (k + 1 < face.corners.size() ? ' ' : '\n');
+      });
+      write_array("type=\"Int64\" Name=\"offsets\"", [&](const ObstacleFace &face) {
+        file << (offset += face.corners.size()) << '\n';
+      });
+      write_array("type=\"UInt8\" Name=\"types\"", [&](const ObstacleFace &face) {
+        file << (face.corners.size() == 3 ? 5 : 9) << '\n';
+      });
+      file << "</Cells>\n<CellData Scalars=\"boundary\">\n";
+      write_array("type=\"Int32\" Name=\"boundary\"",
+                  [&](const ObstacleFace &face) { file << face.boundary << '\n'; });
+      file << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     }
   } // namespace
 
   void write_obstacles(const std::string &directory, const LinearElasticity &elasticity,
                        const ContactSurface &surface, const State &state)
   {
-    const Body &body = elasticity.body();
-    ObstacleFaces faces;
-    add_foundations(body, surface, state, faces);
-    throw_on_all_ranks(body.communicator(), [&]() {
-      if (Utilities::MPI::this_mpi_process(body.communicator()) != 0)
-        return;
+    const Body &body    = elasticity.body();
+    ObstacleFaces faces = foundations(body, surface, state);
+    do_on_first_rank(body.communicator(), [&]() {
       for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
         {
           const ContactBoundary &boundary = surface.boundaries()[b];

@@ -5,10 +5,6 @@
 #include <stiction/output/results/output_directory.h>
 #include <stiction/parameters/parameters.h>
 
-#include <deal.II/base/config.h>
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
-
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -20,11 +16,6 @@ namespace stiction
 {
   namespace
   {
-    bool is_first(MPI_Comm communicator)
-    {
-      return dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    }
-
     // Whether a file is one that a run writes at its end, by its name.
     bool is_ours(const std::string &name)
     {
@@ -63,10 +54,9 @@ namespace stiction
 
   void require_writable_output(const Parameters &parameters, MPI_Comm communicator)
   {
-    throw_on_all_ranks(communicator, [&]() {
-      if (is_first(communicator))
-        for (const auto &[directory, entry] : directories(parameters))
-          require_writable(directory, entry);
+    do_on_first_rank(communicator, [&]() {
+      for (const auto &[directory, entry] : directories(parameters))
+        require_writable(directory, entry);
     });
   }
 
@@ -74,9 +64,7 @@ namespace stiction
                              MPI_Comm communicator)
   {
     const std::string &directory = parameters.output.directory;
-    throw_on_all_ranks(communicator, [&]() {
-      if (!is_first(communicator))
-        return;
+    do_on_first_rank(communicator, [&]() {
       for (const auto &[name, entry] : directories(parameters))
         {
           std::error_code error;
@@ -96,40 +84,21 @@ namespace stiction
   void write_history(const ConvergenceHistory &history, const std::string &directory,
                      MPI_Comm communicator)
   {
-    throw_on_all_ranks(communicator, [&]() {
-      if (is_first(communicator))
-        write_file(directory + "/convergence.csv",
-                   [&](std::ostream &out) { history.write(out); });
+    do_on_first_rank(communicator, [&]() {
+      write_file(directory + "/convergence.csv",
+                 [&](std::ostream &out) { history.write(out); });
     });
   }
 
   void write_summary(const nlohmann::json &summary, const std::string &directory,
                      MPI_Comm communicator)
   {
-    throw_on_all_ranks(communicator, [&]() {
-      if (is_first(communicator))
-        write_file(directory + "/summary.json", [&](std::ostream &out) {
-          // paths may have any bytes
-          out << summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-              << '\n';
-        });
+    do_on_first_rank(communicator, [&]() {
+      write_file(directory + "/summary.json", [&](std::ostream &out) {
+        // paths may have any bytes
+        out << summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+            << '\n';
+      });
     });
-  }
-
-  nlohmann::json program_to_json(MPI_Comm communicator)
-  {
-    return {{"name", "stiction"},
-            {"version", STICTION_VERSION},
-            {"dealii", DEAL_II_PACKAGE_VERSION},
-            {"build_type", STICTION_BUILD_TYPE},
-            {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator)}};
-  }
-
-  double peak_memory(MPI_Comm communicator)
-  {
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    return dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM) / 1024.,
-                                       communicator);
   }
 } // namespace stiction

@@ -31,15 +31,13 @@ namespace stiction
 
     const unsigned long cap =
       static_cast<unsigned long>(rule.max_iterations) * products_in_an_iteration;
-    const qp::ActiveSetStatistics run =
+    const qp::SolverRun run =
       solver.solve(x, gradient, scaling, rule.residual,
                    static_cast<unsigned int>(std::min<unsigned long>(cap, 2000000000)));
     if (run.multiplications > reported)
       report(run.multiplications, x, run.residual);
 
-    statistics.conjugate_gradient_steps += run.conjugate_gradient_steps;
-    statistics.expansion_steps += run.expansion_steps;
-    statistics.release_steps += run.release_steps;
+    statistics += run;
     result.residual  = run.residual;
     result.converged = run.converged;
     result.stagnated = !run.converged && run.multiplications < cap;

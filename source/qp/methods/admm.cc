@@ -26,16 +26,15 @@ namespace stiction
   {
     Eigen::VectorXd before = iterate.lambda;
     DualMethodResult result;
-    const qp::AdmmStatistics run =
+    const qp::SolverRun run =
       admm_.solve(iterate.lambda, iterate.gradient, slip_bound, scaling, rule.residual,
                   rule.max_iterations, [&](const double residual) {
                     result.change = relative_change(iterate.lambda, before);
                     before        = iterate.lambda;
                     observer({1, residual, result.change});
                   });
-    statistics_.admm_iterations += run.iterations;
-    statistics_.dense_factorizations += run.factorizations;
-    result.iterations = run.iterations;
+    statistics_ += run;
+    result.iterations = run.admm_iterations;
     result.residual   = run.residual;
     result.converged  = run.converged;
     return result;

@@ -116,11 +116,10 @@ namespace stiction
       [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {
         if (disc_newton_)
           {
-            const qp::NewtonStatistics steps = disc_newton_->solve(
+            const qp::SolverRun steps = disc_newton_->solve(
               lambda, gradient, qp::SlipBound::given(slip_bound), scaling, tolerance,
               max_newton_steps, [](unsigned int, double) {});
-            statistics_.newton_steps += steps.steps;
-            statistics_.krylov_iterations += steps.krylov_iterations;
+            statistics_ += steps;
             if (steps.converged)
               return;
             ++statistics_.fallbacks;
@@ -135,11 +134,9 @@ namespace stiction
       });
   }
 
-  void GaussSeidel::add(const qp::ActiveSetStatistics &inner)
+  void GaussSeidel::add(const qp::SolverRun &inner)
   {
-    statistics_.conjugate_gradient_steps += inner.conjugate_gradient_steps;
-    statistics_.expansion_steps += inner.expansion_steps;
-    statistics_.release_steps += inner.release_steps;
+    statistics_ += inner;
     inner_converged_ =
       inner.converged || inner.multiplications < max_inner_multiplications;
   }

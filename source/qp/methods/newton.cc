@@ -122,28 +122,27 @@ namespace stiction
 
   void Newton::run_newton(Run &run)
   {
-    const qp::NewtonStatistics statistics =
+    const qp::SolverRun steps =
       newton_.solve(run.iterate.lambda, run.iterate.gradient, run.slip_bound, run.scaling,
                     run.rule.residual,
                     std::min(max_steps_in_a_run_, run.iterations_left()), run.reporter());
-    statistics_.newton_steps += statistics.steps;
-    statistics_.krylov_iterations += statistics.krylov_iterations;
-    run.result.iterations += statistics.steps;
-    run.result.residual  = statistics.residual;
-    run.result.converged = statistics.converged;
+    statistics_ += steps;
+    run.result.iterations += steps.newton_steps;
+    run.result.residual  = steps.residual;
+    run.result.converged = steps.converged;
   }
 
   void Newton::run_interior_point(Run &run)
   {
-    const qp::InteriorPointStatistics statistics =
+    const qp::SolverRun steps =
       qp::InteriorPoint(*Q_.matrix())
         .solve(run.iterate.lambda, run.iterate.gradient, run.slip_bound, run.scaling,
                interior_point_reduction * run.rule.residual, run.iterations_left(),
                run.reporter());
-    statistics_.interior_point_steps += statistics.steps;
-    run.result.iterations += statistics.steps;
-    run.result.residual  = statistics.residual;
-    run.result.converged = statistics.residual <= run.rule.residual;
+    statistics_ += steps;
+    run.result.iterations += steps.interior_point_steps;
+    run.result.residual  = steps.residual;
+    run.result.converged = steps.residual <= run.rule.residual;
   }
 
   void Newton::fall_back(Run &run)

@@ -73,15 +73,13 @@ namespace stiction::qp
     observer_ = std::move(observer);
   }
 
-  ActiveSetStatistics ActiveSetMethod::solve(Eigen::VectorXd &x,
-                                             Eigen::VectorXd &gradient,
-                                             const Scaling &scaling,
-                                             const double tolerance,
-                                             const unsigned int max_multiplications)
+  SolverRun ActiveSetMethod::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                   const Scaling &scaling, const double tolerance,
+                                   const unsigned int max_multiplications)
   {
     eigen_assert(x.size() == A_.size() && gradient.size() == A_.size());
     const unsigned long multiplications_before = A_.n_multiplications();
-    ActiveSetStatistics statistics;
+    SolverRun statistics;
 
     x_        = x;
     gradient_ = gradient;

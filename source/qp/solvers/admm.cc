@@ -39,10 +39,10 @@ namespace stiction::qp
     ++n_factorizations_;
   }
 
-  AdmmStatistics Admm::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                             const SlipBound &slip_bound, const Scaling &scaling,
-                             const double tolerance, const unsigned int max_iterations,
-                             const Observer &observer)
+  SolverRun Admm::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                        const SlipBound &slip_bound, const Scaling &scaling,
+                        const double tolerance, const unsigned int max_iterations,
+                        const Observer &observer)
   {
     const unsigned int factorizations_before = n_factorizations_;
     const auto residual_of_x                 = [&]() {
@@ -55,7 +55,7 @@ namespace stiction::qp
       HalfLinesTimesDiscs(bound).project(v);
     };
 
-    AdmmStatistics statistics;
+    SolverRun statistics;
     if (n_factorizations_ == 0)
       factorize(first_factor);
 
@@ -89,7 +89,7 @@ namespace stiction::qp
             statistics.residual  = residual_of_x();
             statistics.converged = statistics.residual <= tolerance;
           }
-        if (statistics.converged || statistics.iterations >= max_iterations ||
+        if (statistics.converged || statistics.admm_iterations >= max_iterations ||
             !std::isfinite(statistics.residual))
           break;
 
@@ -102,7 +102,7 @@ namespace stiction::qp
         z                              = relaxed + u;
         project(z);
         u += relaxed - z;
-        ++statistics.iterations;
+        ++statistics.admm_iterations;
 
         statistics.residual = residual_of_x();
         observer(statistics.residual);
@@ -138,7 +138,7 @@ namespace stiction::qp
         gradient -= h;
         statistics.residual = residual_of_x();
       }
-    statistics.factorizations = n_factorizations_ - factorizations_before;
+    statistics.dense_factorizations = n_factorizations_ - factorizations_before;
     return statistics;
   }
 } // namespace stiction::qp

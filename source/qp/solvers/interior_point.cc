@@ -305,11 +305,12 @@ namespace stiction::qp
   {
   }
 
-  InteriorPointStatistics InteriorPoint::solve(
-    VectorXd &x, VectorXd &gradient, const SlipBound &slip_bound, const Scaling &scaling,
-    const double tolerance, const unsigned int max_steps, const Observer &observer) const
+  SolverRun InteriorPoint::solve(VectorXd &x, VectorXd &gradient,
+                                 const SlipBound &slip_bound, const Scaling &scaling,
+                                 const double tolerance, const unsigned int max_steps,
+                                 const Observer &observer) const
   {
-    InteriorPointStatistics statistics;
+    SolverRun statistics;
     statistics.residual       = natural_residual(x, gradient, slip_bound, scaling);
     double smallest           = std::numeric_limits<double>::infinity(); // of the path
     const auto keep_if_better = [&](const VectorXd &y, const VectorXd &Qy_h) {
@@ -324,18 +325,18 @@ namespace stiction::qp
 
     Path path(Q_, slip_bound, scaling, x, gradient);
     for (unsigned int idle = 0; statistics.residual > tolerance &&
-                                statistics.steps < max_steps &&
+                                statistics.interior_point_steps < max_steps &&
                                 idle < max_steps_without_progress;)
       {
         if (!path.step())
           break;
-        ++statistics.steps;
+        ++statistics.interior_point_steps;
         const double before = smallest;
         keep_if_better(path.point(), path.gradient());
         const VectorXd y = path.point_on_boundary();
         keep_if_better(y, path.gradient() + Q_ * (y - path.point()));
         idle = smallest < 0.9 * before ? 0 : idle + 1;
-        observer(statistics.steps, smallest);
+        observer(statistics.interior_point_steps, smallest);
       }
     statistics.converged = statistics.residual <= tolerance;
     return statistics;

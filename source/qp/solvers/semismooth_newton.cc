@@ -78,11 +78,10 @@ namespace stiction::qp
                  Q.size() == 2 * nodal_compliance_.size());
   }
 
-  NewtonStatistics SemismoothNewton::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                                           const SlipBound &slip_bound,
-                                           const Scaling &scaling, const double tolerance,
-                                           const unsigned int max_steps,
-                                           const Observer &observer)
+  SolverRun SemismoothNewton::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                    const SlipBound &slip_bound, const Scaling &scaling,
+                                    const double tolerance, const unsigned int max_steps,
+                                    const Observer &observer)
   {
     const auto residual_of_x = [&]() {
       return natural_residual(x, gradient, slip_bound, scaling);
@@ -103,7 +102,7 @@ namespace stiction::qp
       gradient += Qd;
     };
 
-    NewtonStatistics statistics;
+    SolverRun statistics;
     double reduction = first_reduction;
     std::deque<double> history;
     statistics.residual           = residual_of_x();
@@ -127,15 +126,15 @@ namespace stiction::qp
             statistics.stagnated = ++n_ends > max_ends;
             reduction /= 3.;
           }
-        if (statistics.steps >= max_steps || statistics.stagnated)
+        if (statistics.newton_steps >= max_steps || statistics.stagnated)
           break;
 
         const Eigen::VectorXd rho = c_ * nodal_compliance_.cwiseInverse();
         statistics.krylov_iterations += step(x, gradient, rho, slip_bound, reduction);
-        ++statistics.steps;
+        ++statistics.newton_steps;
 
         statistics.residual = residual_of_x();
-        observer(statistics.steps, statistics.residual);
+        observer(statistics.newton_steps, statistics.residual);
 
         if (!std::isfinite(statistics.residual))
           {
@@ -149,7 +148,6 @@ namespace stiction::qp
             history.back() > required_fall * history[history.size() - 1 - fall_horizon])
           {
             c_ /= 3.;
-            ++statistics.reductions;
             history.clear();
           }
 

@@ -1,8 +1,6 @@
 #ifndef stiction_output_results_convergence_history_h
 #define stiction_output_results_convergence_history_h
 
-#include <deal.II/base/table_handler.h>
-
 #include <ostream>
 #include <string>
 
@@ -42,9 +40,8 @@ namespace stiction
     const bool print_, has_meshes_;
     unsigned int mesh_ = 0;
     bool has_header_   = false; ///< on the screen, of this mesh
-    bool has_rows_     = false;
     const std::string step_name_;
-    dealii::TableHandler table_;
+    std::string rows_; ///< of convergence.csv
   };
 } // namespace stiction
 

@@ -31,12 +31,6 @@ namespace stiction
   /// Writes summary.json, the last file of a run. Collective.
   void write_summary(const nlohmann::json &summary, const std::string &directory,
                      MPI_Comm communicator);
-
-  /// The section "program" of summary.json. Collective.
-  nlohmann::json program_to_json(MPI_Comm communicator);
-
-  /// The largest memory of all ranks together so far, in MB. Collective.
-  double peak_memory(MPI_Comm communicator);
 } // namespace stiction
 
 #endif

@@ -4,6 +4,7 @@
 #include <stiction/qp/methods/dual_iterate.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
+#include <stiction/qp/solvers/solver_run.h>
 
 #include <Eigen/Core>
 
@@ -36,39 +37,10 @@ namespace stiction
     std::string reason;
   };
 
-  /// What a method did so far; the same list for every method, what does not
-  /// apply stays zero.
-  struct DualMethodStatistics
+  /// What a method did so far.
+  struct DualMethodStatistics : qp::IterationCounts
   {
-    unsigned int coulomb_iterations       = 0; ///< successive approximations
-    unsigned int gauss_seidel_iterations  = 0; ///< sweeps
-    unsigned int newton_steps             = 0;
-    unsigned int krylov_iterations        = 0; ///< in the Newton steps
-    unsigned int interior_point_steps     = 0;
-    unsigned int conjugate_gradient_steps = 0; ///< of active set methods
-    unsigned int expansion_steps          = 0; ///< the active set grew
-    unsigned int release_steps            = 0; ///< the active set shrank
-    unsigned int admm_iterations          = 0;
-    unsigned int dense_factorizations     = 0;  ///< Cholesky, order 3m
-    unsigned int fallbacks                = 0;  ///< to another method
-    double contraction                    = 0.; ///< of the last successive approximations
-
-    /// Adds what another method did that this one called.
-    DualMethodStatistics &operator+=(const DualMethodStatistics &other)
-    {
-      coulomb_iterations += other.coulomb_iterations;
-      gauss_seidel_iterations += other.gauss_seidel_iterations;
-      newton_steps += other.newton_steps;
-      krylov_iterations += other.krylov_iterations;
-      interior_point_steps += other.interior_point_steps;
-      conjugate_gradient_steps += other.conjugate_gradient_steps;
-      expansion_steps += other.expansion_steps;
-      release_steps += other.release_steps;
-      admm_iterations += other.admm_iterations;
-      dense_factorizations += other.dense_factorizations;
-      fallbacks += other.fallbacks;
-      return *this;
-    }
+    double contraction = 0.; ///< of the last successive approximations
   };
 
   /// A method for the contact problem in its dual form, the paper's (D): with

@@ -58,7 +58,7 @@ namespace stiction
     /// the other one.
     void half_sweep(DualIterate &iterate, DualBlock block, const Solver &solver);
 
-    void add(const qp::ActiveSetStatistics &inner);
+    void add(const qp::SolverRun &inner);
 
     const DualOperator &Q_;
     DualOperatorBlock normal_block_, tangential_block_;

@@ -1,6 +1,8 @@
 #ifndef stiction_qp_solvers_active_set_method_h
 #define stiction_qp_solvers_active_set_method_h
 
+#include <stiction/qp/solvers/solver_run.h>
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -10,17 +12,6 @@ namespace stiction::qp
   class FeasibleSet;
   class SymmetricOperator;
   struct Scaling;
-
-  /// What a run of an active set method did.
-  struct ActiveSetStatistics
-  {
-    unsigned int conjugate_gradient_steps = 0;
-    unsigned int expansion_steps          = 0;  ///< the active set grew
-    unsigned int release_steps            = 0;  ///< the active set shrank
-    unsigned int multiplications          = 0;  ///< products with the Hessian
-    double residual                       = 0.; ///< natural residual reached
-    bool converged                        = false;
-  };
 
   /// min ½ xᵀAx − xᵀb over a feasible set, by conjugate gradients on the nodes
   /// inside their set (the free ones) and two further kinds of steps: an
@@ -57,9 +48,8 @@ namespace stiction::qp
     /// @param x in: a feasible point; out: the solution, feasible. Length
     ///   A.size().
     /// @param gradient in: Ax − b at the given x; out: at the returned one.
-    ActiveSetStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                              const Scaling &scaling, double tolerance,
-                              unsigned int max_multiplications);
+    SolverRun solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient, const Scaling &scaling,
+                    double tolerance, unsigned int max_multiplications);
 
   protected:
     /// Called once by each solve(), before its first step.

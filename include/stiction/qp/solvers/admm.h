@@ -1,6 +1,8 @@
 #ifndef stiction_qp_solvers_admm_h
 #define stiction_qp_solvers_admm_h
 
+#include <stiction/qp/solvers/solver_run.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -11,15 +13,6 @@ namespace stiction::qp
   class SlipBound;
   class SymmetricOperator;
   struct Scaling;
-
-  /// What a run of the method did.
-  struct AdmmStatistics
-  {
-    unsigned int iterations     = 0;
-    unsigned int factorizations = 0;  ///< dense Cholesky
-    double residual             = 0.; ///< natural residual reached
-    bool converged              = false;
-  };
 
   /// Contact with friction by the alternating direction method of multipliers:
   /// x minimises ½ xᵀQx − xᵀh with a quadratic pull towards z, z is x moved to
@@ -49,10 +42,9 @@ namespace stiction::qp
     /// is feasible for its own slip bound.
     ///
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
-    AdmmStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                         const SlipBound &slip_bound, const Scaling &scaling,
-                         double tolerance, unsigned int max_iterations,
-                         const Observer &observer);
+    SolverRun solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                    const SlipBound &slip_bound, const Scaling &scaling, double tolerance,
+                    unsigned int max_iterations, const Observer &observer);
 
   private:
     /// Factorises Q + factor·D.

@@ -1,6 +1,8 @@
 #ifndef stiction_qp_solvers_interior_point_h
 #define stiction_qp_solvers_interior_point_h
 
+#include <stiction/qp/solvers/solver_run.h>
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -9,14 +11,6 @@ namespace stiction::qp
 {
   class SlipBound;
   struct Scaling;
-
-  /// What InteriorPoint::solve() found.
-  struct InteriorPointStatistics
-  {
-    unsigned int steps = 0;
-    double residual    = 0.; ///< natural residual reached
-    bool converged     = false;
-  };
 
   /// A primal-dual interior point method for contact with given or Coulomb
   /// friction, for operators that are known as a matrix.
@@ -47,10 +41,9 @@ namespace stiction::qp
     ///
     /// @param x entries (ν; t1; t2).
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
-    InteriorPointStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                                  const SlipBound &slip_bound, const Scaling &scaling,
-                                  double tolerance, unsigned int max_steps,
-                                  const Observer &observer) const;
+    SolverRun solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                    const SlipBound &slip_bound, const Scaling &scaling, double tolerance,
+                    unsigned int max_steps, const Observer &observer) const;
 
   private:
     class Path;

@@ -2,6 +2,7 @@
 #define stiction_qp_solvers_semismooth_newton_h
 
 #include <stiction/qp/solvers/nystrom_preconditioner.h>
+#include <stiction/qp/solvers/solver_run.h>
 
 #include <Eigen/Core>
 
@@ -12,17 +13,6 @@ namespace stiction::qp
   class SlipBound;
   class SymmetricOperator;
   struct Scaling;
-
-  /// What a run of the Newton method did.
-  struct NewtonStatistics
-  {
-    unsigned int steps             = 0;
-    unsigned int krylov_iterations = 0;
-    unsigned int reductions        = 0;  ///< of the number c
-    double residual                = 0.; ///< natural residual reached
-    bool converged                 = false;
-    bool stagnated                 = false; ///< no progress: fall back
-  };
 
   /// Contact with friction by an inexact semismooth Newton method on the dual
   /// problem, in the form of Alart and Curnier: with given friction the
@@ -66,10 +56,9 @@ namespace stiction::qp
     ///   the smallest residual seen if there is no progress, or x as it was if
     ///   none has a smaller one. Entries (ν; t1; t2) or (t1; t2).
     /// @param gradient in: Qx − h at the given x; out: at the returned one.
-    NewtonStatistics solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                           const SlipBound &slip_bound, const Scaling &scaling,
-                           double tolerance, unsigned int max_steps,
-                           const Observer &observer);
+    SolverRun solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                    const SlipBound &slip_bound, const Scaling &scaling, double tolerance,
+                    unsigned int max_steps, const Observer &observer);
 
     /// From now on linear systems are solved by LU factors instead of Krylov
     /// iterations: where Q is ill-conditioned.
