@@ -67,14 +67,12 @@ namespace stiction
       make_contact_surface();
       print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
       require_writable_output(parameters_, communicator_);
-      solve();
-      certify();
+      step(parameters_.boundary.time);
       while (refine_mesh())
         {
           assemble_system();
           make_contact_surface();
-          solve();
-          certify();
+          step(parameters_.boundary.time);
         }
       estimate_mesh();
       if (!status_.interrupted)
@@ -82,16 +80,24 @@ namespace stiction
       output_results();
       export_problem();
     }
-    summarize();
     report();
     return status_.converged;
+  }
+
+  void ContactProblem::step(const double time)
+  {
+    discretization_->set_time(parameters_, time);
+    solve();
+    certify();
   }
 
   void ContactProblem::solve()
   {
     const auto phase                    = phases_.scope("contact_solve");
     auto &[elasticity, surface, solver] = *discretization_;
-    solver = ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
+    if (!solver)
+      solver =
+        ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
     open_output();
     status_ = solver->solve(state_, [&](const ContactStep &step) { finish_step(step); });
   }

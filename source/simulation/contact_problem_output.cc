@@ -14,7 +14,7 @@
 #include <stiction/output/results/nodal_values.h>
 #include <stiction/output/results/output_directory.h>
 #include <stiction/output/results/report.h>
-#include <stiction/output/results/summary.h>
+#include <stiction/output/results/run_result.h>
 #include <stiction/output/results/vtu.h>
 #include <stiction/parameters/parameters.h>
 #include <stiction/qp/advice.h>
@@ -24,7 +24,6 @@
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/contact_problem.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <nlohmann/json.hpp>
@@ -76,9 +75,7 @@ namespace stiction
     if (directory.empty())
       return;
     const auto phase = phases_.scope("output");
-    throw_on_all_ranks(communicator_, [&]() {
-      if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
-        return;
+    do_on_first_rank(communicator_, [&]() {
       const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
       problem.Q = *Q.matrix();
@@ -96,46 +93,8 @@ namespace stiction
     });
   }
 
-  void ContactProblem::summarize()
-  {
-    const bool measured            = elastic_solve_iterations_ > 0;
-    const Certificate &certificate = *certificate_;
-
-    summary_ =
-      std::make_unique<json>(head_of_summary(status_, parameters_, communicator_));
-    json &summary      = *summary_;
-    summary["problem"] = {{"cells", body_->triangulation().n_global_active_cells()},
-                          {"nodes", body_->n_nodes()},
-                          {"dofs", body_->dof_handler().n_dofs()},
-                          {"contact_nodes", discretization_->surface->n_nodes()},
-                          {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
-                          {"boundaries", boundaries_to_json(body_->boundary_names())}};
-    summary["solver"]  = discretization_->solver->to_json();
-    summary["solver"].update(json(
-      {{"law", parameters_.friction.name()},
-       {"tolerance", parameters_.contact_solver.tolerance},
-       {"elastic_solve_iterations",
-        measured ? json(elastic_solve_iterations_) : json(nullptr)},
-       {"elastic_solve_equivalents", measured ? json(phases_.seconds("contact_solve") /
-                                                     phases_.seconds("elastic_solve"))
-                                              : json(nullptr)}}));
-    summary["certificate"] = certificate_to_json(certificate);
-    summary["contact"] =
-      contact_to_json(*discretization_->surface, state_, certificate, node_statuses());
-    summary["reactions"] = reactions_to_json(*reactions_, body_->boundary_names());
-    summary["displacement"] =
-      displacement_to_json(*discretization_->elasticity, state_.u);
-    summary["energy"]     = energy_to_json(*discretization_->surface, certificate);
-    summary["mesh_error"] = mesh_error_to_json(mesh_error_, certificate.strain_energy());
-    summary["warnings"]   = warnings();
-    if (refinement_)
-      summary["refinement"] = refinement_->to_json();
-    summary["seconds"]        = phases_.to_json();
-    summary["peak_memory_MB"] = peak_memory(communicator_);
-    write_summary(summary, parameters_.output.directory, communicator_);
-  }
-
-  std::vector<std::string> ContactProblem::warnings() const
+  std::vector<std::string> ContactProblem::warnings(
+    const double largest_displacement) const
   {
     std::vector<std::string> warnings;
     if (parameters_.has_locking())
@@ -151,7 +110,7 @@ namespace stiction
     const double depth = status_.converged
                            ? discretization_->surface->penetration_of_facing_away(state_)
                            : 0.;
-    if (depth > 1e-6 * (*summary_)["displacement"]["max"].get<double>())
+    if (depth > 1e-6 * largest_displacement)
       warnings.push_back(
         "a node that faces away from its obstacle came " +
         with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
@@ -160,17 +119,44 @@ namespace stiction
     return warnings;
   }
 
-  void ContactProblem::report() const
+  RunResult ContactProblem::result() const
   {
+    const ContactSurface &surface          = *discretization_->surface;
+    const std::vector<NodeStatus> statuses = node_statuses();
+    RunResult result =
+      result_of(status_, *certificate_, statuses, parameters_, phases_, communicator_);
+    discretization_->solver->add_to(result);
+    result.solver.law                      = parameters_.friction.name();
+    result.solver.elastic_solve_iterations = elastic_solve_iterations_;
+    if (elastic_solve_iterations_ > 0)
+      result.solver.elastic_solve_equivalents =
+        phases_.seconds("contact_solve") / phases_.seconds("elastic_solve");
+    add_body(result, *body_, surface, state_, *certificate_, statuses, *reactions_,
+             mesh_error_);
+    result.warnings = warnings(result.displacement.max);
+    return result;
+  }
+
+  void ContactProblem::report()
+  {
+    const RunResult result = this->result();
+    summary_      = std::make_unique<json>(to_json(result, parameters_, communicator_));
+    json &summary = *summary_;
+    summary["problem"]     = {{"cells", body_->triangulation().n_global_active_cells()},
+                              {"nodes", body_->n_nodes()},
+                              {"dofs", body_->dof_handler().n_dofs()},
+                              {"contact_nodes", discretization_->surface->n_nodes()},
+                              {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
+                              {"boundaries", json::array()}};
+    const MeshNames &names = body_->boundary_names();
+    for (const auto id : names.ids())
+      summary["problem"]["boundaries"].push_back({{"id", id}, {"name", names.name(id)}});
+    if (refinement_)
+      summary["refinement"] = refinement_->to_json();
     const std::string &directory = parameters_.output.directory;
-    print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
-                 explain(status_, *certificate_, parameters_.contact_solver.tolerance),
-                 parameters_.performance.print_timing);
-    const std::string mesh = describe_mesh_error((*summary_)["mesh_error"], parameters_);
-    if (!mesh.empty())
-      log_->line(mesh);
-    for (const auto &warning : (*summary_)["warnings"])
-      log_->line("WARNING: " + warning.get<std::string>());
+    write_summary(summary, directory, communicator_);
+
+    print_report(*log_, result, parameters_);
     log_->line("Open " +
                (parameters_.output.write_solution ? directory + "/solution.pvtu and "
                                                   : std::string()) +

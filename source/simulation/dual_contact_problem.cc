@@ -8,15 +8,13 @@
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/output_directory.h>
 #include <stiction/output/results/report.h>
-#include <stiction/output/results/summary.h>
+#include <stiction/output/results/run_result.h>
 #include <stiction/parameters/parameters.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/qp/verifier.h>
 #include <stiction/simulation/dual_contact_problem.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <nlohmann/json.hpp>
 
@@ -82,7 +80,6 @@ namespace stiction
       solve_contact();
       output_results();
     }
-    summarize();
     report();
     return status_.converged;
   }
@@ -140,9 +137,7 @@ namespace stiction
     const std::string &directory = parameters_.output.directory;
     write_history(*history_, directory, communicator_);
     const std::vector<NodeStatus> statuses = node_statuses();
-    throw_on_all_ranks(communicator_, [&]() {
-      if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
-        return;
+    do_on_first_rank(communicator_, [&]() {
       write_file(directory + "/forces.csv", [&](std::ostream &out) {
         const Eigen::Index m = Q_->n_nodes();
         const auto &lambda   = conditions_->lambda();
@@ -167,43 +162,36 @@ namespace stiction
     });
   }
 
-  void DualContactProblem::summarize()
+  void DualContactProblem::report()
   {
-    const Eigen::Index m = Q_->n_nodes();
-    summary_             = std::make_unique<nlohmann::json>(
-      head_of_summary(status_, parameters_, communicator_));
-    auto &summary      = *summary_;
-    summary["problem"] = {{"file", path_},
-                          {"contact_nodes", m},
-                          {"dual_unknowns", 3 * m},
-                          {"asymmetry", problem_.asymmetry}};
-    summary["solver"] =
-      solver_to_json(parameters_.contact_solver, problem_.slip_bound, *method_, *Q_);
-    summary["solver"]["tolerance"]     = parameters_.contact_solver.tolerance;
-    summary["certificate"]             = certificate_to_json(*conditions_);
-    summary["certificate"]["has_body"] = false;
-    summary["contact"]                 = counts_to_json(node_statuses());
-    summary["contact"]["normal_force"] = lambda_.head(m).sum();
-    summary["seconds"]                 = phases_.to_json();
-    summary["peak_memory_MB"]          = peak_memory(communicator_);
-    write_summary(summary, parameters_.output.directory, communicator_);
-  }
-
-  void DualContactProblem::report() const
-  {
-    print_report(*log_, *summary_, parameters_.contact_solver.tolerance,
-                 explain(status_, *conditions_, parameters_.contact_solver.tolerance),
-                 parameters_.performance.print_timing);
-    const std::string friction =
-      warning_on_friction(problem_.slip_bound.largest_coefficient());
-    if (status_.converged && !friction.empty())
-      log_->line("WARNING: " + friction);
+    const qp::SlipBound &bound = problem_.slip_bound;
+    RunResult result = result_of(status_, *conditions_, node_statuses(), parameters_,
+                                 phases_, communicator_);
+    add_method(result.solver, *method_, *Q_);
+    result.solver.law          = bound.is_mixed()               ? "mixed"
+                                 : bound.is_coulomb()           ? "coulomb"
+                                 : !bound.constant().isZero(0.) ? "given"
+                                                                : "frictionless";
+    const std::string friction = warning_on_friction(bound.largest_coefficient());
+    if (result.converged && !friction.empty())
+      result.warnings.push_back(friction);
     if (problem_.asymmetry > problem_check::symmetry)
-      log_->line(format("WARNING: Q is the symmetric part of that of the file, "
-                        "where entries across the diagonal differ by up to "
-                        "%.2g of it; of the problem of the file itself the "
-                        "certificate says nothing.",
-                        problem_.asymmetry));
+      result.warnings.push_back(
+        format("Q is the symmetric part of that of the file, "
+               "where entries across the diagonal differ by up to "
+               "%.2g of it; of the problem of the file itself the "
+               "certificate says nothing.",
+               problem_.asymmetry));
+
+    summary_ =
+      std::make_unique<nlohmann::json>(to_json(result, parameters_, communicator_));
+    (*summary_)["problem"] = {{"file", path_},
+                              {"contact_nodes", Q_->n_nodes()},
+                              {"dual_unknowns", 3 * Q_->n_nodes()},
+                              {"asymmetry", problem_.asymmetry}};
+    write_summary(*summary_, parameters_.output.directory, communicator_);
+
+    print_report(*log_, result, parameters_);
     log_->line("There was no body to judge: the certificate is that of the "
                "contact conditions with Q and h as they are.");
     log_->line("The contact forces are in " + parameters_.output.directory +

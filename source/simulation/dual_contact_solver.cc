@@ -8,14 +8,13 @@
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
-#include <stiction/output/results/summary.h>
+#include <stiction/output/results/run_result.h>
 #include <stiction/parameters/parameters.h>
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/simulation/dual_contact_solver.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
+#include <limits>
 
 namespace stiction
 {
@@ -73,6 +72,13 @@ namespace stiction
                                  setting_.surface, *stiffness_solver_);
   }
 
+  void DualContactSolver::update()
+  {
+    Q_->set_right_hand_side(SchurComplement::right_hand_side_of(
+      setting_.elasticity, setting_.surface, *stiffness_solver_));
+    method_.reset(); // it may know h, and whether there is Coulomb's law
+  }
+
   SolveStatus DualContactSolver::solve(State &state, const Observer &observer)
   {
     const auto phase = setting_.phases.scope("dual_iteration");
@@ -116,20 +122,21 @@ namespace stiction
     const ObstacleMotion &motion          = surface.motion();
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
 
-    const Eigen::VectorXd ways =
-      ways_to_press(motion, surface.gaps(), surface.areas(),
-                    surface.stiffness().youngs_moduli.maxCoeff());
     const Eigen::MatrixXd pressures = uniform_pressures(motion, surface.areas());
     Eigen::VectorXd lambda =
       state.lambda.size() > 0 ? state.lambda : Eigen::VectorXd(pressures.rowwise().sum());
-    Eigen::VectorXd place   = state.distances.size() > 0 ? state.distances : ways;
-    Eigen::VectorXd weights = best_spring_compliance(chosen) *
-                              (yielding(pressures) + ways).cwiseQuotient(motion.forces());
+    Eigen::VectorXd place =
+      state.distances.size() > 0
+        ? state.distances
+        : ways_to_press(motion, surface.gaps(), surface.areas(),
+                        surface.stiffness().youngs_moduli.maxCoeff());
+    Eigen::VectorXd weights =
+      best_spring_compliance(chosen) * yielding(pressures).cwiseQuotient(motion.forces());
     BodyVerifier verifier(
       setting_.elasticity, surface, *stiffness_solver_, state,
       [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
     Eigen::VectorXd last_place, last_missing;
-    double last_error = 1.;
+    double last_error = std::numeric_limits<double>::infinity();
     augmented_.reset();
     SolveStatus status;
     for (unsigned int k = 0; k < max_releases; ++k)
@@ -147,12 +154,15 @@ namespace stiction
 
         const Eigen::VectorXd missing = motion.missing_forces(lambda);
         const double error            = motion.relative_error(missing);
-        if (!status.converged || status.interrupted || error <= chosen.tolerance)
+        const bool falls              = error <= required_fall * last_error;
+        // what rounding leaves of other figures does not keep the forces away
+        if (status.interrupted || error <= chosen.tolerance ||
+            (!status.converged && !falls))
           return status;
         place = state.distances;
         if (last_place.size() > 0)
           add_secant_step(place, last_place, missing, last_missing);
-        if (error > required_fall * last_error)
+        if (!falls)
           {
             weights *= softening;
             augmented_.reset();
@@ -179,13 +189,10 @@ namespace stiction
                      with_unit(format("%.6g", forces(j)), units.force));
   }
 
-  nlohmann::json DualContactSolver::to_json() const
+  void DualContactSolver::add_to(RunResult &result) const
   {
-    nlohmann::json json =
-      solver_to_json(setting_.parameters.contact_solver, setting_.surface.slip_bound(),
-                     *method_, augmented_ ? *augmented_ : *Q_);
-    json["stiffness_solves"]            = stiffness_solver_->n_solves();
-    json["stiffness_krylov_iterations"] = stiffness_solver_->n_iterations();
-    return json;
+    add_method(result.solver, *method_, augmented_ ? *augmented_ : *Q_);
+    result.solver.stiffness_solves            = stiffness_solver_->n_solves();
+    result.solver.stiffness_krylov_iterations = stiffness_solver_->n_iterations();
   }
 } // namespace stiction

@@ -5,11 +5,9 @@
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/output/results/summary.h>
+#include <stiction/output/results/run_result.h>
 #include <stiction/parameters/parameters.h>
 #include <stiction/simulation/primal_contact_solver.h>
-
-#include <nlohmann/json.hpp>
 
 namespace stiction
 {
@@ -44,6 +42,11 @@ namespace stiction
     return status;
   }
 
+  void PrimalContactSolver::update()
+  {
+    newton_->update();
+  }
+
   StiffnessSolver &PrimalContactSolver::stiffness_solver()
   {
     stiffness_solver_ = std::make_unique<MultigridSolver>(
@@ -52,8 +55,8 @@ namespace stiction
     return *stiffness_solver_;
   }
 
-  nlohmann::json PrimalContactSolver::to_json() const
+  void PrimalContactSolver::add_to(RunResult &result) const
   {
-    return solver_to_json(setting_.parameters.contact_solver, *newton_);
+    add_method(result.solver, *newton_);
   }
 } // namespace stiction

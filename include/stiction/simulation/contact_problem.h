@@ -5,7 +5,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
-#include <stiction/simulation/contact_solver.h>
+#include <stiction/simulation/discretization.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -23,6 +23,7 @@ namespace stiction
   class LinearElasticity;
   class Log;
   struct NodeStatus;
+  struct RunResult;
   class Parameters;
   class SupportReactions;
   class ConvergenceHistory;
@@ -68,14 +69,8 @@ namespace stiction
     const SupportReactions &reactions() const { return *reactions_; }
 
   private:
-    /// All that is rebuilt with the mesh, in the order of who knows whom.
-    struct Discretization
-    {
-      std::unique_ptr<LinearElasticity> elasticity;
-      std::unique_ptr<ContactSurface> surface;
-      std::unique_ptr<ContactSolver> solver;
-    };
-
+    /// Solves the problem of a time, from the present state.
+    void step(double time);
     void solve();
     void certify();
     /// Refines the mesh where the answer needs it.
@@ -97,10 +92,11 @@ namespace stiction
     void measure_reference_costs();
     void output_results();
     void export_problem();
-    void summarize();
     /// What the certificate does not see, in sentences.
-    std::vector<std::string> warnings() const;
-    void report() const;
+    std::vector<std::string> warnings(double largest_displacement) const;
+    RunResult result() const;
+    /// Writes summary.json and prints the report.
+    void report();
 
     const Parameters &parameters_;
     const MPI_Comm communicator_;

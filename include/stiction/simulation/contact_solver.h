@@ -3,8 +3,6 @@
 
 #include <stiction/qp/certified_solve.h>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <functional>
 #include <memory>
 
@@ -18,6 +16,7 @@ namespace stiction
   class Phases;
   struct State;
   class StiffnessSolver;
+  struct RunResult;
 
   /// Solves the contact problem on one mesh, whatever it takes for unknowns: set
   /// up once, solves as often as loads and obstacles change.
@@ -51,14 +50,18 @@ namespace stiction
     /// @return how it ended, as far as the solver knows; the certificate decides.
     virtual SolveStatus solve(State &state, const Observer &observer) = 0;
 
+    /// Takes loads, supports, gaps and friction afresh; contact nodes and frames must
+    /// be the same. Factorises nothing. Collective.
+    virtual void update() = 0;
+
     /// K⁻¹, to some digits, until the next solve(). Collective.
     virtual StiffnessSolver &stiffness_solver() = 0;
 
     /// Q and h, if the solver has them; otherwise null.
     virtual const DualOperator *dual_operator() const;
 
-    /// The section "solver" of summary.json, as far as it is the solver's.
-    virtual nlohmann::json to_json() const = 0;
+    /// Enters what the solver did.
+    virtual void add_to(RunResult &result) const = 0;
 
   protected:
     explicit ContactSolver(const Setting &setting);

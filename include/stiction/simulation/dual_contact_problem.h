@@ -56,8 +56,8 @@ namespace stiction
     void read_problem();
     void solve_contact();
     void output_results();
-    void summarize();
-    void report() const;
+    /// Writes summary.json and prints the report.
+    void report();
 
     const std::string path_;
     const Parameters &parameters_;

@@ -22,11 +22,13 @@ namespace stiction
 
     SolveStatus solve(State &state, const Observer &observer) override;
 
+    void update() override;
+
     StiffnessSolver &stiffness_solver() override { return *stiffness_solver_; }
 
     const DualOperator *dual_operator() const override { return Q_.get(); }
 
-    nlohmann::json to_json() const override;
+    void add_to(RunResult &result) const override;
 
   private:
     void set_up_stiffness_solver();

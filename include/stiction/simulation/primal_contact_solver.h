@@ -16,9 +16,11 @@ namespace stiction
 
     SolveStatus solve(State &state, const Observer &observer) override;
 
+    void update() override;
+
     StiffnessSolver &stiffness_solver() override;
 
-    nlohmann::json to_json() const override;
+    void add_to(RunResult &result) const override;
 
   private:
     std::unique_ptr<NewtonMultigrid> newton_;

@@ -11,15 +11,6 @@ namespace stiction
 {
   namespace
   {
-    Eigen::VectorXd dual_right_hand_side(const LinearElasticity &elasticity,
-                                         const ContactSurface &surface,
-                                         StiffnessSolver &solver)
-    {
-      LA::Vector u = elasticity.zero_vector();
-      solver.solve(u, elasticity.constrained_load());
-      return surface.B().apply(u) - surface.motion().offset_at_start();
-    }
-
     // What Q gets on its diagonal where nodes are held: of the size of the
     // entries at other nodes.
     Eigen::VectorXd held_compliance(const LinearElasticity &elasticity,
@@ -43,7 +34,16 @@ namespace stiction
     surface.B().rotate_to_local(Q);
     Q.diagonal() += held_compliance(elasticity, surface);
     return std::make_unique<DenseDualOperator>(
-      std::move(Q), dual_right_hand_side(elasticity, surface, solver));
+      std::move(Q), right_hand_side_of(elasticity, surface, solver));
+  }
+
+  Eigen::VectorXd SchurComplement::right_hand_side_of(const LinearElasticity &elasticity,
+                                                      const ContactSurface &surface,
+                                                      StiffnessSolver &solver)
+  {
+    LA::Vector u = elasticity.zero_vector();
+    solver.solve(u, elasticity.constrained_load());
+    return surface.B().apply(u) - surface.motion().offset_at_start();
   }
 
   SchurComplement::SchurComplement(const LinearElasticity &elasticity,
@@ -54,7 +54,7 @@ namespace stiction
     , solver_(solver)
     , held_compliance_(held_compliance(elasticity, surface))
   {
-    set_right_hand_side(dual_right_hand_side(elasticity, surface, solver));
+    set_right_hand_side(right_hand_side_of(elasticity, surface, solver));
   }
 
   Eigen::VectorXd SchurComplement::compute_nodal_compliance() const

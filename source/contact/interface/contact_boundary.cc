@@ -84,7 +84,7 @@ namespace stiction
   ContactBoundary::~ContactBoundary()                           = default;
 
   std::vector<ContactBoundary> ContactBoundary::read(const Parameters &parameters,
-                                                     const Body &body)
+                                                     const Body &body, const double time)
   {
     const ParameterFile &source = parameters.source;
     const std::string entry     = "Boundary conditions/Contact boundary";
@@ -108,13 +108,11 @@ namespace stiction
     const auto directions =
       values("Friction/First direction", parameters.friction.first_direction);
     const auto vector = [&](const std::string &of, const std::string &text) {
-      const std::vector<double> numbers =
-        read_numbers(text, 3, source.locate(of), parameters.boundary.time);
+      const std::vector<double> numbers = read_numbers(text, 3, source.locate(of), time);
       return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
     };
     const auto formula = [&](const std::string &of, const std::string &text) {
-      return std::make_unique<ParsedFunction>(text, 1, source.locate(of),
-                                              parameters.boundary.time);
+      return std::make_unique<ParsedFunction>(text, 1, source.locate(of), time);
     };
 
     const auto corners = body.bounding_box().get_boundary_points();
@@ -133,12 +131,11 @@ namespace stiction
 
         boundary.obstacle_ =
           Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
-                         size, parameters.boundary.time, body.communicator());
+                         size, time, body.communicator());
         boundary.gap_         = formula("Boundary conditions/Initial gap", gaps[b]);
         const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
-        boundary.friction_ =
-          std::make_unique<FrictionData>(law, coefficients[b], slip_stresses[b],
-                                         directions[b], source, parameters.boundary.time);
+        boundary.friction_    = std::make_unique<FrictionData>(
+          law, coefficients[b], slip_stresses[b], directions[b], source, time);
         boundary.displacement_ = vector(displacement_entry, displacements[b]);
         boundary.force_        = vector(force_entry, forces[b]);
         boundary.description_ =

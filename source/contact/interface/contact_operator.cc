@@ -3,6 +3,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace stiction
@@ -28,6 +29,15 @@ namespace stiction
     : dofs_(std::move(dofs))
     , frames_(std::move(frames))
   {
+  }
+
+  bool ContactOperator::operator==(const ContactOperator &other) const
+  {
+    return dofs_.dofs() == other.dofs_.dofs() &&
+           std::equal(frames_.begin(), frames_.end(), other.frames_.begin(),
+                      [](const ContactFrame &a, const ContactFrame &b) {
+                        return a.axes() == b.axes() && a.scale == b.scale;
+                      });
   }
 
   Eigen::VectorXd ContactOperator::apply(const LA::Vector &u) const

@@ -21,7 +21,9 @@ namespace stiction
     }
   } // namespace
 
-  ContactSurface::~ContactSurface() = default;
+  ContactSurface::ContactSurface(ContactSurface &&) noexcept            = default;
+  ContactSurface &ContactSurface::operator=(ContactSurface &&) noexcept = default;
+  ContactSurface::~ContactSurface()                                     = default;
 
   const ContactBoundary &ContactSurface::boundary(const types::boundary_id id) const
   {

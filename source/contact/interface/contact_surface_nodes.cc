@@ -37,7 +37,13 @@ namespace stiction
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const Parameters &parameters)
-    : boundaries_(ContactBoundary::read(parameters, elasticity.body()))
+    : ContactSurface(elasticity, parameters, parameters.boundary.time)
+  {
+  }
+
+  ContactSurface::ContactSurface(const LinearElasticity &elasticity,
+                                 const Parameters &parameters, const double time)
+    : boundaries_(ContactBoundary::read(parameters, elasticity.body(), time))
   {
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();

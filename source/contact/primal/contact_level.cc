@@ -52,23 +52,20 @@ namespace stiction
 
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
                              const ContactSurface &surface)
-    : stiffness_(&elasticity.stiffness())
+    : elasticity_(elasticity)
+    , surface_(&surface)
+    , stiffness_(&elasticity.stiffness())
     , load_(&elasticity.load())
     , B_(surface.B())
     , areas_(surface.areas())
-    , motion_(surface.motion())
     , stiffness_of_cells_(surface.stiffness())
     , boundary_area_(surface.boundary_area())
-    , slip_bound_(surface.slip_bound())
   {
     for (const auto dof : load_->locally_owned_elements())
       if (elasticity.is_prescribed(dof))
-        {
-          fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
-          prescribed_.push_back(elasticity.prescribed_value(dof));
-        }
+        fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
     find_inner_nodes();
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
+    update();
   }
 
   ContactLevel::ContactLevel(const ContactLevel &finer,
@@ -76,78 +73,94 @@ namespace stiction
                              const MeshHierarchy &hierarchy,
                              const DofSubsetHierarchy &dof_hierarchy,
                              const unsigned int level)
-    : own_stiffness_(std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
+    : elasticity_(elasticity)
+    , finer_(&finer)
+    , transfer_(&hierarchy.transfer(level + 1))
+    , on_finer_(dof_hierarchy.on_finer_level(level))
+    , weights_(dof_hierarchy.prolongation(level + 1))
+    , own_stiffness_(std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
                                                                  elasticity.materials()))
     , stiffness_(own_stiffness_.get())
     , own_load_(
         std::make_unique<LA::Vector>(hierarchy.level(level).zero_vector<double>()))
     , load_(own_load_.get())
+    , areas_(weights_.transpose() * finer.areas_)
     , boundary_area_(finer.boundary_area_)
   {
-    const LevelTransfer &transfer = hierarchy.transfer(level + 1);
-    transfer.restrict_to(*own_load_, *finer.load_);
-
-    // coarse vertices are fine nodes, with their prescribed values
+    // coarse vertices are fine nodes
     LA::Vector is_fixed = finer.mesh().zero_vector<double>();
-    LA::Vector values   = is_fixed;
-    for (std::size_t k = 0; k < finer.fixed_.size(); ++k)
-      {
-        is_fixed.local_element(finer.fixed_[k]) = 1.;
-        values.local_element(finer.fixed_[k])   = finer.prescribed_[k];
-      }
+    for (const unsigned int k : finer.fixed_)
+      is_fixed.local_element(k) = 1.;
     LA::Vector coarse_is_fixed = mesh().zero_vector<double>();
-    LA::Vector coarse_values   = coarse_is_fixed;
-    transfer.inject(coarse_is_fixed, is_fixed);
-    transfer.inject(coarse_values, values);
+    transfer_->inject(coarse_is_fixed, is_fixed);
     for (unsigned int k = 0; k < coarse_is_fixed.locally_owned_size(); ++k)
       if (coarse_is_fixed.local_element(k) != 0.)
-        {
-          fixed_.push_back(k);
-          prescribed_.push_back(coarse_values.local_element(k));
-        }
+        fixed_.push_back(k);
 
-    const auto &on_finer                    = dof_hierarchy.on_finer_level(level);
-    const auto &weights                     = dof_hierarchy.prolongation(level + 1);
-    const auto n_vertices                   = static_cast<Eigen::Index>(on_finer.size());
-    const Eigen::VectorXd &finer_offset     = finer.motion_.offset_at_start();
-    const Eigen::MatrixXd &finer_directions = finer.motion_.directions();
-    Eigen::VectorXd offset(3 * n_vertices);
-    Eigen::MatrixXd directions(3 * n_vertices, finer_directions.cols());
-    Eigen::VectorXd coefficient(n_vertices);
+    stiffness_of_cells_ = {finer.stiffness_of_cells_.youngs_moduli(on_finer_),
+                           finer.stiffness_of_cells_.softest};
     std::vector<ContactFrame> frames;
-    stiffness_of_cells_.softest = finer.stiffness_of_cells_.softest;
-    stiffness_of_cells_.youngs_moduli.resize(n_vertices);
-    for (Eigen::Index j = 0; j < n_vertices; ++j)
-      {
-        for (Eigen::Index c = 0; c < 3; ++c)
-          {
-            const Eigen::Index k               = on_finer[j] + c * finer.n_nodes();
-            offset(j + c * n_vertices)         = finer_offset(k);
-            directions.row(j + c * n_vertices) = finer_directions.row(k);
-          }
-
-        coefficient(j) = finer.slip_bound_.coefficient()(on_finer[j]);
-        stiffness_of_cells_.youngs_moduli(j) =
-          finer.stiffness_of_cells_.youngs_moduli(on_finer[j]);
-        frames.push_back(finer.B_.frames()[on_finer[j]]);
-      }
+    for (const Eigen::Index i : on_finer_)
+      frames.push_back(finer.B_.frames()[i]);
     B_ = ContactOperator(DofSubset::of_nodes(dof_hierarchy.first_dofs(level)),
                          std::move(frames));
-    Eigen::VectorXd forces = finer.motion_.forces();
+    find_inner_nodes();
+    update();
+  }
+
+  void ContactLevel::update()
+  {
+    if (surface_ != nullptr)
+      take_conditions_of_body();
+    else
+      take_conditions_of_finer_level();
+    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
+  }
+
+  void ContactLevel::take_conditions_of_body()
+  {
+    prescribed_.clear();
+    for (const auto dof : load_->locally_owned_elements())
+      if (elasticity_.is_prescribed(dof))
+        prescribed_.push_back(elasticity_.prescribed_value(dof));
+    motion_     = surface_->motion();
+    slip_bound_ = surface_->slip_bound();
+  }
+
+  void ContactLevel::take_conditions_of_finer_level()
+  {
+    transfer_->restrict_to(*own_load_, *finer_->load_);
+
+    LA::Vector values        = finer_->mesh().zero_vector<double>();
+    LA::Vector coarse_values = mesh().zero_vector<double>();
+    finer_->set_prescribed_entries(finer_->prescribed_, values);
+    transfer_->inject(coarse_values, values);
+    prescribed_ = prescribed_entries(coarse_values);
+
+    const auto m                 = static_cast<Eigen::Index>(on_finer_.size());
+    const ObstacleMotion &motion = finer_->motion_;
+    Eigen::MatrixXd directions(3 * m, motion.n_pressed());
+    Eigen::VectorXd offset(3 * m), forces = motion.forces();
+    for (Eigen::Index j = 0; j < m; ++j)
+      for (Eigen::Index c = 0; c < 3; ++c)
+        {
+          const Eigen::Index k      = on_finer_[j] + c * finer_->n_nodes();
+          offset(j + c * m)         = motion.offset_at_start()(k);
+          directions.row(j + c * m) = motion.directions().row(k);
+        }
     for (Eigen::Index j = 0; j < forces.size(); ++j)
-      if ((directions.col(j).head(n_vertices).array() > -least_approach).all())
+      if ((directions.col(j).head(m).array() > -least_approach).all())
         {
           directions.col(j).setZero();
           forces(j) = 0.;
         }
     motion_ = ObstacleMotion(std::move(offset), std::move(directions), std::move(forces));
-    areas_  = weights.transpose() * finer.areas_;
-    const Eigen::VectorXd constant = weights.transpose() * finer.slip_bound_.constant();
-    slip_bound_                    = finer.slip_bound_.is_coulomb()
-                                       ? qp::SlipBound::mixed(constant, coefficient)
+
+    const qp::SlipBound &bound     = finer_->slip_bound_;
+    const Eigen::VectorXd constant = weights_.transpose() * bound.constant();
+    slip_bound_                    = bound.is_coulomb()
+                                       ? qp::SlipBound::mixed(constant, bound.coefficient()(on_finer_))
                                        : qp::SlipBound::given(constant);
-    find_inner_nodes();
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
   }
 
   ContactLevel::~ContactLevel() = default;

@@ -207,8 +207,7 @@ namespace stiction
         const auto effort           = multipliers.solve(
                     state, bound, target, std::min(max_fallback_steps, max_steps - steps));
         steps += effort.newton_steps;
-        statistics_.newton_steps += effort.newton_steps;
-        statistics_.krylov_iterations += effort.krylov_iterations;
+        statistics_ += effort;
         if (ContactResidual(problem_, state, problem_.slip_bound()).value() <= target)
           break;
       }

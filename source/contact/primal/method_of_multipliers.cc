@@ -101,13 +101,15 @@ namespace stiction
     return true;
   }
 
-  MethodOfMultipliers::Effort MethodOfMultipliers::solve(
-    ContactState &state, const Eigen::VectorXd &slip_bound, const double tolerance,
-    const unsigned int max_newton_steps)
+  qp::IterationCounts MethodOfMultipliers::solve(ContactState &state,
+                                                 const Eigen::VectorXd &slip_bound,
+                                                 const double tolerance,
+                                                 const unsigned int max_newton_steps)
   {
-    Effort effort;
-    slip_bound_  = slip_bound;
-    multipliers_ = state.lambda;
+    qp::IterationCounts effort;
+    unsigned int updates = 0; // of the multipliers
+    slip_bound_          = slip_bound;
+    multipliers_         = state.lambda;
     qp::HalfLinesTimesDiscs(slip_bound_).project(multipliers_);
     problem_.bring_into_contact(state, forces(state.w));
 
@@ -130,10 +132,10 @@ namespace stiction
                                    .kkt_residual;
         if (imbalance <= std::max(inner_accuracy * violation, 0.3 * tolerance))
           {
-            if (effort.updates == max_updates)
+            if (updates == max_updates)
               break;
             multipliers_ = force;
-            ++effort.updates;
+            ++updates;
             continue;
           }
 

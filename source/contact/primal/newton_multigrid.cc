@@ -38,6 +38,12 @@ namespace stiction
         *problems_[l], elasticity, hierarchy_, dof_hierarchy_, l - 1);
   }
 
+  void NewtonMultigrid::update()
+  {
+    for (auto problem = problems_.rbegin(); problem != problems_.rend(); ++problem)
+      (*problem)->update();
+  }
+
   SolveStatus NewtonMultigrid::solve(State &solution, const double tolerance,
                                      const unsigned int max_steps,
                                      const Observer &observer)

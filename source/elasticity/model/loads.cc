@@ -23,13 +23,12 @@ namespace stiction
     BoundaryFunctions read_boundary_load(
       const Body &body, const PrescribedDisplacement &prescribed,
       const Parameters &parameters, const std::string &name, const std::string &load_name,
-      const std::string &text, const unsigned int n_components)
+      const std::string &text, const unsigned int n_components, const double time)
     {
       const std::string location =
         parameters.source.locate("Boundary conditions/" + name);
-      BoundaryFunctions functions =
-        parse_boundary_functions(text, location, body.boundary_names(), n_components,
-                                 false, parameters.boundary.time);
+      BoundaryFunctions functions = parse_boundary_functions(
+        text, location, body.boundary_names(), n_components, false, time);
       for (const auto &load : functions)
         if (prescribed.holds_completely(load.first))
           throw InputError(location + ": boundary " +
@@ -42,12 +41,13 @@ namespace stiction
 
     std::unique_ptr<ParsedFunction> read_volume_load(const Parameters &parameters,
                                                      const std::string &entry,
-                                                     const std::string &text)
+                                                     const std::string &text,
+                                                     const double time)
     {
       if (Utilities::trim(text).empty())
         return nullptr;
       return std::make_unique<ParsedFunction>(text, 3, parameters.source.locate(entry),
-                                              parameters.boundary.time);
+                                              time);
     }
 
     // Calls back with the values on each face of the boundary whose cell this
@@ -73,16 +73,16 @@ namespace stiction
   } // namespace
 
   Loads::Loads(const Body &body, const PrescribedDisplacement &prescribed,
-               const Parameters &parameters)
+               const Parameters &parameters, const double time)
     : body_(body)
     , traction_(read_boundary_load(body, prescribed, parameters, "Traction", "traction",
-                                   parameters.boundary.traction, 3))
+                                   parameters.boundary.traction, 3, time))
     , pressure_(read_boundary_load(body, prescribed, parameters, "Pressure", "pressure",
-                                   parameters.boundary.pressure, 1))
+                                   parameters.boundary.pressure, 1, time))
     , body_force_(read_volume_load(parameters, "Boundary conditions/Body force",
-                                   parameters.boundary.body_force))
+                                   parameters.boundary.body_force, time))
     , gravity_(read_volume_load(parameters, "Boundary conditions/Gravity",
-                                parameters.boundary.gravity))
+                                parameters.boundary.gravity, time))
   {
   }
 

@@ -48,12 +48,13 @@ namespace stiction
   } // namespace
 
   PrescribedDisplacement::PrescribedDisplacement(const Body &body,
-                                                 const Parameters &parameters)
+                                                 const Parameters &parameters,
+                                                 const double time)
     : body_(body)
     , location_(parameters.source.locate("Boundary conditions/Prescribed displacement"))
     , functions_(parse_boundary_functions(parameters.boundary.prescribed_displacement,
                                           location_, body.boundary_names(), 3, true,
-                                          parameters.boundary.time))
+                                          time))
     , points_location_(parameters.source.locate("Boundary conditions/Prescribed points"))
   {
     const std::string &text = parameters.boundary.prescribed_points;
@@ -67,8 +68,7 @@ namespace stiction
                            ", must read 'x; y; z : ux; uy; uz', several "
                            "separated by '|'.");
         const std::string place = Utilities::trim(part.substr(0, colon));
-        const ParsedFunction position(place, 3, points_location_,
-                                      parameters.boundary.time);
+        const ParsedFunction position(place, 3, points_location_, time);
         PrescribedPoint point;
         for (unsigned int c = 0; c < 3; ++c)
           {
@@ -78,9 +78,8 @@ namespace stiction
                                ", the place of a node must not depend on x, "
                                "y, z.");
           }
-        point.displacement =
-          parse_components(part.substr(colon + 1), points_location_,
-                           "the point (" + place + ")", parameters.boundary.time);
+        point.displacement = parse_components(part.substr(colon + 1), points_location_,
+                                              "the point (" + place + ")", time);
         points_.push_back(std::move(point));
       }
   }

@@ -15,7 +15,6 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <stdexcept>
 
@@ -25,18 +24,40 @@ namespace stiction
 
   LinearElasticity::LinearElasticity(const Body &body, const Parameters &parameters)
     : body_(body)
+    , parameters_(parameters)
+    , time_(parameters.boundary.time)
     , materials_(std::make_unique<Materials>(body, parameters))
-    , prescribed_displacement_(std::make_unique<PrescribedDisplacement>(body, parameters))
     , mesh_(std::make_unique<MeshLevel>(body))
   {
-    loads_ = std::make_unique<Loads>(body, *prescribed_displacement_, parameters);
-    make_constraints();
+    read_conditions(time_);
     make_stiffness();
-    load_ = std::make_unique<LA::Vector>(zero_vector());
-    loads_->assemble(*materials_, *load_);
-    constrain_load();
+    assemble_load();
     if (parameters.needs_stiffness_matrix())
       constrain_stiffness();
+  }
+
+  void LinearElasticity::set_time(const double time)
+  {
+    if (time == time_)
+      return;
+    time_ = time;
+    read_conditions(time);
+    assemble_load();
+  }
+
+  void LinearElasticity::read_conditions(const double time)
+  {
+    prescribed_displacement_ =
+      std::make_unique<PrescribedDisplacement>(body_, parameters_, time);
+    loads_ = std::make_unique<Loads>(body_, *prescribed_displacement_, parameters_, time);
+    make_constraints();
+  }
+
+  void LinearElasticity::assemble_load()
+  {
+    load_ = zero_vector();
+    loads_->assemble(*materials_, load_);
+    constrain_load();
   }
 
   LinearElasticity::~LinearElasticity() = default;
@@ -69,16 +90,6 @@ namespace stiction
     return diagonal;
   }
 
-  const LA::Vector &LinearElasticity::constrained_load() const
-  {
-    return *constrained_load_;
-  }
-
-  const LA::Vector &LinearElasticity::load() const
-  {
-    return *load_;
-  }
-
   LA::Vector LinearElasticity::zero_vector() const
   {
     return mesh_->zero_vector<double>();
@@ -93,6 +104,7 @@ namespace stiction
 
   void LinearElasticity::make_constraints()
   {
+    constraints_.clear();
     constraints_.reinit(body_.locally_relevant_dofs());
     constraints_.merge(body_.hanging_nodes());
     prescribed_displacement_->add_to(constraints_);
@@ -109,14 +121,14 @@ namespace stiction
           prescribed(dof) = prescribed_value(dof);
           is_moved        = is_moved || prescribed(dof) != 0.;
         }
-    constrained_load_ = std::make_unique<LA::Vector>(*load_);
+    constrained_load_ = load_;
     if (Utilities::MPI::max(is_moved ? 1 : 0, body_.communicator()) == 1)
-      *constrained_load_ -= internal_force(prescribed);
+      constrained_load_ -= internal_force(prescribed);
 
     const LA::Vector diagonal = stiffness_diagonal();
     for (const auto dof : body_.locally_owned_dofs())
       if (is_prescribed(dof))
-        (*constrained_load_)(dof) = diagonal(dof) * prescribed(dof);
+        constrained_load_(dof) = diagonal(dof) * prescribed(dof);
   }
 
   void LinearElasticity::make_stiffness()

@@ -13,7 +13,7 @@ namespace stiction
   class StiffnessSolver;
 
   /// The contact dual operator of a body, Q = B K⁻¹ Bᵀ and
-  /// h = B K⁻¹ f − (d; 0; 0): the condensation of the body to its contact
+  /// h = B K⁻¹ f − e: the condensation of the body to its contact
   /// nodes, by its definition. A product is an elastic solve: contact forces
   /// on the body, displacements of the contact nodes.
   ///
@@ -29,6 +29,11 @@ namespace stiction
                                                 const LinearElasticity &elasticity,
                                                 const ContactSurface &surface,
                                                 StiffnessSolver &solver);
+
+    /// h of the present loads and obstacles: one solve. Collective.
+    static Eigen::VectorXd right_hand_side_of(const LinearElasticity &elasticity,
+                                              const ContactSurface &surface,
+                                              StiffnessSolver &solver);
 
     /// All arguments must outlive the object. Collective.
     SchurComplement(const LinearElasticity &elasticity, const ContactSurface &surface,

@@ -28,11 +28,13 @@ namespace stiction
     /// All contact boundaries, in the order of the parameter file. Collective.
     /// The parameters must outlive them.
     ///
+    /// @param time the value of t.
+    ///
     /// Throws InputError for a boundary that the mesh does not have or that
     /// stands twice, for entries with neither one value nor one a boundary, and
     /// for values that cannot be read.
     static std::vector<ContactBoundary> read(const Parameters &parameters,
-                                             const Body &body);
+                                             const Body &body, double time);
 
     ContactBoundary(ContactBoundary &&) noexcept;
     ~ContactBoundary();

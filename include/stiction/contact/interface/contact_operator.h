@@ -26,6 +26,9 @@ namespace stiction
 
     Eigen::Index n_nodes() const { return dofs_.size() / 3; }
 
+    /// Whether it is the same map, bit by bit.
+    bool operator==(const ContactOperator &other) const;
+
     const DofSubset &dofs() const { return dofs_; }
 
     const std::vector<ContactFrame> &frames() const { return frames_; }

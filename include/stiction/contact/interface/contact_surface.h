@@ -74,6 +74,13 @@ namespace stiction
     /// it (obstacle, gap, displacement, force, coefficient, slip stress) cannot
     /// be read or has a value that is not allowed.
     ContactSurface(const LinearElasticity &elasticity, const Parameters &parameters);
+
+    /// The same at another time than 'Boundary conditions/Time'.
+    ContactSurface(const LinearElasticity &elasticity, const Parameters &parameters,
+                   double time);
+
+    ContactSurface(ContactSurface &&) noexcept;
+    ContactSurface &operator=(ContactSurface &&) noexcept;
     ~ContactSurface();
 
     Eigen::Index n_nodes() const { return static_cast<Eigen::Index>(nodes_.size()); }

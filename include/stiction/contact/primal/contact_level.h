@@ -10,6 +10,7 @@
 #include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <memory>
 #include <vector>
@@ -18,6 +19,7 @@ namespace stiction
 {
   class ContactSurface;
   struct ContactState;
+  class LevelTransfer;
   class LinearElasticity;
   class MeshHierarchy;
   class MeshLevel;
@@ -44,6 +46,10 @@ namespace stiction
                  const MeshHierarchy &hierarchy, const DofSubsetHierarchy &dof_hierarchy,
                  unsigned int level);
     ~ContactLevel();
+
+    /// Takes loads, supports, gaps and friction afresh from the arguments of the
+    /// constructor, or from the finer level. Collective.
+    void update();
 
     Eigen::Index n_nodes() const { return areas_.size(); }
 
@@ -115,6 +121,15 @@ namespace stiction
 
   private:
     void find_inner_nodes();
+    void take_conditions_of_body();
+    void take_conditions_of_finer_level();
+
+    const LinearElasticity &elasticity_;
+    const ContactSurface *const surface_ = nullptr; ///< of the problem itself
+    const ContactLevel *const finer_     = nullptr; ///< of the others
+    const LevelTransfer *const transfer_ = nullptr; ///< to it
+    std::vector<Eigen::Index> on_finer_;            ///< where the contact nodes are there
+    Eigen::SparseMatrix<double> weights_; ///< interpolation of the contact nodes
 
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
     const StiffnessOperator<double> *stiffness_;

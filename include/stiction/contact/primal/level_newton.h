@@ -4,6 +4,7 @@
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/method_of_multipliers.h>
 #include <stiction/contact/primal/newton_system.h>
+#include <stiction/qp/solvers/solver_run.h>
 
 #include <Eigen/Core>
 
@@ -40,12 +41,9 @@ namespace stiction
     };
 
     /// What was done so far.
-    struct Statistics
+    struct Statistics : qp::IterationCounts
     {
-      unsigned int newton_steps      = 0;
-      unsigned int krylov_iterations = 0;
-      unsigned int rho_changes       = 0;
-      unsigned int fallbacks         = 0;
+      unsigned int rho_changes = 0;
       /// The step from which on its systems are solved by factorisation, 0 if
       /// none.
       unsigned int factorized_from = 0;

@@ -4,6 +4,7 @@
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/newton_system.h>
 #include <stiction/contact/primal/primal_active_set.h>
+#include <stiction/qp/solvers/solver_run.h>
 
 #include <Eigen/Core>
 
@@ -27,21 +28,13 @@ namespace stiction
     /// @param system of this problem. All arguments must outlive the object.
     MethodOfMultipliers(const ContactLevel &problem, NewtonSystem &system);
 
-    /// What it took.
-    struct Effort
-    {
-      unsigned int newton_steps      = 0;
-      unsigned int updates           = 0; ///< of the multipliers
-      unsigned int krylov_iterations = 0;
-    };
-
     /// Improves the state until its residual as a problem with this slip bound
     /// is small enough. Collective.
     ///
     /// @param slip_bound g, N, length m, held fixed.
     /// @param tolerance for the figures of the certificate.
-    Effort solve(ContactState &state, const Eigen::VectorXd &slip_bound, double tolerance,
-                 unsigned int max_newton_steps);
+    qp::IterationCounts solve(ContactState &state, const Eigen::VectorXd &slip_bound,
+                              double tolerance, unsigned int max_newton_steps);
 
   private:
     /// ∇ψ: the forces that the multipliers and the springs give at w.

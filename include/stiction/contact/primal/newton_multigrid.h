@@ -36,6 +36,10 @@ namespace stiction
     NewtonMultigrid(const LinearElasticity &elasticity, const ContactSurface &surface,
                     bool levels_in_use, const LevelNewton::Options &options = {});
 
+    /// Takes loads, supports, gaps and friction afresh from elasticity and surface;
+    /// contact nodes and frames must be the same. Collective.
+    void update();
+
     /// Called after every step on any level. If it throws Interrupted, on all
     /// ranks, the iterate of that step is interpolated to the finest level and
     /// handed back.

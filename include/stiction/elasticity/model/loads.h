@@ -23,10 +23,12 @@ namespace stiction
   class Loads
   {
   public:
+    /// @param time the value of t.
+    ///
     /// Throws InputError for entries that cannot be read, and for a load on a
     /// boundary that is held in all components.
     Loads(const Body &body, const PrescribedDisplacement &prescribed,
-          const Parameters &parameters);
+          const Parameters &parameters, double time);
     ~Loads();
 
     /// Adds the nodal forces, at prescribed unknowns too, to a vector that can

@@ -22,8 +22,10 @@ namespace stiction
   class PrescribedDisplacement
   {
   public:
+    /// @param time the value of t.
+    ///
     /// Throws InputError if the entries cannot be read.
-    PrescribedDisplacement(const Body &body, const Parameters &parameters);
+    PrescribedDisplacement(const Body &body, const Parameters &parameters, double time);
 
     /// What is prescribed where, for people: "front", "x y z" for what is held
     /// and "top", "x = 1e-3, y = 0" for what is moved, of boundaries by name

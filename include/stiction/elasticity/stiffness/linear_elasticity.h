@@ -4,6 +4,7 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
 
@@ -31,13 +32,23 @@ namespace stiction
   class LinearElasticity
   {
   public:
-    /// Assembles the loads, and the stiffness matrix unless the solver chosen
-    /// in the parameters works without one.
+    /// Makes the stiffness matrix unless the solver chosen in the parameters works
+    /// without one, and the loads at 'Boundary conditions/Time'.
+    ///
+    /// Body and parameters must outlive the object.
     ///
     /// Throws InputError for materials or boundary conditions that cannot be
     /// read, that the mesh does not have, or that contradict each other.
     LinearElasticity(const Body &body, const Parameters &parameters);
     ~LinearElasticity();
+
+    /// Makes loads and prescribed displacements those of another time, in place; K
+    /// stays as it is. Collective. Throws InputError where a formula has no finite
+    /// value.
+    void set_time(double time);
+
+    /// The t of the present loads.
+    double time() const { return time_; }
 
     const Body &body() const { return body_; }
 
@@ -74,11 +85,11 @@ namespace stiction
 
     /// The right-hand side that goes with it. Unit: N (m × diagonal entry in
     /// constrained rows).
-    const LA::Vector &constrained_load() const;
+    const LA::Vector &constrained_load() const { return constrained_load_; }
 
     /// The nodal forces of the loads, at constrained unknowns too. Unit:
     /// N.
-    const LA::Vector &load() const;
+    const LA::Vector &load() const { return load_; }
 
     /// A distributed vector of zeros for displacements or nodal forces.
     LA::Vector zero_vector() const;
@@ -103,6 +114,11 @@ namespace stiction
     void require_support() const;
 
   private:
+    /// Reads supports and loads at a time.
+    void read_conditions(double time);
+
+    void assemble_load();
+
     void make_constraints();
 
     /// K, cell by cell or assembled.
@@ -118,6 +134,8 @@ namespace stiction
     void constrain_load();
 
     const Body &body_;
+    const Parameters &parameters_;
+    double time_;
     std::unique_ptr<Materials> materials_;
     std::unique_ptr<PrescribedDisplacement> prescribed_displacement_;
     std::unique_ptr<Loads> loads_;
@@ -125,7 +143,7 @@ namespace stiction
     std::unique_ptr<MeshLevel> mesh_;
     std::unique_ptr<StiffnessOperator<double>> stiffness_;
     std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;
-    std::unique_ptr<LA::Vector> constrained_load_, load_;
+    LA::Vector constrained_load_, load_;
   };
 } // namespace stiction
 

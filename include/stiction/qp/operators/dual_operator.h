@@ -47,13 +47,11 @@ namespace stiction
     /// Q itself, or nullptr if it is known by its action only.
     virtual const Eigen::MatrixXd *matrix() const { return nullptr; }
 
-    /// h += change: obstacles have moved.
-    void shift_right_hand_side(const Eigen::VectorXd &change) { h_ += change; }
+    /// Other loads, or obstacles at other places. @param h length 3m.
+    void set_right_hand_side(Eigen::VectorXd h);
 
   protected:
     explicit DualOperator(Eigen::Index n_nodes);
-
-    void set_right_hand_side(Eigen::VectorXd h);
 
     /// Computes what nodal_compliance() returns. Collective.
     virtual Eigen::VectorXd compute_nodal_compliance() const = 0;

@@ -1,0 +1,29 @@
+#ifndef stiction_simulation_discretization_h
+#define stiction_simulation_discretization_h
+
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/simulation/contact_solver.h>
+
+#include <memory>
+
+namespace stiction
+{
+  /// All that is rebuilt with the mesh, in the order of who knows whom: a body
+  /// with its stiffness, the contact nodes, and what solves the contact problem.
+  /// Loads, supports, gaps and friction in it are those of one time.
+  struct Discretization
+  {
+    std::unique_ptr<LinearElasticity> elasticity;
+    std::unique_ptr<ContactSurface> surface;
+    std::unique_ptr<ContactSolver> solver; ///< once something is solved
+
+    /// Makes loads, supports, gaps, obstacles and friction those of another time.
+    /// Nothing is assembled or factorised, unless an obstacle's formula turns the
+    /// normals of contact nodes: then the solver goes and has to be made anew.
+    /// Collective. Throws InputError as the constructors do.
+    void set_time(const Parameters &parameters, double time);
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,18 @@
+#include <stiction/simulation/discretization.h>
+
+namespace stiction
+{
+  void Discretization::set_time(const Parameters &parameters, const double time)
+  {
+    if (time == elasticity->time())
+      return;
+    elasticity->set_time(time);
+    ContactSurface then(*elasticity, parameters, time);
+    const bool is_same_map = then.B() == surface->B();
+    *surface               = std::move(then);
+    if (!is_same_map)
+      solver.reset();
+    else if (solver)
+      solver->update();
+  }
+} // namespace stiction
