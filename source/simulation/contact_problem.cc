@@ -108,7 +108,7 @@ namespace stiction
     auto &[elasticity, surface, solver] = *discretization_;
     certificate_      = std::make_unique<Certificate>(*elasticity, *surface, state_);
     status_.converged = certificate_->converged(parameters_.contact_solver.tolerance);
-    if (surface->are_obstacles_too_deep(state_.distances))
+    if (status_.converged && surface->are_obstacles_too_deep(state_.distances))
       status_ = {false,
                  "an obstacle would have to move by more than the body is large to "
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
