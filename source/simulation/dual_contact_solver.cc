@@ -13,6 +13,7 @@
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/simulation/dual_contact_solver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,17 +31,24 @@ namespace stiction
     constexpr double softening          = 30.;
     constexpr unsigned int max_releases = 40;
 
-    // Two places of an obstacle tell how far it goes for a force: a secant step.
+    // The contact problem need not be solved better than so much less than the error
+    // of the forces, from this accuracy on.
+    constexpr double accuracy_of_error = 0.1;
+    constexpr double first_accuracy    = 1e-2;
+
+    // Two places of an obstacle tell how far it goes for a force: a secant step, where
+    // the force changed by more than its error.
     void add_secant_step(Eigen::VectorXd &distances,
                          const Eigen::VectorXd &last_distances,
                          const Eigen::VectorXd &missing,
-                         const Eigen::VectorXd &last_missing)
+                         const Eigen::VectorXd &last_missing,
+                         const Eigen::VectorXd &noise)
     {
-      const Eigen::VectorXd compliance =
-        (distances - last_distances).cwiseQuotient(last_missing - missing);
+      const Eigen::VectorXd change = last_missing - missing;
       for (Eigen::Index j = 0; j < distances.size(); ++j)
-        if (compliance(j) > 0. && std::isfinite(compliance(j)))
-          distances(j) += compliance(j) * missing(j);
+        if (std::abs(change(j)) > noise(j) &&
+            (distances(j) - last_distances(j)) * change(j) > 0.)
+          distances(j) += (distances(j) - last_distances(j)) / change(j) * missing(j);
     }
   } // namespace
 
@@ -137,6 +145,7 @@ namespace stiction
       [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
     Eigen::VectorXd last_place, last_missing;
     double last_error = std::numeric_limits<double>::infinity();
+    double accuracy   = std::max(first_accuracy, chosen.tolerance);
     augmented_.reset();
     SolveStatus status;
     for (unsigned int k = 0; k < max_releases; ++k)
@@ -149,24 +158,30 @@ namespace stiction
               weights);
           }
         augmented_->set_multipliers(place);
-        status = solve_with(*augmented_, verifier, chosen.tolerance, observer, lambda);
+        status = solve_with(*augmented_, verifier, accuracy, observer, lambda);
         print_places(state);
 
         const Eigen::VectorXd missing = motion.missing_forces(lambda);
         const double error            = motion.relative_error(missing);
         const bool falls              = error <= required_fall * last_error;
+        const bool is_finest          = accuracy == chosen.tolerance;
         // what rounding leaves of other figures does not keep the forces away
-        if (status.interrupted || error <= chosen.tolerance ||
-            (!status.converged && !falls))
+        if (status.interrupted || (is_finest && error <= chosen.tolerance) ||
+            (is_finest && !status.converged && !falls))
           return status;
+
         place = state.distances;
         if (last_place.size() > 0)
-          add_secant_step(place, last_place, missing, last_missing);
-        if (!falls)
+          add_secant_step(place, last_place, missing, last_missing,
+                          accuracy * motion.forces());
+        if (!falls && is_finest)
           {
             weights *= softening;
             augmented_.reset();
           }
+        accuracy     = std::max(chosen.tolerance,
+                                std::min(accuracy_of_error * error,
+                                     falls ? accuracy : accuracy_of_error * accuracy));
         last_place   = state.distances;
         last_missing = missing;
         last_error   = error;

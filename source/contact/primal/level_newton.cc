@@ -175,7 +175,7 @@ namespace stiction
       const double linear =
         std::max({now.residual / force_scale,
                   largest_at_nodes(now.contact_residual, scaling.force),
-                  problem_.motion().relative_error(now.obstacle_residual)});
+                  problem_.motion().force_error(now.lambda)});
       return linear <=
              std::max(linear_part_of_tolerance * tolerance,
                       linear_part * qp::natural_residual(now.lambda, -now.w,

@@ -264,10 +264,9 @@ namespace stiction
         problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
         images.push_back(d.v.begin());
         ++n;
-        is_finished =
-          n >= felt.size() && (stop({n, norms[1], contact_r, obstacle_r, state.lambda,
-                                     state.w, std::sqrt(square) / start}) ||
-                               square == 0.);
+        is_finished = n >= felt.size() && (stop({n, norms[1], contact_r, state.lambda,
+                                                 state.w, std::sqrt(square) / start}) ||
+                                           square == 0.);
       }
     if (!is_finished && ++n_unfinished_ >= max_unfinished &&
         preconditioner_.factorize(level_))

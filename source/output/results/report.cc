@@ -13,7 +13,7 @@ namespace stiction
 {
   namespace
   {
-    using Vector = dealii::Tensor<1, 3>;
+    using Vector3 = dealii::Tensor<1, 3>;
 
     // Figures are relative: below the precision of numbers they are nothing.
     constexpr double rounding_of_figures = 1e-16;
@@ -31,7 +31,7 @@ namespace stiction
       log.line(format("  %-24s ", name.c_str()) + text);
     }
 
-    std::string text_of(const Vector &v)
+    std::string text_of(const Vector3 &v)
     {
       return format_vector("%.6g", {{v[0], v[1], v[2]}});
     }
@@ -40,13 +40,13 @@ namespace stiction
     class Scale
     {
     public:
-      void add(const Vector &v)
+      void add(const Vector3 &v)
       {
         for (unsigned int c = 0; c < 3; ++c)
           largest_ = std::max(largest_, std::abs(v[c]));
       }
 
-      std::string text_of(const Vector &v) const
+      std::string text_of(const Vector3 &v) const
       {
         std::string text;
         for (unsigned int c = 0; c < 3; ++c)
@@ -143,7 +143,7 @@ namespace stiction
       print_row(log, label("force on the body", units.force),
                 text_of(contact.force_on_body));
       for (const auto &boundary : result.boundaries)
-        if (boundary.obstacle_displacement != Vector())
+        if (boundary.obstacle_displacement != Vector3())
           print_row(log,
                     result.boundaries.size() == 1
                       ? label("obstacle moved by", units.length)

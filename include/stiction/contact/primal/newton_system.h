@@ -50,9 +50,8 @@ namespace stiction
       unsigned int iterations;
       /// Of the linear system: the sum of its norms at the nodes, N.
       double residual;
-      const Eigen::VectorXd &contact_residual;  ///< its part at contact nodes
-      const Eigen::VectorXd &obstacle_residual; ///< that of pressed obstacles, N
-      const Eigen::VectorXd &lambda, &w;        ///< of the displacement so far
+      const Eigen::VectorXd &contact_residual; ///< its part at contact nodes
+      const Eigen::VectorXd &lambda, &w;       ///< of the displacement so far
       double reduction; ///< Euclidean norm over the one at the start
     };
 
