@@ -57,6 +57,19 @@ namespace stiction
         }
       return scaling;
     }
+
+    // Of a method that comes no closer. @param advice what may.
+    std::string why_no_closer(const DualMethodResult &result,
+                              const ContactConditions &conditions,
+                              const std::string &advice)
+    {
+      if (is_rounding(conditions.contact_figures().kkt_residual, conditions.rounding()))
+        return "rounding prevents a smaller one, raise 'Contact solver/Tolerance' above "
+               "that";
+      return (result.reason.empty() ? "the method makes no further progress"
+                                    : result.reason) +
+             ", " + advice;
+    }
   } // namespace
 
   SolveStatus certified_solve(DualMethod &method, const DualOperator &Q,
@@ -66,6 +79,7 @@ namespace stiction
                               const std::function<void(const ContactStep &)> &observer,
                               Eigen::VectorXd &lambda)
   {
+    const std::string advice = other_method + advice_on_friction(slip_bound);
     SolveStatus status;
     const bool is_cold = lambda.size() == 0;
     if (is_cold)
@@ -139,18 +153,11 @@ namespace stiction
         if (result.converged && target <= goal && !method.limitation().empty())
           status.reason = method.limitation();
         else if (iterations >= max_iterations)
-          status.reason =
-            "the cap of " + std::to_string(max_iterations) + " iterations was met, " +
-            pace.advice(tolerance, other_method + advice_on_friction(slip_bound));
+          status.reason = "the cap of " + std::to_string(max_iterations) +
+                          " iterations was met, " + pace.advice(tolerance, advice);
         else if (result.stagnated || idle >= max_idle_judgements ||
                  !std::isfinite(residual))
-          status.reason =
-            is_rounding(residual, conditions->rounding())
-              ? "rounding prevents a smaller one, raise 'Contact "
-                "solver/Tolerance' above that"
-              : (result.reason.empty() ? "the method makes no further progress"
-                                       : result.reason) +
-                  ", " + other_method + advice_on_friction(slip_bound);
+          status.reason = why_no_closer(result, *conditions, advice);
         if (!status.reason.empty())
           return status;
 

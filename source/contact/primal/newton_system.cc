@@ -184,6 +184,38 @@ namespace stiction
     d.factor = -preconditioner_.vmult(level_, d.z, d.v);
   }
 
+  double NewtonSystem::orthogonalize(const unsigned int n, Eigen::MatrixXd &H,
+                                     const Eigen::VectorXd &obstacle_r)
+  {
+    const MPI_Comm communicator = problem_.mesh().communicator();
+    const std::size_t N         = residual_.locally_owned_size();
+    Direction &d                = *directions_[n];
+    std::vector<const double *> images;
+    for (unsigned int j = 0; j < n; ++j)
+      images.push_back(directions_[j]->v.begin());
+
+    std::vector<double> h = multiple_dot(images, d.v.begin(), N);
+    sum(h, communicator);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const Direction &other = *directions_[j];
+        h[j]    = (h[j] + other.obstacle_rows.dot(d.obstacle_rows)) / other.square;
+        H(j, n) = h[j];
+        d.displacement -= h[j] * other.displacement;
+        d.force -= h[j] * other.force;
+        d.contact_rows -= h[j] * other.contact_rows;
+        for (std::size_t k = 0; k < d.reaction.size(); ++k)
+          d.reaction[k] -= h[j] * other.reaction[k];
+      }
+    for (unsigned int j = 0; j < n; ++j) // after all products with them
+      d.obstacle_rows -= h[j] * directions_[j]->obstacle_rows;
+    std::vector<double> products =
+      subtract_all(d.v.begin(), images, h, residual_.begin(), N);
+    sum(products, communicator);
+    d.square = products[0] + d.obstacle_rows.squaredNorm();
+    return products[1] + d.obstacle_rows.dot(obstacle_r);
+  }
+
   unsigned int NewtonSystem::solve(ContactState &state,
                                    const PrimalActiveSet &linearization,
                                    const std::function<bool(const Progress &)> &stop)
@@ -217,9 +249,8 @@ namespace stiction
     const auto capacity     = max_directions + static_cast<unsigned int>(felt.size());
     Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
-    std::vector<const double *> images;
-    unsigned int n   = 0;
-    bool is_finished = square == 0.;
+    unsigned int n          = 0;
+    bool is_finished        = square == 0.;
     while (n < capacity && !is_finished)
       {
         Direction &d = new_direction(n);
@@ -232,28 +263,11 @@ namespace stiction
           }
         apply(linearization, d);
 
-        std::vector<double> h = multiple_dot(images, d.v.begin(), N);
-        sum(h, communicator);
-        for (unsigned int j = 0; j < n; ++j)
-          {
-            const Direction &other = *directions_[j];
-            h[j]    = (h[j] + other.obstacle_rows.dot(d.obstacle_rows)) / other.square;
-            H(j, n) = h[j];
-            d.displacement -= h[j] * other.displacement;
-            d.force -= h[j] * other.force;
-            d.contact_rows -= h[j] * other.contact_rows;
-            for (std::size_t k = 0; k < d.reaction.size(); ++k)
-              d.reaction[k] -= h[j] * other.reaction[k];
-          }
-        for (unsigned int j = 0; j < n; ++j)
-          d.obstacle_rows -= h[j] * directions_[j]->obstacle_rows;
-        std::vector<double> products = subtract_all(d.v.begin(), images, h, r.begin(), N);
-        sum(products, communicator);
-        d.square = products[0] + d.obstacle_rows.squaredNorm();
+        const double product = orthogonalize(n, H, obstacle_r);
         if (!(d.square > 0.))
           break;
 
-        amounts(n) = (products[1] + d.obstacle_rows.dot(obstacle_r)) / d.square;
+        amounts(n)                = product / d.square;
         std::vector<double> norms = subtract(r.begin(), amounts(n), d.v.begin(), N);
         sum(norms, communicator);
         obstacle_r -= amounts(n) * d.obstacle_rows;
@@ -262,7 +276,6 @@ namespace stiction
         state.w += amounts(n) * d.displacement;
         state.lambda -= amounts(n) * d.force;
         problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
-        images.push_back(d.v.begin());
         ++n;
         is_finished = n >= felt.size() && (stop({n, norms[1], contact_r, state.lambda,
                                                  state.w, std::sqrt(square) / start}) ||

@@ -100,6 +100,14 @@ namespace stiction
     void move_obstacle(const PrimalActiveSet &linearization, Eigen::Index obstacle,
                        Direction &d);
 
+    /// Makes what direction n is mapped to orthogonal to those before it, and enters
+    /// their parts of it into column n of H.
+    ///
+    /// @return its product with the residual. @param obstacle_r the part of that at
+    ///   the obstacles.
+    double orthogonalize(unsigned int n, Eigen::MatrixXd &H,
+                         const Eigen::VectorXd &obstacle_r);
+
     /// Pressed obstacles that some node is held at or has a spring to.
     std::vector<Eigen::Index> felt_obstacles(const PrimalActiveSet &linearization) const;
 
