@@ -146,17 +146,12 @@ namespace stiction
     Eigen::VectorXd last_place, last_missing;
     double last_error = std::numeric_limits<double>::infinity();
     double accuracy   = std::max(first_accuracy, chosen.tolerance);
-    augmented_.reset();
+    augmented_        = std::make_unique<AugmentedOperator>(
+      *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place, weights);
+    method_.reset();
     SolveStatus status;
     for (unsigned int k = 0; k < max_releases; ++k)
       {
-        if (!augmented_)
-          {
-            method_.reset();
-            augmented_ = std::make_unique<AugmentedOperator>(
-              *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place,
-              weights);
-          }
         augmented_->set_multipliers(place);
         status = solve_with(*augmented_, verifier, accuracy, observer, lambda);
         print_places(state);
@@ -177,7 +172,9 @@ namespace stiction
         if (!falls && is_finest)
           {
             weights *= softening;
-            augmented_.reset();
+            augmented_->set_weights(weights);
+            earlier_ += method_->statistics();
+            method_.reset();
           }
         accuracy     = std::max(chosen.tolerance,
                                 std::min(accuracy_of_error * error,
@@ -207,6 +204,7 @@ namespace stiction
   void DualContactSolver::add_to(RunResult &result) const
   {
     add_method(result.solver, *method_, augmented_ ? *augmented_ : *Q_);
+    result.solver += earlier_;
     result.solver.stiffness_solves            = stiffness_solver_->n_solves();
     result.solver.stiffness_krylov_iterations = stiffness_solver_->n_iterations();
   }

@@ -1,6 +1,7 @@
 #ifndef stiction_simulation_dual_contact_solver_h
 #define stiction_simulation_dual_contact_solver_h
 
+#include <stiction/qp/solvers/solver_run.h>
 #include <stiction/simulation/contact_solver.h>
 
 #include <Eigen/Core>
@@ -50,6 +51,7 @@ namespace stiction
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<AugmentedOperator> augmented_; ///< of pressed obstacles
     std::unique_ptr<DualMethod> method_;           ///< of the last solve
+    qp::IterationCounts earlier_; ///< of methods on augmented operators before it
   };
 } // namespace stiction
 

@@ -11,14 +11,21 @@ namespace stiction
     : DualOperator(Q.n_nodes())
     , Q_(Q)
     , constraint_(std::move(constraint))
-    , weights_(std::move(weights))
+    , multipliers_(std::move(multipliers))
   {
-    set_multipliers(std::move(multipliers));
-    if (Q.matrix() == nullptr)
+    set_weights(std::move(weights));
+  }
+
+  void AugmentedOperator::set_weights(Eigen::VectorXd weights)
+  {
+    weights_ = std::move(weights);
+    set_multipliers(multipliers_);
+    if (Q_.matrix() == nullptr)
       return;
-    Eigen::MatrixXd sum = *Q.matrix();
+    dense_.reset(); // of two large matrices at a time
+    Eigen::MatrixXd sum = *Q_.matrix();
     sum.noalias() += constraint_.G * weights_.asDiagonal() * constraint_.G.transpose();
-    dense_ = std::make_unique<DenseDualOperator>(std::move(sum), Q.right_hand_side());
+    dense_ = std::make_unique<DenseDualOperator>(std::move(sum), Q_.right_hand_side());
   }
 
   Eigen::VectorXd AugmentedOperator::multipliers(const Eigen::VectorXd &lambda) const

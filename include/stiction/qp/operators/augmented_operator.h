@@ -40,6 +40,9 @@ namespace stiction
 
     void set_multipliers(Eigen::VectorXd multipliers);
 
+    /// Other ρ: another operator for whoever keeps something of it.
+    void set_weights(Eigen::VectorXd weights);
+
     const Eigen::MatrixXd *matrix() const override;
 
   protected:
@@ -52,8 +55,7 @@ namespace stiction
   private:
     const DualOperator &Q_;
     const EqualityConstraint constraint_;
-    const Eigen::VectorXd weights_;
-    Eigen::VectorXd multipliers_;
+    Eigen::VectorXd weights_, multipliers_;
     std::unique_ptr<DenseDualOperator> dense_; ///< if Q is known as a matrix
   };
 } // namespace stiction
