@@ -2,8 +2,10 @@
 #include <stiction/base/phases.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/body_verifier.h>
+#include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/dual_method_factory.h>
 #include <stiction/contact/dual/schur_complement.h>
+#include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
@@ -16,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -28,8 +32,8 @@ namespace stiction
     // The springs that press obstacles on are too stiff if the error of the forces
     // falls by less in a solve.
     constexpr double required_fall      = 0.7;
-    constexpr double softening          = 30.;
-    constexpr unsigned int max_releases = 40;
+    constexpr double softening          = 3.;
+    constexpr unsigned int max_releases = 40, max_softened = 6;
 
     // The contact problem need not be solved better than so much less than the error
     // of the forces, from this accuracy on.
@@ -84,7 +88,6 @@ namespace stiction
   {
     Q_->set_right_hand_side(SchurComplement::right_hand_side_of(
       setting_.elasticity, setting_.surface, *stiffness_solver_));
-    method_.reset(); // it may know h, and whether there is Coulomb's law
   }
 
   SolveStatus DualContactSolver::solve(State &state, const Observer &observer)
@@ -129,6 +132,7 @@ namespace stiction
     const ContactSurface &surface         = setting_.surface;
     const ObstacleMotion &motion          = surface.motion();
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
+    const double tolerance                = chosen.tolerance;
 
     const Eigen::MatrixXd pressures = uniform_pressures(motion, surface.areas());
     Eigen::VectorXd lambda =
@@ -143,49 +147,67 @@ namespace stiction
     BodyVerifier verifier(
       setting_.elasticity, surface, *stiffness_solver_, state,
       [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
-    Eigen::VectorXd last_place, last_missing;
-    double last_error = std::numeric_limits<double>::infinity();
-    double accuracy   = std::max(first_accuracy, chosen.tolerance);
-    augmented_        = std::make_unique<AugmentedOperator>(
+    augmented_ = std::make_unique<AugmentedOperator>(
       *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place, weights);
     method_.reset();
+
+    State best; // where the forces are least wrong
+    Eigen::VectorXd last_place, last_missing;
+    double last_error = std::numeric_limits<double>::infinity(), smallest = last_error;
+    double accuracy = std::max(first_accuracy, tolerance), share = 1., floor = 0.;
+    unsigned int n_softened = 0;
     SolveStatus status;
     for (unsigned int k = 0; k < max_releases; ++k)
       {
         augmented_->set_multipliers(place);
-        status = solve_with(*augmented_, verifier, accuracy, observer, lambda);
+        status = solve_with(*augmented_, verifier, std::max(share * accuracy, floor),
+                            observer, lambda);
         print_places(state);
 
-        const Eigen::VectorXd missing = motion.missing_forces(lambda);
-        const double error            = motion.relative_error(missing);
-        const bool falls              = error <= required_fall * last_error;
-        const bool is_finest          = accuracy == chosen.tolerance;
-        // what rounding leaves of other figures does not keep the forces away
-        if (status.interrupted || (is_finest && error <= chosen.tolerance) ||
-            (is_finest && !status.converged && !falls))
+        const Certificate &certificate = verifier.certificate();
+        const Eigen::VectorXd missing  = motion.missing_forces(lambda);
+        const double error             = motion.relative_error(missing);
+        const bool falls               = error <= required_fall * last_error;
+        if (error < smallest)
+          best = state;
+        smallest = std::min(smallest, error);
+        if (status.interrupted ||
+            (error <= tolerance && certificate.is_solved(tolerance)))
           return status;
+        // where rounding ends a solve the forces may come nearer nevertheless
+        const double reach = reach_of_rounding(certificate.rounding());
+        if (!status.converged && !(falls && certificate.is_solved(reach)))
+          break;
 
         place = state.distances;
         if (last_place.size() > 0)
           add_secant_step(place, last_place, missing, last_missing,
                           accuracy * motion.forces());
-        if (!falls && is_finest)
+        // beside larger loads the forces may have been below the accuracy
+        share = std::min(motion.forces().minCoeff() / certificate.force_scale(), 1.);
+        floor = 10. * certificate.rounding();
+        if (!falls && accuracy == tolerance)
           {
+            if (++n_softened > max_softened)
+              break;
             weights *= softening;
             augmented_->set_weights(weights);
             earlier_ += method_->statistics();
             method_.reset();
           }
-        accuracy     = std::max(chosen.tolerance,
-                                std::min(accuracy_of_error * error,
-                                     falls ? accuracy : accuracy_of_error * accuracy));
+        accuracy =
+          std::max(tolerance, std::min(accuracy_of_error * error,
+                                       falls ? accuracy : accuracy_of_error * accuracy));
         last_place   = state.distances;
         last_missing = missing;
         last_error   = error;
       }
-    status.reason = "no place of the obstacle was found where it presses with its force, "
-                    "raise 'Contact solver/Tolerance' if the force is small beside the "
-                    "others";
+    if (status.converged)
+      status.reason = "no place of the obstacle was found where it presses with its "
+                      "force, " +
+                      other_method();
+    status.converged = false;
+    state            = best;
     return status;
   }
 
@@ -193,9 +215,15 @@ namespace stiction
   {
     const ObstacleMotion &motion = setting_.surface.motion();
     const Units units            = Units::named(setting_.parameters.output.units);
+    std::vector<std::string> names; // said where there are several
+    for (const ContactBoundary &boundary : setting_.surface.boundaries())
+      if (boundary.force().norm() > 0.)
+        names.push_back(setting_.surface.boundaries().size() > 1
+                          ? " of boundary '" + boundary.name() + "'"
+                          : "");
     const Eigen::VectorXd forces = motion.forces() - motion.missing_forces(state.lambda);
     for (Eigen::Index j = 0; j < forces.size(); ++j)
-      print_progress("  obstacle moved by " +
+      print_progress("  obstacle" + names[j] + " moved by " +
                      with_unit(format("%.6g", state.distances(j)), units.length) +
                      " presses with " +
                      with_unit(format("%.6g", forces(j)), units.force));

@@ -214,6 +214,42 @@ namespace
         }
   }
 
+  // A force that is small beside the loads of the body, and a steep obstacle that no
+  // node of the coarse levels faces.
+  void press_lightly()
+  {
+    const std::string entry = "Boundary conditions/Obstacle force=0; 0; ";
+    for (const std::string method :
+         {"newton", "newton multigrid", "gauss seidel", "mpgp"})
+      {
+        const Run run(shipped("brick.prm"),
+                      {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+                       "Geometry/Subdivisions=4,3,1", "Geometry/Global refinement=1",
+                       "Contact solver/Method=" + method, entry + "1"});
+        const auto u = boundary(run)["obstacle_displacement"][2].get<double>();
+        out() << "1 N beside 6e8 N, " << method << ": certified " << yes(run.converged)
+              << ", at its place to 1e-4 " << yes(std::abs(u / -0.03539 - 1.) < 1e-4)
+              << std::endl;
+      }
+
+    double forces[2] = {};
+    bool certified   = true;
+    unsigned int k   = 0;
+    for (const std::string method : {"newton", "newton multigrid"})
+      {
+        const Run run(shipped("sphere.prm"),
+                      {"Geometry/Global refinement=3", "Contact solver/Method=" + method,
+                       "Boundary conditions/Obstacle=formula : 0.5 + 50*((x - 0.37)^2 "
+                       "+ (y - 0.41)^2) - z",
+                       entry + "-1e6"});
+        certified   = certified && run.converged;
+        forces[k++] = run.summary()["contact"]["max_pressure"].get<double>();
+      }
+    out() << "a steep obstacle: certified " << yes(certified)
+          << ", pressures agree to 1e-6 "
+          << yes(std::abs(forces[1] / forces[0] - 1.) < 1e-6) << std::endl;
+  }
+
   // Amontons' law for a sphere that slides, and less for one that does not.
   void slide()
   {
@@ -282,6 +318,7 @@ int main(int argc, char *argv[])
   move_held_nodes();
   press_obliquely();
   press_from_two_sides();
+  press_lightly();
   slide();
   overlap_a_little();
 

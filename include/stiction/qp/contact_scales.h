@@ -15,16 +15,19 @@ namespace stiction
   /// Forces of up to this many times the rounding of K u are nothing else.
   constexpr double only_rounding = 100.;
 
-  /// Whether a residual of this size is a matter of rounding, not of the
-  /// method.
+  /// Up to where a residual may be a matter of rounding, not of the method. On its
+  /// way to the residual rounding grows by what linear systems are conditioned: on
+  /// bodies of one material by some thousands.
   ///
   /// @param rounding what rounding alone makes of it, an estimate.
+  inline double reach_of_rounding(const double rounding)
+  {
+    return 1e4 * rounding;
+  }
+
   inline bool is_rounding(const double residual, const double rounding)
   {
-    // It grows on its way to the residual by what linear systems are
-    // conditioned: on bodies of one material by some thousands.
-    constexpr double growth = 1e4;
-    return residual <= growth * rounding;
+    return residual <= reach_of_rounding(rounding);
   }
 
   /// What a scale of displacements has to know of the body behind the contact

@@ -71,7 +71,7 @@ namespace stiction
 
   double best_spring_compliance(const ContactSolverParameters &parameters)
   {
-    return parameters.method == "admm" ? 1. : parameters.method == "newton" ? 1000. : 30.;
+    return parameters.method == "admm" ? 1. : 30.;
   }
 
   std::string advice_on_method(const Parameters &parameters, const bool is_coulomb,

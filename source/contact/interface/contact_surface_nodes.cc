@@ -193,7 +193,7 @@ namespace stiction
           std::max(largest_approach[node.boundary], -direction(0));
       }
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (column[b] >= 0 && largest_approach[b] < least_approach)
+      if (column[b] >= 0 && largest_approach[b] <= least_approach)
         throw InputError(
           parameters.source.describe("Boundary conditions/Obstacle force") +
           ", does not press the obstacle of boundary '" + boundaries_[b].name() +

@@ -1,6 +1,5 @@
 #include <stiction/contact/obstacles/obstacle_motion.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,20 +16,20 @@ namespace stiction
   Eigen::VectorXd ObstacleMotion::offset(const Eigen::VectorXd &distances) const
   {
     return n_pressed() == 0 ? offset_
-                            : Eigen::VectorXd(offset_ + directions_ * distances);
+                            : Eigen::VectorXd(offset_ + displacement(distances));
   }
 
   Eigen::VectorXd ObstacleMotion::missing_forces(const Eigen::VectorXd &lambda) const
   {
-    return forces_ + directions_.transpose() * lambda;
+    return forces_ + forces_along(lambda);
   }
 
   double ObstacleMotion::relative_error(const Eigen::VectorXd &errors) const
   {
     double largest = 0.;
     for (Eigen::Index j = 0; j < n_pressed(); ++j)
-      if (forces_(j) > 0.)
-        largest = std::max(largest, std::abs(errors(j)) / forces_(j));
+      if (forces_(j) > 0. && !(std::abs(errors(j)) <= largest * forces_(j)))
+        largest = std::abs(errors(j)) / forces_(j); // a NaN, too
     return largest;
   }
 } // namespace stiction

@@ -149,7 +149,7 @@ namespace stiction
           directions.row(j + c * m) = motion.directions().row(k);
         }
     for (Eigen::Index j = 0; j < forces.size(); ++j)
-      if ((directions.col(j).head(m).array() > -least_approach).all())
+      if ((directions.col(j).head(m).array() >= -least_approach).all())
         {
           directions.col(j).setZero();
           forces(j) = 0.;
@@ -234,7 +234,7 @@ namespace stiction
   void ContactLevel::bring_into_contact(ContactState &state,
                                         const Eigen::VectorXd &a) const
   {
-    if (motion_.n_pressed() == 0)
+    if (motion_.n_pressed() == 0 || n_nodes() == 0)
       return;
     const Eigen::VectorXd ways =
       ways_to_press(motion_, -state.w.head(n_nodes()), areas_,

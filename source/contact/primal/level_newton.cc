@@ -130,7 +130,8 @@ namespace stiction
                                           const double rounding) const
   {
     return residual.force_scale < only_rounding * rounding &&
-           problem_.slip_bound().constant().isZero(0.);
+           problem_.slip_bound().constant().isZero(0.) &&
+           problem_.motion().forces().isZero(0.);
   }
 
   void LevelNewton::drop_contact_forces(ContactState &state) const

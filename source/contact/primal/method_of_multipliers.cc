@@ -111,10 +111,10 @@ namespace stiction
     slip_bound_          = slip_bound;
     multipliers_         = state.lambda;
     qp::HalfLinesTimesDiscs(slip_bound_).project(multipliers_);
-    problem_.bring_into_contact(state, forces(state.w));
 
     while (effort.newton_steps < max_newton_steps)
       {
+        problem_.bring_into_contact(state, forces(state.w));
         const ContactResidual residual(problem_, state,
                                        qp::SlipBound::given(slip_bound_));
         if (residual.value() <= tolerance)

@@ -126,7 +126,7 @@ namespace stiction
   Eigen::VectorXd NewtonSystem::held_displacement(const PrimalActiveSet &linearization,
                                                   const Eigen::VectorXd &distances) const
   {
-    Eigen::VectorXd moved = problem_.motion().directions() * distances;
+    Eigen::VectorXd moved = problem_.motion().displacement(distances);
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
       set_at_node(moved, i,
                   at_node(moved, i) -
@@ -164,12 +164,11 @@ namespace stiction
     problem_.stiffness().vmult(d.v, step_);
     d.displacement = problem_.B().apply(step_);
     if (moves_obstacles)
-      d.displacement -= problem_.motion().directions() * d.distances;
+      d.displacement -= problem_.motion().displacement(d.distances);
     d.force         = problem_.B().contact_forces(d.v);
     d.contact_rows  = contact_rows(linearization, d.force, d.displacement);
-    d.obstacle_rows = problem_.motion().directions().transpose() *
-                      Eigen::VectorXd(d.force - d.contact_rows);
-    d.reaction = problem_.prescribed_entries(d.v);
+    d.obstacle_rows = problem_.motion().forces_along(d.force - d.contact_rows);
+    d.reaction      = problem_.prescribed_entries(d.v);
     problem_.clear_prescribed(d.v);
     problem_.B().set_transpose(d.contact_rows, d.v);
   }

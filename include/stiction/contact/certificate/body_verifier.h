@@ -32,6 +32,9 @@ namespace stiction
 
     const ContactConditions &verify(const Eigen::VectorXd &lambda) override;
 
+    /// What the last call of verify() returned.
+    const Certificate &certificate() const { return *certificate_; }
+
   private:
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

@@ -36,6 +36,18 @@ namespace stiction
     /// C, 3m × n.
     const Eigen::MatrixXd &directions() const { return directions_; }
 
+    /// C δ, length 3m: how contact nodes see the obstacles move. Unit: m.
+    Eigen::VectorXd displacement(const Eigen::VectorXd &distances) const
+    {
+      return directions_.lazyProduct(distances); // BLAS refuses a level without nodes
+    }
+
+    /// Cᵀ λ, length n: the contact forces along the ways of the obstacles. Unit: N.
+    Eigen::VectorXd forces_along(const Eigen::VectorXd &lambda) const
+    {
+      return directions_.transpose().lazyProduct(lambda);
+    }
+
     /// P, length n. Unit: N.
     const Eigen::VectorXd &forces() const { return forces_; }
 

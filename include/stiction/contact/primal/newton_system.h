@@ -40,8 +40,8 @@ namespace stiction
     NewtonSystem(const ContactLevel &problem, unsigned int level,
                  StiffnessPreconditioner &preconditioner);
 
-    /// The iterations that solve() takes at most: their directions are kept, 12
-    /// bytes an unknown each.
+    /// The iterations that solve() takes at most beside those that move obstacles: their
+    /// directions are kept, 12 bytes an unknown each.
     static constexpr unsigned int max_directions = 20;
 
     /// What is known after an iteration.
