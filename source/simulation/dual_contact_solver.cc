@@ -54,6 +54,35 @@ namespace stiction
             (distances(j) - last_distances(j)) * change(j) > 0.)
           distances(j) += (distances(j) - last_distances(j)) / change(j) * missing(j);
     }
+
+    // Between where an obstacle presses too much and where it presses too little: half
+    // way, if it has no force at its place or would leave the interval. Others that
+    // move shift the interval: an end that is contradicted is forgotten.
+    void stay_between(Eigen::VectorXd &next, const Eigen::VectorXd &place,
+                      const Eigen::VectorXd &missing, const Eigen::VectorXd &forces,
+                      Eigen::VectorXd &too_near, Eigen::VectorXd &too_far)
+    {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      for (Eigen::Index j = 0; j < next.size(); ++j)
+        {
+          if (missing(j) > 0.)
+            {
+              too_far(j) = std::max(too_far(j), place(j));
+              if (place(j) >= too_near(j))
+                too_near(j) = infinity;
+            }
+          else
+            {
+              too_near(j) = std::min(too_near(j), place(j));
+              if (place(j) <= too_far(j))
+                too_far(j) = -infinity;
+            }
+          const bool has_no_force = missing(j) >= forces(j);
+          if (std::isfinite(too_near(j)) && std::isfinite(too_far(j)) &&
+              (has_no_force || next(j) <= too_far(j) || next(j) >= too_near(j)))
+            next(j) = 0.5 * (too_near(j) + too_far(j));
+        }
+    }
   } // namespace
 
   DualContactSolver::DualContactSolver(const Setting &setting)
@@ -153,6 +182,9 @@ namespace stiction
 
     State best; // where the forces are least wrong
     Eigen::VectorXd last_place, last_missing;
+    Eigen::VectorXd too_near =
+      Eigen::VectorXd::Constant(place.size(), std::numeric_limits<double>::infinity());
+    Eigen::VectorXd too_far = -too_near;
     double last_error = std::numeric_limits<double>::infinity(), smallest = last_error;
     double accuracy = std::max(first_accuracy, tolerance), share = 1., floor = 0.;
     unsigned int n_softened = 0;
@@ -183,6 +215,7 @@ namespace stiction
         if (last_place.size() > 0)
           add_secant_step(place, last_place, missing, last_missing,
                           accuracy * motion.forces());
+        stay_between(place, state.distances, missing, motion.forces(), too_near, too_far);
         // beside larger loads the forces may have been below the accuracy
         share = std::min(motion.forces().minCoeff() / certificate.force_scale(), 1.);
         floor = 10. * certificate.rounding();
