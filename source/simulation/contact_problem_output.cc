@@ -79,9 +79,8 @@ namespace stiction
       const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
       problem.Q = *Q.matrix();
-      problem.h = Q.right_hand_side() +
-                  discretization_->surface->motion().offset_at_start() -
-                  discretization_->surface->motion().offset(state_.distances);
+      problem.h = Q.right_hand_side() -
+                  discretization_->surface->motion().displacement(state_.distances);
       problem.slip_bound = discretization_->surface->slip_bound();
       problem.areas      = discretization_->surface->areas();
       problem.positions.resize(discretization_->surface->n_nodes(), 3);

@@ -8,6 +8,7 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/contact/obstacles/place_search.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/output/results/run_result.h>
@@ -16,7 +17,6 @@
 #include <stiction/simulation/dual_contact_solver.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -39,50 +39,6 @@ namespace stiction
     // of the forces, from this accuracy on.
     constexpr double accuracy_of_error = 0.1;
     constexpr double first_accuracy    = 1e-2;
-
-    // Two places of an obstacle tell how far it goes for a force: a secant step, where
-    // the force changed by more than its error.
-    void add_secant_step(Eigen::VectorXd &distances,
-                         const Eigen::VectorXd &last_distances,
-                         const Eigen::VectorXd &missing,
-                         const Eigen::VectorXd &last_missing,
-                         const Eigen::VectorXd &noise)
-    {
-      const Eigen::VectorXd change = last_missing - missing;
-      for (Eigen::Index j = 0; j < distances.size(); ++j)
-        if (std::abs(change(j)) > noise(j) &&
-            (distances(j) - last_distances(j)) * change(j) > 0.)
-          distances(j) += (distances(j) - last_distances(j)) / change(j) * missing(j);
-    }
-
-    // Between where an obstacle presses too much and where it presses too little: half
-    // way, if it has no force at its place or would leave the interval. Others that
-    // move shift the interval: an end that is contradicted is forgotten.
-    void stay_between(Eigen::VectorXd &next, const Eigen::VectorXd &place,
-                      const Eigen::VectorXd &missing, const Eigen::VectorXd &forces,
-                      Eigen::VectorXd &too_near, Eigen::VectorXd &too_far)
-    {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      for (Eigen::Index j = 0; j < next.size(); ++j)
-        {
-          if (missing(j) > 0.)
-            {
-              too_far(j) = std::max(too_far(j), place(j));
-              if (place(j) >= too_near(j))
-                too_near(j) = infinity;
-            }
-          else
-            {
-              too_near(j) = std::min(too_near(j), place(j));
-              if (place(j) <= too_far(j))
-                too_far(j) = -infinity;
-            }
-          const bool has_no_force = missing(j) >= forces(j);
-          if (std::isfinite(too_near(j)) && std::isfinite(too_far(j)) &&
-              (has_no_force || next(j) <= too_far(j) || next(j) >= too_near(j)))
-            next(j) = 0.5 * (too_near(j) + too_far(j));
-        }
-    }
   } // namespace
 
   DualContactSolver::DualContactSolver(const Setting &setting)
@@ -145,6 +101,13 @@ namespace stiction
                            chosen.maximum_iterations, other_method(), observer, lambda);
   }
 
+  void DualContactSolver::forget_method()
+  {
+    if (method_)
+      earlier_ += method_->statistics();
+    method_.reset();
+  }
+
   Eigen::VectorXd DualContactSolver::yielding(const Eigen::MatrixXd &lambda) const
   {
     Eigen::VectorXd ways(lambda.cols()), Q_lambda;
@@ -176,15 +139,12 @@ namespace stiction
     BodyVerifier verifier(
       setting_.elasticity, surface, *stiffness_solver_, state,
       [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
+    forget_method();
     augmented_ = std::make_unique<AugmentedOperator>(
       *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place, weights);
-    method_.reset();
 
     State best; // where the forces are least wrong
-    Eigen::VectorXd last_place, last_missing;
-    Eigen::VectorXd too_near =
-      Eigen::VectorXd::Constant(place.size(), std::numeric_limits<double>::infinity());
-    Eigen::VectorXd too_far = -too_near;
+    PlaceSearch search(motion.forces());
     double last_error = std::numeric_limits<double>::infinity(), smallest = last_error;
     double accuracy = std::max(first_accuracy, tolerance), share = 1., floor = 0.;
     unsigned int n_softened = 0;
@@ -211,11 +171,7 @@ namespace stiction
         if (!status.converged && !(falls && certificate.is_solved(reach)))
           break;
 
-        place = state.distances;
-        if (last_place.size() > 0)
-          add_secant_step(place, last_place, missing, last_missing,
-                          accuracy * motion.forces());
-        stay_between(place, state.distances, missing, motion.forces(), too_near, too_far);
+        place = search.next(state.distances, missing, accuracy);
         // beside larger loads the forces may have been below the accuracy
         share = std::min(motion.forces().minCoeff() / certificate.force_scale(), 1.);
         floor = 10. * certificate.rounding();
@@ -225,15 +181,12 @@ namespace stiction
               break;
             weights *= softening;
             augmented_->set_weights(weights);
-            earlier_ += method_->statistics();
-            method_.reset();
+            forget_method();
           }
         accuracy =
           std::max(tolerance, std::min(accuracy_of_error * error,
                                        falls ? accuracy : accuracy_of_error * accuracy));
-        last_place   = state.distances;
-        last_missing = missing;
-        last_error   = error;
+        last_error = error;
       }
     if (status.converged)
       status.reason = "no place of the obstacle was found where it presses with its "

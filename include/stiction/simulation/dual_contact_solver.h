@@ -45,6 +45,9 @@ namespace stiction
                            double tolerance, const Observer &observer,
                            Eigen::VectorXd &lambda);
 
+    /// Has the next solve make the method anew; what this one did still counts.
+    void forget_method();
+
     /// How far the obstacles go under these contact forces, one column each, m.
     Eigen::VectorXd yielding(const Eigen::MatrixXd &lambda) const;
 

@@ -213,8 +213,9 @@ namespace stiction
     result.rounding = conditions.rounding();
     for (const NodeStatus status : statuses)
       count(result.contact, status);
-    result.contact.normal_force = conditions.lambda().head(conditions.lambda().size() / 3).sum();
-    result.seconds              = phases.all_seconds();
+    result.contact.normal_force =
+      conditions.lambda().head(conditions.lambda().size() / 3).sum();
+    result.seconds = phases.all_seconds();
 
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
