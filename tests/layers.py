@@ -12,7 +12,7 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LAYERS = (  # from the ground up
     "base",
-    "parameters",
+    "base/text",
     "qp/sets",
     "qp/operators",
     "qp/solvers",
@@ -32,13 +32,15 @@ LAYERS = (  # from the ground up
     "contact/dual",
     "contact/primal",
     "contact/certificate",
+    "output",
     "output/problem",
     "output/results",
+    "simulation/parameters",
     "simulation",
     "",  # main.cc
 )
 NEVER = (  # beside what the order says
-    ("qp", "parameters"),
+    ("qp", "base/text"),
     ("elasticity", "qp"),
     ("output/problem", "elasticity"),
 )

@@ -6,10 +6,10 @@
 
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/simulation/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 

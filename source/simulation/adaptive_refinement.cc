@@ -1,12 +1,13 @@
 #include <stiction/base/log.h>
+#include <stiction/base/memory.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/cell_marking.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/parameters/memory.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/simulation/adaptive_refinement.h>
+#include <stiction/simulation/parameters/memory_estimates.h>
+#include <stiction/simulation/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,6 +2,7 @@
 #include <stiction/base/files.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
+#include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -14,14 +15,14 @@
 #include <stiction/output/results/output_directory.h>
 #include <stiction/output/results/overview.h>
 #include <stiction/output/results/report.h>
-#include <stiction/parameters/memory.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/cores.h>
-#include <stiction/simulation/missing_entries.h>
+#include <stiction/simulation/parameters/memory_estimates.h>
+#include <stiction/simulation/parameters/missing_entries.h>
+#include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/reference_costs.h>
 
 #include <deal.II/base/config.h>
@@ -66,7 +67,7 @@ namespace stiction
       assemble_system();
       make_contact_surface();
       print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
-      require_writable_output(parameters_, communicator_);
+      require_writable_output(parameters_.output, parameters_.source, communicator_);
       step(parameters_.boundary.time);
       while (refine_mesh())
         {
@@ -86,7 +87,7 @@ namespace stiction
 
   void ContactProblem::step(const double time)
   {
-    discretization_->set_time(parameters_, time);
+    discretization_->set_time(parameters_.of_contact(), time);
     solve();
     certify();
   }
@@ -175,10 +176,14 @@ namespace stiction
     make_grid();
     assemble_system();
     make_contact_surface();
-    require_writable_output(parameters_, communicator_);
+    require_writable_output(parameters_.output, parameters_.source, communicator_);
     print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
     print_overview(*log_, *discretization_->elasticity, *discretization_->surface,
-                   parameters_);
+                   Units::named(parameters_.output.units));
+    print_memory(*log_, parameters_,
+                 static_cast<double>(body_->triangulation().n_global_active_cells()),
+                 3. * static_cast<double>(discretization_->surface->n_nodes()),
+                 communicator_);
     log_->line("The input is valid; nothing was solved.");
   }
 
@@ -198,8 +203,9 @@ namespace stiction
     check_size(parameters_.geometry.n_cells());
     body_ = std::make_unique<Body>(parameters_.geometry, communicator_, check_size);
     require_complete(parameters_, body_->boundary_names());
-    assign_material_ids(*body_, parameters_);
-    refine_contact_boundary(*body_, parameters_);
+    assign_material_ids(*body_, parameters_.of_body());
+    refine_contact_boundary(*body_, parameters_.geometry,
+                            parameters_.contact.contact_boundary, parameters_.source);
     describe_body();
     describe_choices();
   }
@@ -251,16 +257,17 @@ namespace stiction
 
   void ContactProblem::assemble_system()
   {
-    const auto phase            = phases_.scope("assembly");
-    discretization_             = std::make_unique<Discretization>();
-    discretization_->elasticity = std::make_unique<LinearElasticity>(*body_, parameters_);
+    const auto phase = phases_.scope("assembly");
+    discretization_  = std::make_unique<Discretization>();
+    discretization_->elasticity =
+      std::make_unique<LinearElasticity>(*body_, parameters_.of_body());
   }
 
   void ContactProblem::make_contact_surface()
   {
-    const auto phase = phases_.scope("mesh");
-    discretization_->surface =
-      std::make_unique<ContactSurface>(*discretization_->elasticity, parameters_);
+    const auto phase         = phases_.scope("mesh");
+    discretization_->surface = std::make_unique<ContactSurface>(
+      *discretization_->elasticity, parameters_.of_contact());
     discretization_->elasticity->require_support();
     require_load(parameters_, body_->boundary_names(), *discretization_->surface);
     const std::string law = parameters_.friction.name();
@@ -291,7 +298,8 @@ namespace stiction
     if (has_output_)
       return; // since an earlier mesh
     has_output_ = true;
-    open_output_directory(parameters_, *log_, communicator_);
+    open_output_directory(parameters_.output, parameters_.source, parameters_.used_file(),
+                          *log_, communicator_);
     keep_iterate_when_interrupted();
   }
 

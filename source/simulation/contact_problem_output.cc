@@ -16,13 +16,13 @@
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
 #include <stiction/output/results/vtu.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/dual_problem.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/parameters/parameters.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -123,7 +123,8 @@ namespace stiction
     const ContactSurface &surface          = *discretization_->surface;
     const std::vector<NodeStatus> statuses = node_statuses();
     RunResult result =
-      result_of(status_, *certificate_, statuses, parameters_, phases_, communicator_);
+      result_of(status_, *certificate_, statuses, parameters_.contact_solver.tolerance,
+                parameters_.output, phases_, communicator_);
     discretization_->solver->add_to(result);
     result.solver.law                      = parameters_.friction.name();
     result.solver.elastic_solve_iterations = elastic_solve_iterations_;
@@ -139,7 +140,9 @@ namespace stiction
   void ContactProblem::report()
   {
     const RunResult result = this->result();
-    summary_      = std::make_unique<json>(to_json(result, parameters_, communicator_));
+    summary_      = std::make_unique<json>(to_json(result, parameters_.contact_solver,
+                                                   parameters_.output.units,
+                                                   parameters_.source, communicator_));
     json &summary = *summary_;
     summary["problem"]     = {{"cells", body_->triangulation().n_global_active_cells()},
                               {"nodes", body_->n_nodes()},
@@ -155,7 +158,14 @@ namespace stiction
     const std::string &directory = parameters_.output.directory;
     write_summary(summary, directory, communicator_);
 
-    print_report(*log_, result, parameters_);
+    // geometric multigrid works on uniform meshes alone
+    print_report(*log_, result, parameters_.contact_solver.tolerance,
+                 parameters_.performance.print_timing,
+                 parameters_.stiffness_solver.type == "multigrid"
+                   ? "'Geometry/Global refinement' lowers it"
+                 : parameters_.refinement.adaptive_steps > 0
+                   ? "more 'Refinement/Adaptive steps' lower it"
+                   : "'Refinement/Adaptive steps' lowers it");
     log_->line("Open " +
                (parameters_.output.write_solution ? directory + "/solution.pvtu and "
                                                   : std::string()) +

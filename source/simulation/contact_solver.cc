@@ -1,10 +1,9 @@
 #include <stiction/base/log.h>
-#include <stiction/contact/dual/dual_method_factory.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/simulation/contact_solver.h>
 #include <stiction/simulation/dual_contact_solver.h>
+#include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/primal_contact_solver.h>
 
 namespace stiction
@@ -30,8 +29,8 @@ namespace stiction
 
   std::string ContactSolver::other_method() const
   {
-    return advice_on_method(setting_.parameters,
-                            setting_.surface.slip_bound().is_coulomb(), true);
+    return setting_.parameters.advice_on_method(
+      setting_.surface.slip_bound().is_coulomb(), true);
   }
 
   void ContactSolver::print_progress(const std::string &line) const

@@ -2,12 +2,12 @@
 
 namespace stiction
 {
-  void Discretization::set_time(const Parameters &parameters, const double time)
+  void Discretization::set_time(const ContactParameters &contact, const double time)
   {
     if (time == elasticity->time())
       return;
     elasticity->set_time(time);
-    ContactSurface then(*elasticity, parameters, time);
+    ContactSurface then(*elasticity, contact);
     const bool is_same_map = then.B() == surface->B();
     *surface               = std::move(then);
     if (!is_same_map)

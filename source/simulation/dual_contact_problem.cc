@@ -9,12 +9,12 @@
 #include <stiction/output/results/output_directory.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/qp/verifier.h>
 #include <stiction/simulation/dual_contact_problem.h>
+#include <stiction/simulation/parameters/parameters.h>
 
 #include <nlohmann/json.hpp>
 
@@ -75,7 +75,8 @@ namespace stiction
     {
       const auto total = phases_.scope("total");
       read_problem();
-      open_output_directory(parameters_, *log_, communicator_);
+      open_output_directory(parameters_.output, parameters_.source,
+                            parameters_.used_file(), *log_, communicator_);
       keep_iterate_when_interrupted();
       solve_contact();
       output_results();
@@ -115,7 +116,7 @@ namespace stiction
     status_ = certified_solve(
       *method_, *Q_, problem_.slip_bound, *verifier_,
       parameters_.contact_solver.tolerance, parameters_.contact_solver.maximum_iterations,
-      advice_on_method(parameters_, problem_.slip_bound.is_coulomb(), false),
+      parameters_.advice_on_method(problem_.slip_bound.is_coulomb(), false),
       [&](const ContactStep &step) {
         history_->add(step);
         stop_if_interrupted(communicator_);
@@ -165,8 +166,9 @@ namespace stiction
   void DualContactProblem::report()
   {
     const qp::SlipBound &bound = problem_.slip_bound;
-    RunResult result = result_of(status_, *conditions_, node_statuses(), parameters_,
-                                 phases_, communicator_);
+    RunResult result           = result_of(status_, *conditions_, node_statuses(),
+                                           parameters_.contact_solver.tolerance, parameters_.output,
+                                           phases_, communicator_);
     add_method(result.solver, *method_, *Q_);
     result.solver.law          = bound.is_mixed()               ? "mixed"
                                  : bound.is_coulomb()           ? "coulomb"
@@ -183,15 +185,17 @@ namespace stiction
                "certificate says nothing.",
                problem_.asymmetry));
 
-    summary_ =
-      std::make_unique<nlohmann::json>(to_json(result, parameters_, communicator_));
+    summary_ = std::make_unique<nlohmann::json>(
+      to_json(result, parameters_.contact_solver, parameters_.output.units,
+              parameters_.source, communicator_));
     (*summary_)["problem"] = {{"file", path_},
                               {"contact_nodes", Q_->n_nodes()},
                               {"dual_unknowns", 3 * Q_->n_nodes()},
                               {"asymmetry", problem_.asymmetry}};
     write_summary(*summary_, parameters_.output.directory, communicator_);
 
-    print_report(*log_, result, parameters_);
+    print_report(*log_, result, parameters_.contact_solver.tolerance,
+                 parameters_.performance.print_timing);
     log_->line("There was no body to judge: the certificate is that of the "
                "contact conditions with Q and h as they are.");
     log_->line("The contact forces are in " + parameters_.output.directory +

@@ -12,9 +12,9 @@
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/simulation/dual_contact_solver.h>
+#include <stiction/simulation/parameters/parameters.h>
 
 #include <algorithm>
 #include <limits>

@@ -6,7 +6,7 @@
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/parameters/parameters.h>
+#include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/primal_contact_solver.h>
 
 namespace stiction

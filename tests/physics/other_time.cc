@@ -31,8 +31,8 @@ namespace
     Phases phases;
     Discretization discretization;
     auto &[elasticity, surface, solver] = discretization;
-    elasticity = std::make_unique<LinearElasticity>(body, parameters);
-    surface    = std::make_unique<ContactSurface>(*elasticity, parameters);
+    elasticity = std::make_unique<LinearElasticity>(body, parameters.of_body());
+    surface    = std::make_unique<ContactSurface>(*elasticity, parameters.of_contact());
     State state;
     const auto solve = [&]() {
       if (!solver)
@@ -44,7 +44,7 @@ namespace
     const bool is_first_certified     = solve();
     const Eigen::VectorXd first       = state.lambda;
     const ContactSolver *const before = solver.get();
-    discretization.set_time(parameters, 1.);
+    discretization.set_time(parameters.of_contact(), 1.);
     const bool is_kept      = solver.get() == before && before != nullptr;
     const bool is_certified = solve();
 

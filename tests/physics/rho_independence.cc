@@ -5,8 +5,8 @@
 
 #include "tests.h"
 
-#include <stiction/contact/interface/state.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -27,8 +27,8 @@ int main(int argc, char *argv[])
                        "Friction/Slip stress=1.5e7",
                        "Contact solver/Method=newton multigrid"});
       const Body body(parameters.geometry, MPI_COMM_WORLD);
-      const LinearElasticity elasticity(body, parameters);
-      const ContactSurface surface(elasticity, parameters);
+      const LinearElasticity elasticity(body, parameters.of_body());
+      const ContactSurface surface(elasticity, parameters.of_contact());
 
       Eigen::VectorXd reference;
       const auto run = [&](const std::string &name, const LevelNewton::Options &options) {

@@ -22,8 +22,8 @@ int main(int argc, char *argv[])
                   {"Geometry/Table 1 level=1", "Friction/Coefficient=0.1*(1+x+y)",
                    "Boundary conditions/Initial gap=1e-3*(x+2*y)"});
   const Body body(parameters.geometry, MPI_COMM_WORLD);
-  const LinearElasticity elasticity(body, parameters);
-  const ContactSurface surface(elasticity, parameters);
+  const LinearElasticity elasticity(body, parameters.of_body());
+  const ContactSurface surface(elasticity, parameters.of_contact());
   const Eigen::Index m = surface.n_nodes();
 
   out() << "nodes of the body " << body.n_nodes() << ", contact nodes " << m << std::endl;

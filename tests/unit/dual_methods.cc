@@ -40,8 +40,8 @@ int main(int argc, char *argv[])
   Parameters parameters;
   parameters.read(shipped("brick.prm"), {"Geometry/Table 1 level=1"});
   const Body body(parameters.geometry, MPI_COMM_WORLD);
-  const LinearElasticity elasticity(body, parameters);
-  const ContactSurface surface(elasticity, parameters);
+  const LinearElasticity elasticity(body, parameters.of_body());
+  const ContactSurface surface(elasticity, parameters.of_contact());
   const auto solver = StiffnessSolver::create("mumps", elasticity, 1e-13);
   const auto Q      = SchurComplement::create("assembled", elasticity, surface, *solver);
   const auto by_solves =

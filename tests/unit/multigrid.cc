@@ -37,7 +37,7 @@ namespace
                        "Geometry/Global refinement=" + std::to_string(refinement),
                        "Stiffness solver/Type=" + solver});
       body       = std::make_unique<Body>(parameters.geometry, MPI_COMM_WORLD);
-      elasticity = std::make_unique<LinearElasticity>(*body, parameters);
+      elasticity = std::make_unique<LinearElasticity>(*body, parameters.of_body());
     }
 
     Parameters parameters;

@@ -4,8 +4,8 @@
 // switch is undecided, and everything else is what it is. What is not a number
 // is undecided, too.
 
+#include <stiction/contact/dual/contact_solver_parameters.h>
 #include <stiction/contact/dual/dual_method_factory.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/certified_solve.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>

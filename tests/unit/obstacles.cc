@@ -80,8 +80,8 @@ namespace
                        "Boundary conditions/Traction="});
       parameters.read(shipped("brick.prm"), settings);
       body       = std::make_unique<Body>(parameters.geometry, MPI_COMM_WORLD);
-      elasticity = std::make_unique<LinearElasticity>(*body, parameters);
-      surface    = std::make_unique<ContactSurface>(*elasticity, parameters);
+      elasticity = std::make_unique<LinearElasticity>(*body, parameters.of_body());
+      surface    = std::make_unique<ContactSurface>(*elasticity, parameters.of_contact());
     }
 
     Parameters parameters;

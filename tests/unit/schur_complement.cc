@@ -58,8 +58,8 @@ int main(int argc, char *argv[])
                    "2e-4*x; 1e-4",
                    "Boundary conditions/Initial gap=1e-5*x - 2e-5"});
   const Body body(parameters.geometry, MPI_COMM_WORLD);
-  const LinearElasticity elasticity(body, parameters);
-  const ContactSurface surface(elasticity, parameters);
+  const LinearElasticity elasticity(body, parameters.of_body());
+  const ContactSurface surface(elasticity, parameters.of_contact());
   const Eigen::Index m = surface.n_nodes();
 
   // B row by row from the frames of the contact nodes

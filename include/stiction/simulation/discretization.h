@@ -22,7 +22,7 @@ namespace stiction
     /// Nothing is assembled or factorised, unless an obstacle's formula turns the
     /// normals of contact nodes: then the solver goes and has to be made anew.
     /// Collective. Throws InputError as the constructors do.
-    void set_time(const Parameters &parameters, double time);
+    void set_time(const ContactParameters &contact, double time);
   };
 } // namespace stiction
 

@@ -1,11 +1,14 @@
-#include <stiction/base/boundary_functions.h>
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_pair_parameters.h>
+#include <stiction/contact/interface/contact_parameters.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/obstacles/obstacle.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -83,24 +86,24 @@ namespace stiction
   ContactBoundary::ContactBoundary(ContactBoundary &&) noexcept = default;
   ContactBoundary::~ContactBoundary()                           = default;
 
-  std::vector<ContactBoundary> ContactBoundary::read(const Parameters &parameters,
+  std::vector<ContactBoundary> ContactBoundary::read(const ContactParameters &parameters,
                                                      const Body &body, const double time)
   {
     const ParameterFile &source = parameters.source;
     const std::string entry     = "Boundary conditions/Contact boundary";
-    const auto names            = split_at_bars(parameters.boundary.contact_boundary);
+    const auto names            = split_at_bars(parameters.pairs.contact_boundary);
     const std::vector<FrictionLaw> laws = parameters.friction.laws();
 
     const auto values = [&](const std::string &of, const std::string &text) {
       return values_for_each(text, names.size(), source.describe(of));
     };
     values("Friction/Law", parameters.friction.law_name); // counted only
-    const auto obstacles = values(obstacle_entry, parameters.boundary.obstacle);
+    const auto obstacles = values(obstacle_entry, parameters.pairs.obstacle);
     const auto gaps =
-      values("Boundary conditions/Initial gap", parameters.boundary.initial_gap);
+      values("Boundary conditions/Initial gap", parameters.pairs.initial_gap);
     const auto displacements =
-      values(displacement_entry, parameters.boundary.obstacle_displacement);
-    const auto forces = values(force_entry, parameters.boundary.obstacle_force);
+      values(displacement_entry, parameters.pairs.obstacle_displacement);
+    const auto forces = values(force_entry, parameters.pairs.obstacle_force);
     const auto coefficients =
       values("Friction/Coefficient", parameters.friction.coefficient);
     const auto slip_stresses =

@@ -3,13 +3,15 @@
 #include "node_shares.h"
 
 #include <stiction/base/errors.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_parameters.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/base/mpi.h>
@@ -36,18 +38,12 @@ namespace stiction
   } // namespace
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
-                                 const Parameters &parameters)
-    : ContactSurface(elasticity, parameters, parameters.boundary.time)
-  {
-  }
-
-  ContactSurface::ContactSurface(const LinearElasticity &elasticity,
-                                 const Parameters &parameters, const double time)
-    : boundaries_(ContactBoundary::read(parameters, elasticity.body(), time))
+                                 const ContactParameters &parameters)
+    : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
-    require_nodes(parameters, "Boundary conditions/Contact boundary",
+    require_nodes(parameters.source, "Boundary conditions/Contact boundary",
                   boundaries_.size() == 1
                     ? "the displacement is prescribed at every node of this "
                       "boundary, must be a boundary with free nodes"
@@ -55,13 +51,13 @@ namespace stiction
                       "to no boundary before this one, must be a boundary with "
                       "free nodes of its own");
     place_obstacles();
-    require_nodes(parameters, "Boundary conditions/Obstacle",
+    require_nodes(parameters.source, "Boundary conditions/Obstacle",
                   "no free node of the contact boundary faces it, its "
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
     evaluate_data();
     number_nodes();
-    displace_obstacles(parameters);
+    displace_obstacles(parameters.source);
   }
 
   void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
@@ -73,7 +69,7 @@ namespace stiction
         nodes_.push_back(node);
   }
 
-  void ContactSurface::require_nodes(const Parameters &parameters,
+  void ContactSurface::require_nodes(const ParameterFile &source,
                                      const std::string &entry,
                                      const std::string &reason) const
   {
@@ -83,7 +79,7 @@ namespace stiction
     const auto empty = std::find(n.begin(), n.end(), 0u);
     if (empty == n.end())
       return;
-    throw InputError(parameters.source.describe(entry) +
+    throw InputError(source.describe(entry) +
                      (n.size() == 1
                         ? ""
                         : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
@@ -148,7 +144,7 @@ namespace stiction
                     : qp::SlipBound::given(std::move(constant));
   }
 
-  void ContactSurface::displace_obstacles(const Parameters &parameters)
+  void ContactSurface::displace_obstacles(const ParameterFile &source)
   {
     // of those with a force, the column; of the others none
     std::vector<Eigen::Index> column(boundaries_.size(), -1);
@@ -177,7 +173,7 @@ namespace stiction
         e(0) += node.gap;
         if (e(0) < -boundary.body_size())
           throw InputError(
-            parameters.source.describe("Boundary conditions/Obstacle displacement") +
+            source.describe("Boundary conditions/Obstacle displacement") +
             ", moves the obstacle of boundary '" + boundary.name() +
             "' into the body by more than the body is large, must be small "
             "like the displacements of the body.");
@@ -195,7 +191,7 @@ namespace stiction
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
       if (column[b] >= 0 && largest_approach[b] <= least_approach)
         throw InputError(
-          parameters.source.describe("Boundary conditions/Obstacle force") +
+          source.describe("Boundary conditions/Obstacle force") +
           ", does not press the obstacle of boundary '" + boundaries_[b].name() +
           "' against the body, must point from the obstacle into the body.");
     motion_ = ObstacleMotion(std::move(offset), std::move(directions),

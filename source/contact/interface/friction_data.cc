@@ -1,8 +1,9 @@
-#include <stiction/base/boundary_functions.h>
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
-#include <stiction/parameters/parameters.h>
+#include <stiction/contact/interface/friction_parameters.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,6 +1,6 @@
-#include <stiction/base/boundary_functions.h>
-#include <stiction/base/did_you_mean.h>
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/did_you_mean.h>
 #include <stiction/contact/obstacles/obstacle.h>
 #include <stiction/contact/obstacles/obstacle_shapes.h>
 #include <stiction/contact/obstacles/obstacle_surface.h>

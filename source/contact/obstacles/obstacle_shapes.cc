@@ -1,5 +1,5 @@
-#include <stiction/base/boundary_functions.h>
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
 #include <stiction/contact/obstacles/obstacle_shapes.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/coarse_mesh.h>
-#include <stiction/parameters/parameters.h>
+#include <stiction/elasticity/mesh/geometry_parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>

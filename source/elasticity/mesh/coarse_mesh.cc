@@ -1,7 +1,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/coarse_mesh.h>
+#include <stiction/elasticity/mesh/geometry_parameters.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -1,8 +1,9 @@
-#include <stiction/base/boundary_functions.h>
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/geometry_parameters.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/tria.h>
@@ -15,17 +16,19 @@
 
 namespace stiction
 {
-  void refine_contact_boundary(Body &body, const Parameters &parameters)
+  void refine_contact_boundary(Body &body, const GeometryParameters &geometry,
+                               const std::string &contact_boundary,
+                               const ParameterFile &source)
   {
     const std::string where = "Geometry/Contact refinement where";
-    const ParsedFunction is_refined(parameters.geometry.contact_refinement_where, 1,
-                                    parameters.source.locate(where));
-    if (parameters.geometry.contact_refinement == 0)
+    const ParsedFunction is_refined(geometry.contact_refinement_where, 1,
+                                    source.locate(where));
+    if (geometry.contact_refinement == 0)
       return;
     std::set<dealii::types::boundary_id> contact_boundaries;
-    for (const std::string &name : split_at_bars(parameters.boundary.contact_boundary))
+    for (const std::string &name : split_at_bars(contact_boundary))
       contact_boundaries.insert(body.boundary_names().id(
-        name, parameters.source.locate("Boundary conditions/Contact boundary")));
+        name, source.locate("Boundary conditions/Contact boundary")));
 
     using Cell           = dealii::Triangulation<3>::active_cell_iterator;
     const auto is_wanted = [&](const Cell &cell, const unsigned int f) {
@@ -43,7 +46,7 @@ namespace stiction
         cell->neighbor(f),
         dealii::GeometryInfo<3>::opposite_face[cell->neighbor_of_neighbor(f)]);
     };
-    for (unsigned int k = 0; k < parameters.geometry.contact_refinement; ++k)
+    for (unsigned int k = 0; k < geometry.contact_refinement; ++k)
       {
         std::vector<bool> is_cut(body.triangulation().n_active_cells());
         throw_on_all_ranks(body.communicator(), [&]() {

@@ -1,9 +1,11 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/body_parameters.h>
+#include <stiction/elasticity/model/boundary_parameters.h>
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -22,8 +24,9 @@ namespace stiction
   {
     BoundaryFunctions read_boundary_load(
       const Body &body, const PrescribedDisplacement &prescribed,
-      const Parameters &parameters, const std::string &name, const std::string &load_name,
-      const std::string &text, const unsigned int n_components, const double time)
+      const BodyParameters &parameters, const std::string &name,
+      const std::string &load_name, const std::string &text,
+      const unsigned int n_components, const double time)
     {
       const std::string location =
         parameters.source.locate("Boundary conditions/" + name);
@@ -39,7 +42,7 @@ namespace stiction
       return functions;
     }
 
-    std::unique_ptr<ParsedFunction> read_volume_load(const Parameters &parameters,
+    std::unique_ptr<ParsedFunction> read_volume_load(const BodyParameters &parameters,
                                                      const std::string &entry,
                                                      const std::string &text,
                                                      const double time)
@@ -73,7 +76,7 @@ namespace stiction
   } // namespace
 
   Loads::Loads(const Body &body, const PrescribedDisplacement &prescribed,
-               const Parameters &parameters, const double time)
+               const BodyParameters &parameters, const double time)
     : body_(body)
     , traction_(read_boundary_load(body, prescribed, parameters, "Traction", "traction",
                                    parameters.boundary.traction, 3, time))

@@ -1,10 +1,14 @@
-#include <stiction/base/boundary_functions.h>
-#include <stiction/base/did_you_mean.h>
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/numbers.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/body_parameters.h>
+#include <stiction/elasticity/model/boundary_parameters.h>
+#include <stiction/elasticity/model/material_parameters.h>
 #include <stiction/elasticity/model/materials.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -29,11 +33,6 @@ namespace stiction
     using dealii::Utilities::split_string_list;
     using dealii::Utilities::trim;
 
-    bool is_sane(const double value)
-    {
-      return value >= 1e-30 && value <= 1e30;
-    }
-
     double largest(const std::map<material_id, Material> &materials,
                    double Material::*const modulus)
     {
@@ -47,7 +46,7 @@ namespace stiction
     class MaterialList
     {
     public:
-      MaterialList(const Parameters &parameters, const std::string &entry,
+      MaterialList(const BodyParameters &parameters, const std::string &entry,
                    const std::string &value, std::string form)
         : location_(parameters.source.describe(entry))
         , form_(std::move(form))
@@ -215,8 +214,9 @@ namespace stiction
     return stiffness * strain;
   }
 
-  Materials::Materials(const Body &body, const Parameters &parameters)
-    : have_mean_dilatation_(parameters.has_mean_dilatation())
+  Materials::Materials(const Body &body, const BodyParameters &parameters)
+    : have_mean_dilatation_(
+        parameters.material.has_mean_dilatation(body.dof_handler().get_fe().degree))
   {
     const MaterialParameters &common = parameters.material;
     const std::set<material_id> ids(body.material_names().ids().begin(),
@@ -315,7 +315,7 @@ namespace stiction
     return largest(by_id_, &Material::shear_modulus);
   }
 
-  void assign_material_ids(Body &body, const Parameters &parameters)
+  void assign_material_ids(Body &body, const BodyParameters &parameters)
   {
     if (trim(parameters.material.material_ids).empty())
       return;

@@ -1,8 +1,10 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/body_parameters.h>
+#include <stiction/elasticity/model/boundary_parameters.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
 #include <stiction/elasticity/model/rigid_body_modes.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -48,7 +50,7 @@ namespace stiction
   } // namespace
 
   PrescribedDisplacement::PrescribedDisplacement(const Body &body,
-                                                 const Parameters &parameters,
+                                                 const BodyParameters &parameters,
                                                  const double time)
     : body_(body)
     , location_(parameters.source.locate("Boundary conditions/Prescribed displacement"))

@@ -1,5 +1,6 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/model/boundary_parameters.h>
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
@@ -9,7 +10,6 @@
 #include <stiction/elasticity/stiffness/element_stiffness.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -22,7 +22,7 @@ namespace stiction
 {
   using namespace dealii;
 
-  LinearElasticity::LinearElasticity(const Body &body, const Parameters &parameters)
+  LinearElasticity::LinearElasticity(const Body &body, const BodyParameters &parameters)
     : body_(body)
     , parameters_(parameters)
     , time_(parameters.boundary.time)
@@ -32,7 +32,7 @@ namespace stiction
     read_conditions(time_);
     make_stiffness();
     assemble_load();
-    if (parameters.needs_stiffness_matrix())
+    if (parameters.needs_matrix)
       constrain_stiffness();
   }
 

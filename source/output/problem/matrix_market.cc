@@ -1,6 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/files.h>
-#include <stiction/base/text_scanner.h>
+#include <stiction/base/text/text_scanner.h>
 #include <stiction/output/problem/matrix_market.h>
 #include <stiction/output/problem/problem_check.h>
 

@@ -1,6 +1,6 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/memory.h>
 #include <stiction/output/problem/problem_check.h>
-#include <stiction/parameters/memory.h>
 #include <stiction/qp/dual_problem.h>
 
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/output_parameters.h>
 #include <stiction/output/results/vtu.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>

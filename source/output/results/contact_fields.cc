@@ -6,8 +6,8 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/output_parameters.h>
 #include <stiction/output/results/vtu.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 

@@ -1,9 +1,10 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/files.h>
 #include <stiction/base/log.h>
+#include <stiction/base/text/parameter_file.h>
+#include <stiction/output/output_parameters.h>
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/output_directory.h>
-#include <stiction/parameters/parameters.h>
 
 #include <nlohmann/json.hpp>
 
@@ -40,32 +41,33 @@ namespace stiction
 
     // Of all directories: in which, and the entry that says so.
     std::vector<std::pair<std::string, std::string>> directories(
-      const Parameters &parameters)
+      const OutputParameters &output, const ParameterFile &source)
     {
       std::vector<std::pair<std::string, std::string>> all;
-      if (!parameters.output.export_directory.empty())
-        all.emplace_back(parameters.output.export_directory,
-                         parameters.source.describe("Output/Export directory"));
-      all.emplace_back(parameters.output.directory,
-                       parameters.source.describe("Output/Directory"));
+      if (!output.export_directory.empty())
+        all.emplace_back(output.export_directory,
+                         source.describe("Output/Export directory"));
+      all.emplace_back(output.directory, source.describe("Output/Directory"));
       return all;
     }
   } // namespace
 
-  void require_writable_output(const Parameters &parameters, MPI_Comm communicator)
+  void require_writable_output(const OutputParameters &output,
+                               const ParameterFile &source, MPI_Comm communicator)
   {
     do_on_first_rank(communicator, [&]() {
-      for (const auto &[directory, entry] : directories(parameters))
+      for (const auto &[directory, entry] : directories(output, source))
         require_writable(directory, entry);
     });
   }
 
-  void open_output_directory(const Parameters &parameters, Log &log,
+  void open_output_directory(const OutputParameters &output, const ParameterFile &source,
+                             const std::string &used_parameters, Log &log,
                              MPI_Comm communicator)
   {
-    const std::string &directory = parameters.output.directory;
+    const std::string &directory = output.directory;
     do_on_first_rank(communicator, [&]() {
-      for (const auto &[name, entry] : directories(parameters))
+      for (const auto &[name, entry] : directories(output, source))
         {
           std::error_code error;
           std::filesystem::create_directories(name, error);
@@ -77,7 +79,7 @@ namespace stiction
       log.open_file(directory + "/log.txt"); // which overwrites it
       remove_earlier_run(directory);
       write_file(directory + "/used_parameters.prm",
-                 [&](std::ostream &out) { out << parameters.used_file(); });
+                 [&](std::ostream &out) { out << used_parameters; });
     });
   }
 

@@ -8,8 +8,6 @@
 #include <stiction/elasticity/model/prescribed_displacement.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/overview.h>
-#include <stiction/parameters/memory.h>
-#include <stiction/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/table_handler.h>
@@ -184,22 +182,10 @@ namespace stiction
   }
 
   void print_overview(Log &log, const LinearElasticity &elasticity,
-                      const ContactSurface &surface, const Parameters &parameters)
+                      const ContactSurface &surface, const Units &units)
   {
-    const Body &body  = elasticity.body();
-    const Units units = Units::named(parameters.output.units);
-    print_size(log, body, units);
+    print_size(log, elasticity.body(), units);
     print_boundaries(log, elasticity, surface, units);
     print_contact(log, surface, units);
-
-    const double mesh = memory_for_mesh(
-      parameters, static_cast<double>(body.triangulation().n_global_active_cells()));
-    const double dual = memory_for_dual_operator(
-      parameters, 3. * static_cast<double>(surface.n_nodes()), body.communicator());
-    log.line("Memory, estimated");
-    log.line(format("  mesh and elastic solves  %.3g GB", mesh / 1e9));
-    log.line(format("  dual operator            %.3g GB", dual / 1e9));
-    log.line(format("  available                %.3g GB",
-                    available_memory(body.communicator()) / 1e9));
   }
 } // namespace stiction

@@ -1,7 +1,7 @@
 #include <stiction/base/log.h>
+#include <stiction/contact/dual/contact_solver_parameters.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/certified_solve.h>
 #include <stiction/qp/contact_conditions.h>
 
@@ -247,7 +247,7 @@ namespace stiction
 
     // A sentence on the estimated error of the mesh and what lowers it.
     std::string describe(const RunResult::RelativeMeshError &mesh,
-                         const Parameters &parameters)
+                         const std::string &remedy)
     {
       const double error = mesh.relative_energy_error;
       std::string text = error < 1e-4 ? std::string("Mesh: estimated error below 0.01 %")
@@ -262,12 +262,7 @@ namespace stiction
 
       if (error > large_mesh_error)
         text += ": stresses and pressures are not to be trusted yet";
-      // geometric multigrid works on uniform meshes alone
-      return text + (parameters.stiffness_solver.type == "multigrid"
-                       ? "; 'Geometry/Global refinement' lowers it."
-                     : parameters.refinement.adaptive_steps > 0
-                       ? "; more 'Refinement/Adaptive steps' lower it."
-                       : "; 'Refinement/Adaptive steps' lowers it.");
+      return text + "; " + remedy + ".";
     }
   } // namespace
 
@@ -295,12 +290,12 @@ namespace stiction
                                     : solution.reason);
   }
 
-  void print_report(Log &log, const RunResult &result, const Parameters &parameters)
+  void print_report(Log &log, const RunResult &result, const double tolerance,
+                    const bool prints_costs, const std::string &mesh_remedy)
   {
-    const double tolerance = parameters.contact_solver.tolerance;
     print_contact(log, result);
     print_certificate(log, result, tolerance);
-    if (parameters.performance.print_timing)
+    if (prints_costs)
       print_costs(log, result);
     print_contraction(log, result.solver.contraction);
 
@@ -313,7 +308,7 @@ namespace stiction
       log.line((result.interrupted ? "INTERRUPTED: " : "NOT CONVERGED: ") +
                result.reason + ".");
     if (result.mesh_error.cells_sampled > 0)
-      log.line(describe(result.mesh_error, parameters));
+      log.line(describe(result.mesh_error, mesh_remedy));
     for (const std::string &warning : result.warnings)
       log.line("WARNING: " + warning);
   }

@@ -1,15 +1,17 @@
-#include <stiction/base/mesh_names.h>
 #include <stiction/base/phases.h>
+#include <stiction/base/text/mesh_names.h>
+#include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
+#include <stiction/contact/dual/contact_solver_parameters.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/output/output_parameters.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/parameters/parameters.h>
 #include <stiction/qp/certified_solve.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -197,15 +199,15 @@ namespace stiction
   } // namespace
 
   RunResult result_of(const SolveStatus &solution, const ContactConditions &conditions,
-                      const std::vector<NodeStatus> &statuses,
-                      const Parameters &parameters, const Phases &phases,
+                      const std::vector<NodeStatus> &statuses, const double tolerance,
+                      const OutputParameters &output, const Phases &phases,
                       MPI_Comm communicator)
   {
     RunResult result;
     result.converged   = solution.converged;
     result.interrupted = solution.interrupted;
-    result.reason = explain(solution, conditions, parameters.contact_solver.tolerance);
-    result.units  = Units::named(parameters.output.units);
+    result.reason      = explain(solution, conditions, tolerance);
+    result.units       = Units::named(output.units);
     for (const auto &[name, value] : conditions.deciding_figures())
       result.certificate.push_back({name, value, true});
     result.certificate.push_back(
@@ -295,24 +297,24 @@ namespace stiction
                          mesh_error.is_sampled, mesh_error.n_cells};
   }
 
-  json to_json(const RunResult &result, const Parameters &parameters,
+  json to_json(const RunResult &result, const ContactSolverParameters &solver,
+               const std::string &units, const ParameterFile &source,
                MPI_Comm communicator)
   {
-    const std::string &units = parameters.output.units;
-    json summary             = {
-                  {"program",
-                   {{"name", "stiction"},
-                    {"version", STICTION_VERSION},
-                    {"dealii", DEAL_II_PACKAGE_VERSION},
-                    {"build_type", STICTION_BUILD_TYPE},
-                    {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator)}}},
-                  {"converged", result.converged},
-                  {"interrupted", result.interrupted},
-                  {"units", with(result.units, {{"name", units == "none" ? "" : units}})},
-                  {"input", parameters.source.given()},
-                  {"solver", solver_to_json(result, parameters.contact_solver)},
-                  {"certificate", certificate_to_json(result)},
-                  {"peak_memory_MB", result.peak_memory_MB}};
+    json summary = {
+      {"program",
+       {{"name", "stiction"},
+        {"version", STICTION_VERSION},
+        {"dealii", DEAL_II_PACKAGE_VERSION},
+        {"build_type", STICTION_BUILD_TYPE},
+        {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator)}}},
+      {"converged", result.converged},
+      {"interrupted", result.interrupted},
+      {"units", with(result.units, {{"name", units == "none" ? "" : units}})},
+      {"input", source.given()},
+      {"solver", solver_to_json(result, solver)},
+      {"certificate", certificate_to_json(result)},
+      {"peak_memory_MB", result.peak_memory_MB}};
     for (const auto &[phase, seconds] : result.seconds)
       summary["seconds"][phase] =
         value_or_null(seconds.has_value(), seconds.value_or(0.));

@@ -4,12 +4,10 @@
 #include <stiction/qp/methods/dual_method.h>
 
 #include <memory>
-#include <string>
 
 namespace stiction
 {
   class DualOperator;
-  class Parameters;
   struct ContactSolverParameters;
 
   /// The method chosen in the parameter file, for the operator, which must
@@ -26,15 +24,6 @@ namespace stiction
   /// larger it is, the fewer solves and the worse conditioned the operator: admm
   /// has to add up the gaps of open nodes in steps.
   double best_spring_compliance(const ContactSolverParameters &parameters);
-
-  /// What to choose where what is in use comes no closer, of what is neither in
-  /// use nor refused beside the other entries: "choose 'Contact solver/Method =
-  /// newton' or 'newton multigrid'".
-  ///
-  /// @param is_coulomb whether there is Coulomb friction. @param has_body
-  ///   whether there is a body, not Q and h alone.
-  std::string advice_on_method(const Parameters &parameters, bool is_coulomb,
-                               bool has_body);
 } // namespace stiction
 
 #endif

@@ -13,12 +13,12 @@ namespace stiction
 {
   class Body;
   struct ContactNode;
+  struct ContactParameters;
   class FrictionData;
   enum class FrictionLaw;
   class Obstacle;
   class ParsedFunction;
   class ParameterFile;
-  class Parameters;
 
   /// What the user says of one contact boundary: what it may touch, at which
   /// distance, and how it rubs there.
@@ -26,14 +26,14 @@ namespace stiction
   {
   public:
     /// All contact boundaries, in the order of the parameter file. Collective.
-    /// The parameters must outlive them.
+    /// What the parameters refer to must outlive them.
     ///
     /// @param time the value of t.
     ///
     /// Throws InputError for a boundary that the mesh does not have or that
     /// stands twice, for entries with neither one value nor one a boundary, and
     /// for values that cannot be read.
-    static std::vector<ContactBoundary> read(const Parameters &parameters,
+    static std::vector<ContactBoundary> read(const ContactParameters &parameters,
                                              const Body &body, double time);
 
     ContactBoundary(ContactBoundary &&) noexcept;

@@ -20,8 +20,9 @@
 namespace stiction
 {
   class ContactBoundary;
+  struct ContactParameters;
   class LinearElasticity;
-  class Parameters;
+  class ParameterFile;
   struct State;
 
   /// One node of a contact boundary that may touch its obstacle.
@@ -67,17 +68,14 @@ namespace stiction
   class ContactSurface
   {
   public:
-    /// Collects the contact nodes. Collective.
+    /// Collects the contact nodes, at the time of the loads. Collective.
     ///
     /// Throws InputError if a contact boundary does not exist, is prescribed
     /// itself, has no node that can touch its obstacle, or if what is said of
     /// it (obstacle, gap, displacement, force, coefficient, slip stress) cannot
     /// be read or has a value that is not allowed.
-    ContactSurface(const LinearElasticity &elasticity, const Parameters &parameters);
-
-    /// The same at another time than 'Boundary conditions/Time'.
-    ContactSurface(const LinearElasticity &elasticity, const Parameters &parameters,
-                   double time);
+    ContactSurface(const LinearElasticity &elasticity,
+                   const ContactParameters &parameters);
 
     ContactSurface(ContactSurface &&) noexcept;
     ContactSurface &operator=(ContactSurface &&) noexcept;
@@ -146,7 +144,7 @@ namespace stiction
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.
-    void require_nodes(const Parameters &parameters, const std::string &entry,
+    void require_nodes(const ParameterFile &source, const std::string &entry,
                        const std::string &reason) const;
 
     /// Normals and gaps, and out with the nodes that face away.
@@ -158,7 +156,7 @@ namespace stiction
     void number_nodes();
 
     /// Throws InputError if a force presses no node.
-    void displace_obstacles(const Parameters &parameters);
+    void displace_obstacles(const ParameterFile &source);
 
     std::vector<ContactBoundary> boundaries_;
     std::vector<ContactNode> nodes_, facing_away_;

@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_mesh_coarse_mesh_h
 #define stiction_elasticity_mesh_coarse_mesh_h
 
-#include <stiction/base/mesh_names.h>
+#include <stiction/base/text/mesh_names.h>
 #include <stiction/elasticity/mesh/readers/quadratic_cells.h>
 
 #include <deal.II/grid/tria.h>

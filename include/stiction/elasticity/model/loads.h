@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_model_loads_h
 #define stiction_elasticity_model_loads_h
 
-#include <stiction/base/boundary_functions.h>
+#include <stiction/base/text/boundary_functions.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <deal.II/base/tensor.h>
@@ -13,7 +13,7 @@ namespace stiction
 {
   class Body;
   class Materials;
-  class Parameters;
+  struct BodyParameters;
   class PrescribedDisplacement;
 
   /// The given forces on a body: tractions and pressures on its boundaries,
@@ -28,7 +28,7 @@ namespace stiction
     /// Throws InputError for entries that cannot be read, and for a load on a
     /// boundary that is held in all components.
     Loads(const Body &body, const PrescribedDisplacement &prescribed,
-          const Parameters &parameters, double time);
+          const BodyParameters &parameters, double time);
     ~Loads();
 
     /// Adds the nodal forces, at prescribed unknowns too, to a vector that can

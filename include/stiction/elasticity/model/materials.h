@@ -10,7 +10,7 @@
 namespace stiction
 {
   class Body;
-  class Parameters;
+  struct BodyParameters;
   struct HexahedralCell;
 
   /// What a part of the body is made of: linear elastic.
@@ -57,7 +57,7 @@ namespace stiction
     ///
     /// Throws InputError for text that does not read as it should, numbers out
     /// of range, materials that the mesh does not have or that stand twice.
-    Materials(const Body &body, const Parameters &parameters);
+    Materials(const Body &body, const BodyParameters &parameters);
 
     /// The material of the cells with this id; there must be some.
     const Material &of(dealii::types::material_id id) const { return by_id_.at(id); }
@@ -89,7 +89,7 @@ namespace stiction
   /// Material/Material ids says; if it is empty, they keep those they have.
   ///
   /// Throws InputError if the formula cannot be read or gives no id.
-  void assign_material_ids(Body &body, const Parameters &parameters);
+  void assign_material_ids(Body &body, const BodyParameters &parameters);
 } // namespace stiction
 
 #endif

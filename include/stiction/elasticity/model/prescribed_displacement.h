@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_model_prescribed_displacement_h
 #define stiction_elasticity_model_prescribed_displacement_h
 
-#include <stiction/base/boundary_functions.h>
+#include <stiction/base/text/boundary_functions.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -15,7 +15,7 @@
 namespace stiction
 {
   class Body;
-  class Parameters;
+  struct BodyParameters;
 
   /// What the entries Prescribed displacement and Prescribed points say: where
   /// the body is held or moved, component by component.
@@ -25,7 +25,8 @@ namespace stiction
     /// @param time the value of t.
     ///
     /// Throws InputError if the entries cannot be read.
-    PrescribedDisplacement(const Body &body, const Parameters &parameters, double time);
+    PrescribedDisplacement(const Body &body, const BodyParameters &parameters,
+                           double time);
 
     /// What is prescribed where, for people: "front", "x y z" for what is held
     /// and "top", "x = 1e-3, y = 0" for what is moved, of boundaries by name

@@ -2,6 +2,7 @@
 #define stiction_elasticity_stiffness_linear_elasticity_h
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/model/body_parameters.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -14,7 +15,6 @@ namespace stiction
   class Loads;
   class Materials;
   class MeshLevel;
-  class Parameters;
   class PrescribedDisplacement;
   template<typename Number>
   class StiffnessOperator;
@@ -32,14 +32,14 @@ namespace stiction
   class LinearElasticity
   {
   public:
-    /// Makes the stiffness matrix unless the solver chosen in the parameters works
-    /// without one, and the loads at 'Boundary conditions/Time'.
+    /// Makes the stiffness matrix if a solver needs one, and the loads at 'Boundary
+    /// conditions/Time'.
     ///
-    /// Body and parameters must outlive the object.
+    /// The body and what the parameters refer to must outlive the object.
     ///
     /// Throws InputError for materials or boundary conditions that cannot be
     /// read, that the mesh does not have, or that contradict each other.
-    LinearElasticity(const Body &body, const Parameters &parameters);
+    LinearElasticity(const Body &body, const BodyParameters &parameters);
     ~LinearElasticity();
 
     /// Makes loads and prescribed displacements those of another time, in place; K
@@ -134,7 +134,7 @@ namespace stiction
     void constrain_load();
 
     const Body &body_;
-    const Parameters &parameters_;
+    const BodyParameters parameters_;
     double time_;
     std::unique_ptr<Materials> materials_;
     std::unique_ptr<PrescribedDisplacement> prescribed_displacement_;

@@ -11,17 +11,20 @@ namespace stiction
 {
   class ConvergenceHistory;
   class Log;
-  class Parameters;
+  struct OutputParameters;
+  class ParameterFile;
 
   /// Throws InputError if the directories for output cannot be written to or
   /// be made. Changes nothing. Collective.
-  void require_writable_output(const Parameters &parameters, MPI_Comm communicator);
+  void require_writable_output(const OutputParameters &output,
+                               const ParameterFile &source, MPI_Comm communicator);
 
   /// Makes the output directory, opens log.txt in it, removes the other files
   /// of an earlier run, which must not be read together with those of this one,
-  /// and writes used_parameters.prm. Collective. Throws InputError, before
-  /// anything is changed, if it cannot be written.
-  void open_output_directory(const Parameters &parameters, Log &log,
+  /// and writes used_parameters.prm, whose text is given. Collective. Throws
+  /// InputError, before anything is changed, if it cannot be written.
+  void open_output_directory(const OutputParameters &output, const ParameterFile &source,
+                             const std::string &used_parameters, Log &log,
                              MPI_Comm communicator);
 
   /// Writes convergence.csv. Collective.

@@ -6,7 +6,7 @@ namespace stiction
   class ContactSurface;
   class LinearElasticity;
   class Log;
-  class Parameters;
+  struct Units;
 
   /// Prints what is applied where, as the entries say it and the program
   /// understands it: what is held or moved, loads with their resultants,
@@ -15,11 +15,10 @@ namespace stiction
                      const ContactSurface &surface);
 
   /// Prints what else a user wants to see before solving: the size of the body,
-  /// its boundaries with their names, areas, supports and load resultants, the
-  /// contact boundaries with their initial gaps, and the memory that solving
-  /// will take. Collective.
+  /// its boundaries with their names, areas, supports and load resultants, and
+  /// the contact boundaries with their initial gaps. Collective.
   void print_overview(Log &log, const LinearElasticity &elasticity,
-                      const ContactSurface &surface, const Parameters &parameters);
+                      const ContactSurface &surface, const Units &units);
 } // namespace stiction
 
 #endif

@@ -7,7 +7,6 @@ namespace stiction
 {
   class ContactConditions;
   class Log;
-  class Parameters;
   struct SolveStatus;
   struct ContactSolverParameters;
   struct RunResult;
@@ -23,7 +22,10 @@ namespace stiction
   /// The end of a run in words: contact state, forces, energies, the
   /// certificate with its verdict, if asked for what it cost, the estimated
   /// error of the mesh with what lowers it, and warnings.
-  void print_report(Log &log, const RunResult &result, const Parameters &parameters);
+  ///
+  /// @param mesh_remedy "'Refinement/Adaptive steps' lowers it".
+  void print_report(Log &log, const RunResult &result, double tolerance,
+                    bool prints_costs, const std::string &mesh_remedy = "");
 } // namespace stiction
 
 #endif

@@ -21,10 +21,12 @@ namespace stiction
   class Body;
   class Certificate;
   class ContactConditions;
+  struct ContactSolverParameters;
   class ContactSurface;
   class DualOperator;
   class NewtonMultigrid;
-  class Parameters;
+  struct OutputParameters;
+  class ParameterFile;
   class Phases;
   struct MeshError;
   struct NodeStatus;
@@ -140,8 +142,8 @@ namespace stiction
 
   /// What there is of every run. Collective.
   RunResult result_of(const SolveStatus &solution, const ContactConditions &conditions,
-                      const std::vector<NodeStatus> &statuses,
-                      const Parameters &parameters, const Phases &phases,
+                      const std::vector<NodeStatus> &statuses, double tolerance,
+                      const OutputParameters &output, const Phases &phases,
                       MPI_Comm communicator);
 
   /// Enters what the dual method did, or the Newton method in displacements.
@@ -156,8 +158,12 @@ namespace stiction
                 const SupportReactions &reactions, const MeshError &mesh_error);
 
   /// The content of summary.json but for what describes the problem.
+  ///
+  /// @param units the name of the units of all numbers.
+  ///
   /// Collective.
-  nlohmann::json to_json(const RunResult &result, const Parameters &parameters,
+  nlohmann::json to_json(const RunResult &result, const ContactSolverParameters &solver,
+                         const std::string &units, const ParameterFile &source,
                          MPI_Comm communicator);
 } // namespace stiction
 

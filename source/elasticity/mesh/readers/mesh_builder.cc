@@ -1,6 +1,6 @@
 #include "mesh_builder.h"
 
-#include <stiction/base/utf8.h>
+#include <stiction/base/text/utf8.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/utilities.h>

@@ -1,7 +1,7 @@
 #ifndef stiction_source_elasticity_mesh_readers_mesh_builder_h
 #define stiction_source_elasticity_mesh_readers_mesh_builder_h
 
-#include <stiction/base/text_scanner.h>
+#include <stiction/base/text/text_scanner.h>
 #include <stiction/elasticity/mesh/readers/mesh_data.h>
 
 #include <array>

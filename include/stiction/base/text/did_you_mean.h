@@ -1,0 +1,16 @@
+#ifndef stiction_base_text_did_you_mean_h
+#define stiction_base_text_did_you_mean_h
+
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  /// " (did you mean 'top'?)" for a word that is close to one of those known,
+  /// "" otherwise. Close: at most every third letter has to be changed, added,
+  /// left out or exchanged with its neighbour; capitals do not count.
+  std::string did_you_mean(const std::string &word,
+                           const std::vector<std::string> &known);
+} // namespace stiction
+
+#endif

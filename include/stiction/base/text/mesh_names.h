@@ -1,0 +1,54 @@
+#ifndef stiction_base_text_mesh_names_h
+#define stiction_base_text_mesh_names_h
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace stiction
+{
+  /// The boundaries or the materials of a mesh by name: how a user speaks of
+  /// them in a parameter file, where their numbers serve as well.
+  class MeshNames
+  {
+  public:
+    /// What deal.II calls a boundary id or a material id.
+    using Id = unsigned int;
+
+    /// No parts.
+    MeshNames() = default;
+
+    /// The parts a mesh has, and the names of some of them.
+    ///
+    /// @param kind what they are, for messages: "boundary", "material".
+    /// @param names those of parts that the mesh does not have are left out.
+    MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names);
+
+    /// The boundaries of the brick: left (0), right (1), front (2), back (3),
+    /// bottom (4), top (5), which are x = 0, x = Lx, y = 0, y = Ly, z = 0, z =
+    /// Lz.
+    static MeshNames brick_boundaries();
+
+    /// The id of a part given by its name or by its number.
+    ///
+    /// @param location the beginning of a sentence about the entry, see
+    ///   ParameterFile::locate(). Throws InputError if the mesh has no such
+    ///   part.
+    Id id(const std::string &name, const std::string &location) const;
+
+    /// "4 (bottom)", or the number alone.
+    std::string describe(Id id) const;
+
+    /// "bottom", or the number if it has no name: how an entry calls it.
+    std::string name(Id id) const;
+
+    const std::set<Id> &ids() const { return ids_; }
+
+  private:
+    std::string kind_ = "boundary";
+    std::set<Id> ids_;
+    std::map<std::string, Id> names_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,23 @@
+#ifndef stiction_base_text_numbers_h
+#define stiction_base_text_numbers_h
+
+#include <optional>
+#include <string>
+
+namespace dealii
+{
+  class ParameterAcceptor;
+}
+
+namespace stiction
+{
+  /// Whether it is positive and not near the ends of the range of a double,
+  /// where products would overflow; no unit system needs such numbers.
+  bool is_sane(double value);
+
+  /// Declares an entry of a section that is a number or empty: not said.
+  void add_number(dealii::ParameterAcceptor &section, const std::string &name,
+                  std::optional<double> &number, const std::string &documentation);
+} // namespace stiction
+
+#endif

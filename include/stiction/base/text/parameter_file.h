@@ -1,0 +1,87 @@
+#ifndef stiction_base_text_parameter_file_h
+#define stiction_base_text_parameter_file_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace stiction
+{
+  /// Reads a parameter file and command line settings into a ParameterHandler
+  /// that knows what is allowed, and remembers where each value came from.
+  ///
+  /// deal.II's own reader stops at the same faults, but with messages of many
+  /// lines that do not say what is allowed; this one finds them first.
+  class ParameterFile
+  {
+  public:
+    /// An unread file: everything has its default.
+    ParameterFile() = default;
+
+    /// Reads @p file (nothing if that is empty), then applies each of @p
+    /// settings ("Section/Entry=value") in the order given.
+    ///
+    /// Throws InputError naming file, line, entry, value and what is allowed,
+    /// for a file that cannot be read, an unknown section or entry, a value
+    /// that does not match, or a line that is no statement.
+    void read(const std::string &file, const std::vector<std::string> &settings,
+              dealii::ParameterHandler &prm);
+
+    /// Gives one entry a value.
+    ///
+    /// @param where the beginning of a sentence about where the value stands.
+    ///
+    /// Throws as read().
+    void assign(const std::string &where, const std::string &section,
+                const std::string &name, const std::string &value,
+                dealii::ParameterHandler &prm);
+
+    /// "brick.prm, line 12: Material/Poisson ratio = 0.7": the beginning of a
+    /// sentence about the value of @p entry ("Section/Entry").
+    std::string describe(const std::string &entry) const;
+
+    /// "brick.prm, line 12: Material/Poisson ratio", for values that are too
+    /// long to repeat.
+    std::string locate(const std::string &entry) const;
+
+    /// "brick.prm: Material/Density is not set": the beginning of a sentence
+    /// about an entry that is empty.
+    std::string describe_missing(const std::string &entry) const;
+
+    /// Throws InputError about the value of the entry, "..., must be positive.", unless
+    /// the condition holds.
+    void require(bool condition, const std::string &entry,
+                 const std::string &allowed) const;
+
+    /// The path of a file that @p entry names: the name itself if it is there
+    /// (from the working directory) or absolute, otherwise that of the file
+    /// beside the parameter file.
+    ///
+    /// Throws InputError, naming both places, if there is none.
+    std::string find_file(const std::string &entry, const std::string &name) const;
+
+    /// The name of the parameter file.
+    const std::string &file() const { return file_; }
+
+    /// The values that the file and the settings give, by entry
+    /// ("Section/Entry").
+    std::map<std::string, std::string> given() const;
+
+  private:
+    struct Place
+    {
+      std::string where;
+      std::string value;
+    };
+
+    std::string file_;
+    std::map<std::string, Place> places_;
+  };
+} // namespace stiction
+
+#endif

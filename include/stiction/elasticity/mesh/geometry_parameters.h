@@ -1,0 +1,83 @@
+#ifndef stiction_elasticity_mesh_geometry_parameters_h
+#define stiction_elasticity_mesh_geometry_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  class ParameterFile;
+
+  /// The section 'Geometry'. What an entry means stands, here as in all
+  /// sections, in its documentation string, which --print-parameters shows.
+  struct GeometryParameters : dealii::ParameterAcceptor
+  {
+    GeometryParameters();
+
+    /// Fills in what other entries say (a brick by its lengths, a row of Table 1)
+    /// and where the mesh file is.
+    ///
+    /// Throws InputError about what is missing and what a pattern cannot see.
+    void complete(const ParameterFile &source);
+
+    /// Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
+    static constexpr double max_cells = 4e8;
+
+    bool is_brick() const { return type == "brick"; }
+
+    /// Number of cells after refinement; a double, because it may be anything
+    /// before it is checked. For bodies other than the brick the least
+    /// possible: the cells that their coarse mesh has are known only when it
+    /// is there.
+    /// Of local refinement the most it can make.
+    double n_cells() const;
+
+    /// Of them those of the mesh without local refinement.
+    double n_uniform_cells() const;
+
+    /// Whether all cells are alike and trilinear, see Body::has_geometric_levels().
+    bool has_geometric_levels() const
+    {
+      return contact_refinement == 0 && element_degree == 1;
+    }
+
+    /// The entry ("Section/Entry") to blame if these are too many.
+    std::string entry_of_size() const;
+
+    /// The entry that says what the body is: the type, the generator or the
+    /// file.
+    std::string entry_of_shape() const;
+
+    std::string type                       = "";
+    std::vector<double> lengths            = {};
+    std::vector<unsigned int> subdivisions = {};
+    std::optional<double> radius, length;
+    std::string generator                = "";
+    std::string generator_arguments      = "";
+    std::string mesh_file                = "";
+    unsigned int global_refinement       = 0;
+    unsigned int contact_refinement      = 0;
+    std::string contact_refinement_where = "1";
+    unsigned int element_degree          = 1;
+    unsigned int table_1_level           = 0;
+    std::string table_1_reading          = "nodes";
+
+    /// The beginning of a sentence about entry_of_shape() and its value, which
+    /// complete() fills.
+    std::string location = "Geometry";
+
+  private:
+    void require_shape(const ParameterFile &source) const;
+
+    /// Puts Lengths, Subdivisions and Global refinement of the paper's table
+    /// in place of the given ones when Table 1 level is not 0.
+    void apply_table_1_level(const ParameterFile &source);
+
+    void check_size(const ParameterFile &source) const;
+  };
+} // namespace stiction
+
+#endif

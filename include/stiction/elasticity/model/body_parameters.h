@@ -1,0 +1,20 @@
+#ifndef stiction_elasticity_model_body_parameters_h
+#define stiction_elasticity_model_body_parameters_h
+
+namespace stiction
+{
+  struct BoundaryParameters;
+  struct MaterialParameters;
+  class ParameterFile;
+
+  /// What the parameter file says of the body on its mesh.
+  struct BodyParameters
+  {
+    const MaterialParameters &material;
+    const BoundaryParameters &boundary;
+    const ParameterFile &source; ///< for messages
+    bool needs_matrix;           ///< one of the stiffness of the whole mesh
+  };
+} // namespace stiction
+
+#endif

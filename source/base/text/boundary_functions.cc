@@ -1,0 +1,260 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    // What muParser itself says, in deal.II's message of many lines.
+    std::string complaint_of_parser(const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream out;
+      exception.print_info(out);
+      std::string text       = out.str();
+      const std::string mark = "said:";
+      if (text.find(mark) != std::string::npos)
+        text = text.substr(text.find(mark) + mark.size());
+      for (char &c : text)
+        if (c == '\n')
+          c = ' ';
+      text = trim(text);
+      while (!text.empty() && (text.back() == '.' || text.back() == '>'))
+        text.pop_back();
+      return trim(text.substr(text.find_first_not_of("< ") == std::string::npos
+                                ? 0
+                                : text.find_first_not_of("< ")));
+    }
+
+    // deal.II writes muParser's complaints to the screen as well, on every
+    // rank.
+    class SilentErrors
+    {
+    public:
+      SilentErrors()
+        : screen_(std::cerr.rdbuf(nothing_.rdbuf()))
+      {
+      }
+      ~SilentErrors() { std::cerr.rdbuf(screen_); }
+      SilentErrors(const SilentErrors &)            = delete;
+      SilentErrors &operator=(const SilentErrors &) = delete;
+
+    private:
+      std::ostringstream nothing_;
+      std::streambuf *screen_;
+    };
+
+    // What muParser accepts and no user means: 'a, b' is b, and 'x = 1' puts
+    // 1 into x. Empty if there is nothing of the kind.
+    std::string trap(const std::string &formula)
+    {
+      int depth = 0;
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        {
+          const char c    = formula[i];
+          const char next = i + 1 < formula.size() ? formula[i + 1] : ' ';
+          depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+          if (c == ',' && depth == 0)
+            return "',' stands between arguments of a function only, the "
+                   "decimal sign is '.'";
+          if (c == '=' && next == '=')
+            ++i;
+          else if (c == '=' && (i == 0 || std::string("<>!").find(formula[i - 1]) ==
+                                            std::string::npos))
+            return "'=' assigns, a comparison is '=='";
+        }
+      if (formula.find("rand") != std::string::npos)
+        return "a formula must not depend on chance";
+      return "";
+    }
+
+    // Zeros in place of components that are 'free', which are taken out of the
+    // mask.
+    std::string mark_free(const std::string &formulas, dealii::ComponentMask &components)
+    {
+      if (formulas.find("free") == std::string::npos)
+        return formulas;
+      std::string marked;
+      const auto parts = dealii::Utilities::split_string_list(formulas, ';');
+      for (unsigned int c = 0; c < parts.size(); ++c)
+        {
+          const bool is_free = trim(parts[c]) == "free";
+          if (is_free && c < components.size())
+            components.set(c, false);
+          marked += (c > 0 ? ";" : "") + (is_free ? "0" : parts[c]);
+        }
+      return marked;
+    }
+  } // namespace
+
+  ParsedFunction::ParsedFunction(const std::string &expression,
+                                 const unsigned int n_components, std::string location,
+                                 const double time)
+    : dealii::Function<3>(n_components)
+    , expression_(trim(expression))
+    , location_(std::move(location))
+    , parser_(std::make_unique<dealii::FunctionParser<3>>(n_components))
+  {
+    const auto parts = dealii::Utilities::split_string_list(expression_, ';');
+    bool complete    = parts.size() == n_components;
+    for (const std::string &part : parts)
+      complete = complete && !trim(part).empty();
+    if (!complete)
+      throw InputError(location_ + " = " + expression_ + ", must be " +
+                       (n_components == 1
+                          ? std::string("one formula")
+                          : std::to_string(n_components) + " formulas separated by ';'") +
+                       ".");
+
+    for (const std::string &part : parts)
+      if (!trap(part).empty())
+        throw InputError(location_ + " = " + expression_ + ", " + trap(part) + ".");
+
+    try
+      {
+        const SilentErrors silence;
+        parser_->initialize("x,y,z,t", expression_, {{"pi", dealii::numbers::PI}}, true);
+        set_time(time);
+        // muParser reads a formula when it is first evaluated
+        for (unsigned int c = 0; c < n_components; ++c)
+          parser_->value(dealii::Point<3>(), c);
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        throw InputError(
+          location_ + " = " + expression_ +
+          ", is not a formula in x, y, z, t: " + complaint_of_parser(exception) + ".");
+      }
+  }
+
+  ParsedFunction::~ParsedFunction() = default;
+
+  void ParsedFunction::set_time(const double time)
+  {
+    dealii::Function<3>::set_time(time);
+    parser_->set_time(time);
+  }
+
+  double ParsedFunction::value(const dealii::Point<3> &p,
+                               const unsigned int component) const
+  {
+    const double value = parser_->value(p, component);
+    if (!(std::abs(value) <= 1e30))
+      {
+        std::ostringstream message;
+        message << location_ << " = " << expression_ << ", gives " << value << " at ("
+                << p << "), must be a finite number of at most 1e30 everywhere.";
+        throw InputError(message.str());
+      }
+    return value;
+  }
+
+  std::vector<double> read_numbers(const std::string &text,
+                                   const unsigned int n_components,
+                                   const std::string &location, const double time)
+  {
+    const ParsedFunction function(text, n_components, location, time);
+    std::vector<double> numbers;
+    for (unsigned int c = 0; c < n_components; ++c)
+      {
+        numbers.push_back(function.value(dealii::Point<3>(), c));
+        if (function.value(dealii::Point<3>(0.37, 0.61, 0.83), c) != numbers.back())
+          throw InputError(location + " = " + trim(text) +
+                           ", must not depend on x, y, z.");
+      }
+    return numbers;
+  }
+
+  std::vector<std::string> split_at_bars(const std::string &text)
+  {
+    std::vector<std::string> parts(1);
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] != '|')
+        parts.back() += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '|')
+        {
+          parts.back() += "||";
+          ++i;
+        }
+      else
+        {
+          parts.back() = trim(parts.back());
+          parts.emplace_back();
+        }
+    parts.back() = trim(parts.back());
+    return parts;
+  }
+
+  bool are_zero(const std::string &formulas)
+  {
+    for (const std::string &text : dealii::Utilities::split_string_list(formulas, ';'))
+      {
+        char *end          = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (text != "free" && (*end != '\0' || value != 0.))
+          return false;
+      }
+    return true;
+  }
+
+  BoundaryFunction parse_components(const std::string &formulas,
+                                    const std::string &location, const std::string &part,
+                                    const double time)
+  {
+    dealii::ComponentMask components(3, true);
+    const std::string marked = mark_free(formulas, components);
+    if (components.n_selected_components() == 0)
+      throw InputError(location + ", " + part +
+                       " is free in all components, at least one must be a "
+                       "formula.");
+    return {std::make_unique<ParsedFunction>(marked, 3, location, time), components};
+  }
+
+  BoundaryFunctions parse_boundary_functions(const std::string &text,
+                                             const std::string &location,
+                                             const MeshNames &names,
+                                             const unsigned int n_components,
+                                             const bool may_be_free, const double time)
+  {
+    BoundaryFunctions functions;
+    if (trim(text).empty())
+      return functions;
+
+    std::string form = "'boundary : f";
+    for (unsigned int c = 0; c < n_components && n_components > 1; ++c)
+      form += std::string(c > 0 ? "; f" : "") + "xyz"[c];
+    form += "'";
+
+    for (const std::string &part : split_at_bars(text))
+      {
+        const std::size_t colon = part.find(':');
+        const std::string name  = trim(part.substr(0, colon));
+        if (colon == std::string::npos || name.empty())
+          throw InputError(location + " = " + trim(text) + ", must read " + form +
+                           ", several separated by '|', with the name or the "
+                           "number of a boundary.");
+        const auto id = names.id(name, location + " = " + trim(text));
+        if (functions.count(id) != 0)
+          throw InputError(location + " = " + trim(text) + ", boundary " + name +
+                           " stands twice, must stand once.");
+
+        functions[id] =
+          may_be_free
+            ? parse_components(part.substr(colon + 1), location, "boundary " + name, time)
+            : BoundaryFunction{std::make_unique<ParsedFunction>(
+                                 part.substr(colon + 1), n_components, location, time),
+                               dealii::ComponentMask(n_components, true)};
+      }
+    return functions;
+  }
+} // namespace stiction

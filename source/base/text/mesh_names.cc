@@ -1,0 +1,60 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/mesh_names.h>
+
+#include <utility>
+
+namespace stiction
+{
+  MeshNames::MeshNames(std::string kind, std::set<Id> ids,
+                       const std::map<std::string, Id> &names)
+    : kind_(std::move(kind))
+    , ids_(std::move(ids))
+  {
+    for (const auto &name : names)
+      if (ids_.count(name.second) != 0)
+        names_.insert(name);
+  }
+
+  MeshNames MeshNames::brick_boundaries()
+  {
+    return MeshNames(
+      "boundary", {0, 1, 2, 3, 4, 5},
+      {{"left", 0}, {"right", 1}, {"front", 2}, {"back", 3}, {"bottom", 4}, {"top", 5}});
+  }
+
+  MeshNames::Id MeshNames::id(const std::string &name, const std::string &location) const
+  {
+    const auto named = names_.find(name);
+    if (named != names_.end())
+      return named->second;
+    const bool is_number = !name.empty() && name.size() <= 9 &&
+                           name.find_first_not_of("0123456789") == std::string::npos;
+    if (is_number && ids_.count(static_cast<Id>(std::stoul(name))) != 0)
+      return static_cast<Id>(std::stoul(name));
+
+    std::string known;
+    for (const Id other : ids_)
+      known += (known.empty() ? "" : ", ") + describe(other);
+    std::vector<std::string> names;
+    for (const auto &other : names_)
+      names.push_back(other.first);
+    throw InputError(location + ": the mesh has no " + kind_ + " " +
+                     (is_number ? name : "'" + name + "'") + did_you_mean(name, names) +
+                     ", it has " + known + ".");
+  }
+
+  std::string MeshNames::describe(const Id id) const
+  {
+    const std::string number = std::to_string(id);
+    return name(id) == number ? number : number + " (" + name(id) + ")";
+  }
+
+  std::string MeshNames::name(const Id id) const
+  {
+    for (const auto &name : names_)
+      if (name.second == id)
+        return name.first;
+    return std::to_string(id);
+  }
+} // namespace stiction

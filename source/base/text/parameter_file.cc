@@ -1,0 +1,307 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/parameter_file.h>
+#include <stiction/base/text/utf8.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace stiction
+{
+  namespace
+  {
+    using dealii::ParameterHandler;
+    using Declarations = nlohmann::ordered_json; // keeps their order
+    using dealii::Utilities::trim;
+
+    // The declared sections and entries, with patterns and current values.
+    Declarations declared(const ParameterHandler &prm)
+    {
+      std::ostringstream out;
+      prm.print_parameters(out, ParameterHandler::JSON |
+                                  ParameterHandler::KeepDeclarationOrder);
+      return Declarations::parse(out.str());
+    }
+
+    std::vector<std::string> keys_of(const Declarations &node)
+    {
+      std::vector<std::string> keys;
+      for (const auto &item : node.items())
+        keys.push_back(item.key());
+      return keys;
+    }
+
+    std::string in_quotes(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const std::string &name : names)
+        text += (text.empty() ? "'" : ", '") + name + "'";
+      return text;
+    }
+
+    std::string unknown_section(const Declarations &all, const std::string &section)
+    {
+      return ": unknown section '" + section + "'" + did_you_mean(section, keys_of(all)) +
+             ", allowed are " + in_quotes(keys_of(all)) + ".";
+    }
+
+    std::string unknown_entry(const Declarations &all, const std::string &section,
+                              const std::string &name)
+    {
+      std::string hint = did_you_mean(name, keys_of(all[section]));
+      for (const auto &other : all.items())
+        if (other.value().contains(name))
+          hint = " (it stands in the section '" + other.key() + "')";
+      return ": unknown entry '" + name + "' in section '" + section + "'" + hint +
+             ", allowed are " + in_quotes(keys_of(all[section])) + ".";
+    }
+
+    // The choices of deal.II's "[Selection a|b|c ]"; none of other patterns.
+    std::vector<std::string> choices(const std::string &pattern)
+    {
+      const std::string begin = "[Selection";
+      if (pattern.rfind(begin, 0) != 0)
+        return {};
+      std::vector<std::string> names = dealii::Utilities::split_string_list(
+        trim(pattern.substr(begin.size(), pattern.rfind(']') - begin.size())), '|');
+      names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+      return names;
+    }
+
+    // deal.II's "[Double 0...1 (inclusive)]" in words.
+    std::string allowed(const std::string &pattern)
+    {
+      const auto inside = [&](const std::string &begin) {
+        const std::size_t from = pattern.find(begin) + begin.size();
+        return trim(pattern.substr(from, pattern.find_last_of("](") - from));
+      };
+      const auto range = [](const std::string &text) {
+        const std::size_t dots = text.find("...");
+        if (dots == std::string::npos)
+          return text;
+        const std::string low = text.substr(0, dots), high = text.substr(dots + 3);
+        if (low.rfind("-MAX", 0) == 0)
+          return std::string();
+        if (high.rfind("MAX", 0) == 0 || high == "2147483647")
+          return " of at least " + low;
+        return " from " + low + " to " + high;
+      };
+
+      if (!choices(pattern).empty())
+        return "one of " + in_quotes(choices(pattern));
+      if (pattern.rfind("[Bool", 0) == 0)
+        return "true or false";
+      if (pattern.rfind("[Double", 0) == 0)
+        return "a number" + range(inside("[Double"));
+      if (pattern.rfind("[Integer range", 0) == 0)
+        return "an integer" + range(inside("[Integer range"));
+      if (pattern == "[Integer]")
+        return "an integer";
+      if (pattern.rfind("[List", 0) == 0)
+        {
+          const std::size_t of      = pattern.find('<') + 1;
+          const std::size_t to      = pattern.rfind('>');
+          const std::size_t n       = pattern.find("...", to) + 3;
+          const std::string at_most = pattern.substr(n, pattern.find(' ', n) - n);
+          return (at_most == "1" ? "" : at_most + " entries separated by ',', each ") +
+                 allowed(pattern.substr(of, to - of));
+        }
+      return pattern;
+    }
+
+    // Where a default value stands.
+    const std::string not_set = "default value";
+  } // namespace
+
+  void ParameterFile::assign(const std::string &where, const std::string &section,
+                             const std::string &name, const std::string &value,
+                             ParameterHandler &prm)
+  {
+    for (const std::string &text : {section, name, value})
+      if (const std::size_t bad = first_byte_not_utf8(text); bad != std::string::npos)
+        throw InputError(where + ": byte " + std::to_string(bad + 1) + " of '" + text +
+                         "' is no UTF-8, must be text in UTF-8.");
+    const Declarations all = declared(prm);
+    if (section.empty() || !all.contains(section))
+      throw InputError(where + unknown_section(all, section));
+    if (!all[section].contains(name))
+      throw InputError(where + unknown_entry(all, section, name));
+
+    prm.enter_subsection(section);
+    try
+      {
+        prm.set(name, value);
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        const std::string pattern = all[section][name]["pattern_description"];
+        throw InputError(where + ": " + section + "/" + name + " = " + value +
+                         ", must be " + allowed(pattern) +
+                         did_you_mean(value, choices(pattern)) + ".");
+      }
+    prm.leave_subsection();
+    if (value.find_first_of("#\n\r") != std::string::npos)
+      throw InputError(where + ": " + section + "/" + name + " = " + value +
+                       ", must have no '#' and no line break, which a "
+                       "parameter file could not repeat.");
+    places_[section + "/" + name] = {where, value};
+  }
+
+  void ParameterFile::read(const std::string &file,
+                           const std::vector<std::string> &settings,
+                           ParameterHandler &prm)
+  {
+    std::ifstream in(file);
+    std::string line;
+    if (!file.empty() && (!in || (in.peek(), in.bad())))
+      throw InputError(file + ": cannot be read, a parameter file is needed "
+                              "(stiction --print-parameters prints one).");
+
+    file_                       = file;
+    const Declarations defaults = declared(prm);
+    for (const auto &group : defaults.items())
+      for (const auto &entry : group.value().items())
+        places_[group.key() + "/" + entry.key()] = {
+          not_set, entry.value()["value"].get<std::string>()};
+
+    std::map<std::string, unsigned int> first_line;
+    std::string section;
+    for (unsigned int number = 1; std::getline(in, line); ++number)
+      {
+        const std::string where = file + ", line " + std::to_string(number);
+        if (std::any_of(line.begin(), line.end(), [](const unsigned char c) {
+              return std::iscntrl(c) != 0 && c != '\t' && c != '\r';
+            }))
+          throw InputError(where + ": is no statement but has bytes that are "
+                                   "no text, must be a text file.");
+        if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
+          line.erase(0, 3); // the mark some editors put before UTF-8
+        line = trim(line.substr(0, line.find('#')));
+        while (!line.empty() && line.back() == '\\')
+          {
+            std::string next;
+            std::getline(in, next);
+            ++number;
+            line.pop_back();
+            line = trim(line + trim(next.substr(0, next.find('#'))));
+          }
+        if (line.empty())
+          continue;
+
+        std::istringstream words(line);
+        std::string keyword, rest;
+        words >> keyword;
+        std::getline(words, rest);
+        rest = trim(rest);
+        if (keyword == "subsection")
+          {
+            if (!section.empty())
+              throw InputError(where + ": section '" + rest + "' begins inside '" +
+                               section + "', an 'end' is missing before it.");
+            const Declarations all = declared(prm);
+            if (!all.contains(rest))
+              throw InputError(where + unknown_section(all, rest));
+            section = rest;
+          }
+        else if (keyword == "end" && rest.empty())
+          {
+            if (section.empty())
+              throw InputError(where + ": 'end' without a subsection.");
+            section.clear();
+          }
+        else if (keyword == "set" && rest.find('=') != std::string::npos)
+          {
+            if (section.empty())
+              throw InputError(where + ": '" + line +
+                               "' stands outside of a subsection, all entries "
+                               "stand in one.");
+            const std::size_t equals = rest.find('=');
+            const std::string name   = trim(rest.substr(0, equals));
+            const auto first         = first_line.emplace(section + "/" + name, number);
+            if (!first.second)
+              throw InputError(where + ": " + section + "/" + name + " stands in line " +
+                               std::to_string(first.first->second) +
+                               " already, must stand once.");
+            assign(where, section, name, trim(rest.substr(equals + 1)), prm);
+          }
+        else
+          throw InputError(where + ": '" + line +
+                           "' is no statement, allowed are 'subsection NAME', "
+                           "'set ENTRY = VALUE', 'end' and comments "
+                           "beginning with '#'.");
+      }
+    if (!section.empty())
+      throw InputError(file + ": the file ends inside section '" + section +
+                       "', an 'end' is missing.");
+
+    for (const std::string &setting : settings)
+      {
+        const std::string where  = "--set '" + setting + "'";
+        const std::size_t equals = setting.find('=');
+        const std::size_t slash  = setting.find('/');
+        if (equals == std::string::npos || slash > equals)
+          throw InputError(where + ": must read 'Section/Entry=value'.");
+        assign(where, trim(setting.substr(0, slash)),
+               trim(setting.substr(slash + 1, equals - slash - 1)),
+               trim(setting.substr(equals + 1)), prm);
+      }
+  }
+
+  std::map<std::string, std::string> ParameterFile::given() const
+  {
+    std::map<std::string, std::string> values;
+    for (const auto &place : places_)
+      if (place.second.where != not_set)
+        values[place.first] = place.second.value;
+    return values;
+  }
+
+  std::string ParameterFile::locate(const std::string &entry) const
+  {
+    return places_.at(entry).where + ": " + entry;
+  }
+
+  std::string ParameterFile::describe(const std::string &entry) const
+  {
+    return locate(entry) + " = " + places_.at(entry).value;
+  }
+
+  std::string ParameterFile::describe_missing(const std::string &entry) const
+  {
+    return places_.at(entry).where == not_set ? file_ + ": " + entry + " is not set"
+                                              : locate(entry) + " is empty";
+  }
+
+  void ParameterFile::require(const bool condition, const std::string &entry,
+                              const std::string &allowed) const
+  {
+    if (!condition)
+      throw InputError(describe(entry) + ", " + allowed + ".");
+  }
+
+  std::string ParameterFile::find_file(const std::string &entry,
+                                       const std::string &name) const
+  {
+    namespace fs          = std::filesystem;
+    const fs::path beside = fs::path(file_).parent_path() / name;
+    for (const fs::path &path : {fs::path(name), beside})
+      {
+        std::error_code none;
+        if (fs::exists(path, none))
+          return path;
+      }
+    throw InputError(describe(entry) + ", cannot be read, there is " +
+                     (beside == name ? "no such file"
+                                     : "neither '" + name + "' nor '" + beside.string() +
+                                         "', beside the parameter file") +
+                     ".");
+  }
+} // namespace stiction

@@ -1,0 +1,90 @@
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/contact/interface/contact_pair_parameters.h>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    bool are_all_zero(const std::string &text)
+    {
+      const auto parts = split_at_bars(text);
+      return std::all_of(parts.begin(), parts.end(), are_zero);
+    }
+  } // namespace
+
+  ContactPairParameters::ContactPairParameters()
+    : ParameterAcceptor("Boundary conditions")
+  {
+    add_parameter(
+      "Contact boundary", contact_boundary,
+      "Name or number of the boundary that may touch an obstacle, several "
+      "separated by '|'; must be said. A node that belongs to several of them "
+      "is taken as "
+      "one of the first of them alone. The entries Obstacle and Initial gap "
+      "here and all those of the section Friction have one value for all "
+      "contact boundaries, or one for each, separated by '|' in the same "
+      "order.",
+      prm, Patterns::Anything());
+    add_parameter("Obstacle", obstacle,
+                  "What the contact boundary may touch, rigid. foundation: it lies "
+                  "opposite to the boundary along its outward normal, at the distance "
+                  "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
+                  "its normal towards the body. sphere : cx; cy; cz; R, centre and "
+                  "radius. cylinder : px; py; pz; ax; ay; az; R, infinite, by a point of "
+                  "its axis, the axis' direction and the radius. R < 0: a cavity of "
+                  "radius -R with the body inside. paraboloid : px; py; pz; ax; ay; az; "
+                  "R, all points with s + r^2/(2R) < 0, s being the coordinate along the "
+                  "axis a (towards the body) from the apex p and r the distance from the "
+                  "axis; R is the radius at the apex, R < 0 a cup. formula : psi, a "
+                  "function of x, y, z, t that is positive outside the obstacle. file : "
+                  "NAME.stl, a surface of triangles, open or closed, whose vertices go "
+                  "round counterclockwise as seen from outside (looked for as "
+                  "'Geometry/Mesh file'). Unit: of length; numbers may be formulas in t. "
+                  "With psi "
+                  "the distance "
+                  "from the obstacle (or the formula), a node has the normal -grad "
+                  "psi/|grad psi| and the gap psi/|grad psi| where it is before "
+                  "deformation, which are kept: contact is linearised. Nodes whose "
+                  "outward normal is more than 84 degrees away from that normal face "
+                  "away from the obstacle and cannot touch it; they must not be inside. "
+                  "An obstacle that is moved by formulas in t drags nothing along; for "
+                  "that there is 'Obstacle displacement'.",
+                  prm, Patterns::Anything());
+    add_parameter("Initial gap", initial_gap,
+                  "Distance from the undeformed contact boundary to the "
+                  "foundation along the outward normal, a formula in x, y, z, t; "
+                  "for other obstacles it is added to their distance. "
+                  "Negative: initial interference. Unit: of length.",
+                  prm, Patterns::Anything());
+    add_parameter("Obstacle displacement", obstacle_displacement,
+                  "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' "
+                  "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U, and slip is "
+                  "that of the body relative to the moved surface, which drags the body "
+                  "along by friction. Small, like the displacements of the body: normals "
+                  "stay. Unit: of length.",
+                  prm, Patterns::Anything());
+    add_parameter("Obstacle force", obstacle_force,
+                  "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
+                  "The obstacle is then free to move along this vector, from where the "
+                  "other entries place it, and moves until it acts on the body with this "
+                  "force along it; it does not turn, and is held in the directions "
+                  "across. Of a body cut by planes of symmetry it is the part of the "
+                  "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
+                  "Unit: of force.",
+                  prm, Patterns::Anything());
+  }
+
+  bool ContactPairParameters::has_load() const
+  {
+    return !are_all_zero(obstacle_displacement) || has_pressed_obstacles();
+  }
+
+  bool ContactPairParameters::has_pressed_obstacles() const
+  {
+    return !are_all_zero(obstacle_force);
+  }
+} // namespace stiction

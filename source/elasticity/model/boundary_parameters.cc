@@ -1,0 +1,74 @@
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/parameter_file.h>
+#include <stiction/elasticity/model/boundary_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction
+{
+  namespace Patterns = dealii::Patterns;
+
+  BoundaryParameters::BoundaryParameters()
+    : ParameterAcceptor("Boundary conditions")
+  {
+    add_parameter("Prescribed displacement", prescribed_displacement,
+                  "Boundary and displacement, 'boundary : ux; uy; uz', several "
+                  "separated by '|'. A boundary is given by its number or its "
+                  "name. Each component is a formula in x, y, z, t, or 'free': "
+                  "'left : 0; free; free' is a roller or a plane of symmetry. "
+                  "Unit: of length. Zeros clamp the face. Empty: none.",
+                  prm, Patterns::Anything());
+    add_parameter("Prescribed points", prescribed_points,
+                  "Place of a node and its displacement, 'x; y; z : ux; uy; "
+                  "uz', several separated by '|', components as above: holds a "
+                  "body at single nodes, to take away what rigid-body motions "
+                  "are left. A node of the mesh must be there. A single node "
+                  "that carries a force moves the more the finer the mesh is. "
+                  "Empty: none. Unit: of length.",
+                  prm, Patterns::Anything());
+    add_parameter("Traction", traction,
+                  "Boundary and traction on the body, 'boundary : tx; ty; tz', "
+                  "several separated by '|'. Each component is a formula in x, "
+                  "y, z, t. Empty: none. Unit: of stress.",
+                  prm, Patterns::Anything());
+    add_parameter("Pressure", pressure,
+                  "Boundary and pressure, 'boundary : p', several separated by "
+                  "'|': acts against the outward normal of the undeformed "
+                  "face, in addition to a traction. A formula in x, y, z, t. "
+                  "Empty: none. Unit: of stress.",
+                  prm, Patterns::Anything());
+    add_parameter("Body force", body_force,
+                  "Force on the volume, 'fx; fy; fz', each a formula in x, y, "
+                  "z, t. Empty: none. Unit: of force per volume.",
+                  prm, Patterns::Anything());
+    add_parameter("Gravity", gravity,
+                  "Acceleration 'gx; gy; gz', each a formula in x, y, z, t, "
+                  "whose product with the density is a force on the volume, in "
+                  "addition to 'Body force'. '0; 0; -9.81' is weight along -z. "
+                  "Empty: none. Unit: of length per time^2.",
+                  prm, Patterns::Anything());
+    add_parameter("Time", time,
+                  "The value of t in all formulas: how far the loads have "
+                  "grown, or a time. The problem itself is static.",
+                  prm, Patterns::Double());
+  }
+
+  void BoundaryParameters::check(const ParameterFile &source) const
+  {
+    source.require(std::abs(time) <= 1e30, "Boundary conditions/Time",
+                   "must be a number of at most 1e30");
+  }
+
+  bool BoundaryParameters::has_load() const
+  {
+    const auto moves = [](const std::string &text) {
+      const auto places = split_at_bars(text);
+      return std::any_of(places.begin(), places.end(), [](const std::string &place) {
+        return !are_zero(place.substr(place.find(':') + 1));
+      });
+    };
+    return !traction.empty() || !pressure.empty() || !body_force.empty() ||
+           !gravity.empty() || moves(prescribed_displacement) || moves(prescribed_points);
+  }
+} // namespace stiction

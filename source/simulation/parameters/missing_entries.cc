@@ -1,0 +1,139 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/mesh_names.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/simulation/parameters/missing_entries.h>
+#include <stiction/simulation/parameters/parameters.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace stiction
+{
+  namespace
+  {
+    const std::string conditions = "Boundary conditions";
+
+    // What is missing, section by section: what it is and the line to write.
+    class MissingEntries
+    {
+    public:
+      void add(const std::string &section, const std::string &what,
+               const std::string &line)
+      {
+        if (section != section_)
+          text_ += (text_.empty() ? "" : "; ") + ("in '" + section + "' ");
+        else
+          text_ += ", ";
+        section_ = section;
+        text_ += what + ", 'set " + line + "'";
+      }
+
+      void refuse_if_any(const Parameters &parameters, const MeshNames &boundaries) const
+      {
+        if (text_.empty())
+          return;
+        std::string names;
+        for (const auto id : boundaries.ids())
+          names += (names.empty() ? "; the boundaries of the body are " : ", ") +
+                   boundaries.describe(id);
+        if (text_.find(conditions) == std::string::npos)
+          names.clear();
+        throw InputError(parameters.source.file() +
+                         ": the problem is not complete, these lines or their "
+                         "like are missing: " +
+                         text_ + names + ".");
+      }
+
+    private:
+      std::string section_, text_;
+    };
+
+    // Numbers that stand for steel and for what it bears, in the file's units.
+    struct Examples
+    {
+      std::string traction, slip_stress, youngs_modulus, density;
+    };
+
+    Examples examples_in(const std::string &units)
+    {
+      if (units == "mm, N, MPa")
+        return {"-1", "10", "2.1e5", "7.85e-9"};
+      return {"-1e6", "1e7", "2.1e11", "7850"};
+    }
+
+    void add_load(MissingEntries &missing, const MeshNames &boundaries,
+                  const Examples &examples)
+    {
+      missing.add(conditions, "a load",
+                  "Traction = " + boundaries.name(*boundaries.ids().rbegin()) +
+                    " : 0; 0; " + examples.traction);
+    }
+
+    // Whether there may be interference, which only the gaps can tell.
+    bool may_interfere(const ContactPairParameters &contact)
+    {
+      return contact.initial_gap != "0" || contact.obstacle != "foundation";
+    }
+
+    bool has_law(const Parameters &parameters, const FrictionLaw law)
+    {
+      const auto laws = parameters.friction.laws();
+      return std::count(laws.begin(), laws.end(), law) > 0;
+    }
+  } // namespace
+
+  void require_complete(const Parameters &parameters, const MeshNames &boundaries)
+  {
+    const BoundaryParameters &boundary = parameters.boundary;
+    const FrictionParameters &friction = parameters.friction;
+    const MaterialParameters &material = parameters.material;
+    const std::string first            = boundaries.name(*boundaries.ids().begin());
+    const Examples examples            = examples_in(parameters.output.units);
+    MissingEntries missing;
+
+    if (boundary.prescribed_displacement.empty() && boundary.prescribed_points.empty())
+      missing.add(conditions, "a support",
+                  "Prescribed displacement = " + first + " : 0; 0; 0");
+    if (!boundary.has_load() && !parameters.contact.has_load() &&
+        !may_interfere(parameters.contact))
+      add_load(missing, boundaries, examples);
+    if (parameters.contact.contact_boundary.empty())
+      missing.add(conditions, "where there may be contact",
+                  "Contact boundary = " +
+                    boundaries.name(*std::next(
+                      boundaries.ids().begin(),
+                      static_cast<std::ptrdiff_t>(boundaries.ids().size() / 2))));
+
+    if (friction.law_name.empty())
+      missing.add("Friction", "a law",
+                  "Law = frictionless', 'set Law = given' or 'set Law = "
+                  "coulomb");
+    if (has_law(parameters, FrictionLaw::coulomb) && friction.coefficient.empty())
+      missing.add("Friction", "the coefficient of Coulomb's law", "Coefficient = 0.3");
+    if (has_law(parameters, FrictionLaw::given) && friction.slip_stress.empty())
+      missing.add("Friction", "the slip stress of given friction",
+                  "Slip stress = " + examples.slip_stress);
+
+    if (!material.youngs_modulus && material.materials.empty())
+      missing.add("Material", "stiffness",
+                  "Young's modulus = " + examples.youngs_modulus);
+    if (!material.poisson_ratio && material.materials.empty())
+      missing.add("Material", "contraction", "Poisson ratio = 0.3");
+    if (!material.density && material.densities.empty() && !boundary.gravity.empty())
+      missing.add("Material", "the density of which gravity makes weight",
+                  "Density = " + examples.density);
+    missing.refuse_if_any(parameters, boundaries);
+  }
+
+  void require_load(const Parameters &parameters, const MeshNames &boundaries,
+                    const ContactSurface &surface)
+  {
+    if (parameters.boundary.has_load() || parameters.contact.has_load() ||
+        (surface.motion().offset_at_start().head(surface.n_nodes()).array() < 0.).any())
+      return;
+    MissingEntries missing;
+    add_load(missing, boundaries, examples_in(parameters.output.units));
+    missing.refuse_if_any(parameters, boundaries);
+  }
+} // namespace stiction

@@ -1,0 +1,217 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/simulation/parameters/parameters.h>
+
+#include <regex>
+#include <sstream>
+
+namespace stiction
+{
+  Parameters::Reset::Reset()
+  {
+    dealii::ParameterAcceptor::clear();
+  }
+
+  void Parameters::read(const std::string &file, const std::vector<std::string> &settings,
+                        const std::optional<std::string> &output,
+                        const std::optional<std::string> &export_directory,
+                        const bool has_body)
+  {
+    dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
+    source.read(file, settings, prm);
+    if (output)
+      source.assign("--output", "Output", "Directory", *output, prm);
+    if (export_directory)
+      source.assign("--export", "Output", "Export directory", *export_directory, prm);
+    if (has_body)
+      {
+        geometry.complete(source);
+        check_body();
+      }
+    this->output.check(source);
+
+    std::ostringstream out;
+    prm.print_parameters(out, dealii::ParameterHandler::ShortPRM |
+                                dealii::ParameterHandler::KeepDeclarationOrder);
+    used_file_ = out.str();
+  }
+
+  std::string Parameters::why_no_geometric_levels() const
+  {
+    std::string all;
+    const auto add = [&](const bool holds, const std::string &reason) {
+      if (holds)
+        all += (all.empty() ? "" : ", ") + reason;
+    };
+    add(geometry.element_degree > 1, "'Element degree' 2");
+    add(geometry.contact_refinement > 0, "'Contact refinement'");
+    add(refinement.adaptive_steps > 0, "'Adaptive steps'");
+    add(has_mean_dilatation(), "'Volume strain' cell mean");
+    // the kind of a material stands after its name and a colon
+    add(std::regex_search(material.materials, std::regex(":\\s*orthotropic\\s*;")),
+        "an orthotropic material");
+    return all;
+  }
+
+  std::string Parameters::stiffness_solver_type() const
+  {
+    if (stiffness_solver.type != "automatic")
+      return stiffness_solver.type;
+    if (!contact_solver.is_primal())
+      return "mumps";
+    return has_geometric_levels() && geometry.global_refinement > 0 ? "multigrid" : "amg";
+  }
+
+  bool Parameters::is_matrix_free() const
+  {
+    return stiffness_solver_type() == "multigrid";
+  }
+
+  bool Parameters::needs_stiffness_matrix() const
+  {
+    return !is_matrix_free() &&
+           (!contact_solver.is_primal() || performance.measure_one_elastic_solve ||
+            performance.measure_factorizations);
+  }
+
+  std::string Parameters::default_file()
+  {
+    const Parameters defaults;
+    std::ostringstream out;
+    dealii::ParameterAcceptor::prm.print_parameters(
+      out,
+      dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
+    return out.str();
+  }
+
+  void Parameters::check_body() const
+  {
+    refinement.check(source);
+    material.check(source);
+    boundary.check(source);
+    check_table_1();
+    friction.check(source);
+    check_method(friction.has_coulomb());
+    check_solvers();
+  }
+
+  void Parameters::check_table_1() const
+  {
+    if (geometry.table_1_level == 0)
+      return;
+
+    source.require(geometry.has_geometric_levels(), "Geometry/Table 1 level",
+                   "counts the nodes of a uniform mesh of trilinear cells, so "
+                   "'Contact refinement' must be 0 and 'Element degree' 1, or this 0");
+
+    if (boundary.prescribed_displacement.empty() || contact.contact_boundary.empty())
+      return; // which is missed later
+
+    // n/m of the table come out only with the face clamped that goes with it
+    const MeshNames names   = MeshNames::brick_boundaries();
+    const auto displacement = parse_boundary_functions(
+      boundary.prescribed_displacement,
+      source.locate("Boundary conditions/Prescribed displacement"), names, 3, true);
+    const unsigned int clamped = geometry.table_1_reading == "nodes" ? 2 : 0;
+    source.require(displacement.size() == 1 && displacement.count(clamped) == 1 &&
+                     displacement.at(clamped).components.n_selected_components() == 3 &&
+                     split_at_bars(contact.contact_boundary).size() == 1 &&
+                     names.id(contact.contact_boundary,
+                              source.locate("Boundary conditions/Contact boundary")) == 4,
+                   "Geometry/Table 1 reading",
+                   "does not match the boundary conditions, this reading needs "
+                   "'Prescribed displacement' on boundary " +
+                     std::to_string(clamped) + " alone and 'Contact boundary = 4'");
+  }
+
+  void Parameters::check_solvers() const
+  {
+    source.require(contact_solver.method != "admm" || dual_operator.form == "assembled",
+                   "Contact solver/Method",
+                   "factorises the dual operator, so 'Dual operator/Form' must be "
+                   "'assembled'");
+    source.require(output.export_directory.empty() ||
+                     (dual_operator.form == "assembled" && !contact_solver.is_primal()),
+                   "Output/Export directory",
+                   "writes the matrix Q, so 'Dual operator/Form' must be 'assembled' "
+                   "and 'Contact solver/Method' another one than 'newton multigrid'");
+
+    source.require(stiffness_solver.type != "multigrid" || geometry.global_refinement > 0,
+                   "Stiffness solver/Type",
+                   "needs a coarser mesh, so 'Geometry/Global refinement' must be at "
+                   "least 1, or the type 'amg'");
+    source.require(stiffness_solver.type != "multigrid" || refinement.adaptive_steps == 0,
+                   "Stiffness solver/Type",
+                   "needs cells alike on each level, so 'Refinement/Adaptive steps' "
+                   "must be 0, or the type 'amg'");
+    source.require(
+      stiffness_solver.type != "multigrid" || has_geometric_levels(),
+      "Stiffness solver/Type",
+      "needs trilinear cells of isotropic materials, alike on each level, so "
+      "'Geometry/Contact refinement' must be 0, 'Geometry/Element "
+      "degree' 1 and 'Material/Volume strain' pointwise (automatic is that up "
+      "to a Poisson ratio of 0.45), or the type 'amg'");
+    source.require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
+                   "Stiffness solver/Type",
+                   "must be 'automatic', 'multigrid' or 'amg' for 'Contact "
+                   "solver/Method = newton multigrid'");
+    source.require(!contact_solver.is_primal() ||
+                     contact_solver.coulomb_iteration == "direct",
+                   "Contact solver/Coulomb iteration",
+                   "must be 'direct' for 'Contact solver/Method = newton multigrid'");
+    source.require(!performance.measure_factorizations || !is_matrix_free(),
+                   "Performance/Measure factorizations",
+                   contact_solver.is_primal()
+                     ? "factorises the stiffness matrix, so 'Stiffness solver/Type' "
+                       "must be 'amg'"
+                     : "factorises the stiffness matrix, so 'Stiffness solver/Type' "
+                       "must be 'mumps' or 'amg'");
+  }
+
+  void Parameters::check_method(const bool is_coulomb) const
+  {
+    if (contact_solver.method == "squares" && is_coulomb)
+      throw InputError(source.describe("Contact solver/Method") +
+                       ", is the comparison of the paper's experiment with "
+                       "given friction, must be another one for Coulomb "
+                       "friction.");
+  }
+
+  bool Parameters::is_refused(const std::string &method, const bool has_body) const
+  {
+    if (method == "admm")
+      return dual_operator.form != "assembled";
+    return method == "newton multigrid" &&
+           (!has_body || !output.export_directory.empty() ||
+            stiffness_solver.type == "mumps" ||
+            contact_solver.coulomb_iteration != "direct" ||
+            performance.measure_factorizations);
+  }
+
+  std::string Parameters::advice_on_method(const bool is_coulomb,
+                                           const bool has_body) const
+  {
+    const ContactSolverParameters &chosen = contact_solver;
+    const std::string &method             = chosen.method;
+    if (method == "gauss seidel" && chosen.disc_solver != "newton" &&
+        chosen.disc_solver != "spectral")
+      return "choose 'Contact solver/Disc solver = spectral'";
+    const bool approximates = is_coulomb && chosen.coulomb_iteration == "fixed point";
+    if (approximates && method != "mpgp")
+      return "choose 'Contact solver/Coulomb iteration = direct'";
+
+    // a matrix has factors, which find a way where products do not
+    if (method == "newton" && dual_operator.form != "assembled")
+      return "choose 'Dual operator/Form = assembled'";
+
+    std::vector<std::string> others;
+    for (const char *const other : {"newton", "newton multigrid", "admm", "gauss seidel"})
+      if (other != method && !is_refused(other, has_body))
+        others.push_back(std::string("'") +
+                         (others.empty() ? "Contact solver/Method = " : "") + other +
+                         "'");
+    if (approximates)
+      return "choose " + others[0] + " with 'Coulomb iteration = direct'";
+    return "choose " + others[0] + (others.size() > 1 ? " or " + others[1] : "");
+  }
+} // namespace stiction
