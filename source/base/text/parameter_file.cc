@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/contact_pairs.h>
 #include <stiction/base/text/did_you_mean.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/base/text/utf8.h>
@@ -117,6 +118,34 @@ namespace stiction
       return pattern;
     }
 
+    // The next line that is no comment, and those that go on from it; false at the
+    // end of the file.
+    bool next_statement(std::istream &in, const std::string &file, unsigned int &number,
+                        std::string &where, std::string &line)
+    {
+      for (line.clear(); line.empty() && std::getline(in, line);)
+        {
+          where = file + ", line " + std::to_string(++number);
+          if (std::any_of(line.begin(), line.end(), [](const unsigned char c) {
+                return std::iscntrl(c) != 0 && c != '\t' && c != '\r';
+              }))
+            throw InputError(where + ": is no statement but has bytes that are "
+                                     "no text, must be a text file.");
+          if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
+            line.erase(0, 3); // the mark some editors put before UTF-8
+          line = trim(line.substr(0, line.find('#')));
+          while (!line.empty() && line.back() == '\\')
+            {
+              std::string next;
+              std::getline(in, next);
+              ++number;
+              line.pop_back();
+              line = trim(line + trim(next.substr(0, next.find('#'))));
+            }
+        }
+      return !line.empty();
+    }
+
     // Where a default value stands.
     const std::string not_set = "default value";
   } // namespace
@@ -160,7 +189,6 @@ namespace stiction
                            ParameterHandler &prm)
   {
     std::ifstream in(file);
-    std::string line;
     if (!file.empty() && (!in || (in.peek(), in.bad())))
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
@@ -172,42 +200,24 @@ namespace stiction
         places_[group.key() + "/" + entry.key()] = {
           not_set, entry.value()["value"].get<std::string>()};
 
+    ContactPairs pairs;
     std::map<std::string, unsigned int> first_line;
-    std::string section;
-    for (unsigned int number = 1; std::getline(in, line); ++number)
+    std::string section, where, line;
+    unsigned int number = 0;
+    while (next_statement(in, file, number, where, line))
       {
-        const std::string where = file + ", line " + std::to_string(number);
-        if (std::any_of(line.begin(), line.end(), [](const unsigned char c) {
-              return std::iscntrl(c) != 0 && c != '\t' && c != '\r';
-            }))
-          throw InputError(where + ": is no statement but has bytes that are "
-                                   "no text, must be a text file.");
-        if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
-          line.erase(0, 3); // the mark some editors put before UTF-8
-        line = trim(line.substr(0, line.find('#')));
-        while (!line.empty() && line.back() == '\\')
-          {
-            std::string next;
-            std::getline(in, next);
-            ++number;
-            line.pop_back();
-            line = trim(line + trim(next.substr(0, next.find('#'))));
-          }
-        if (line.empty())
-          continue;
-
         std::istringstream words(line);
         std::string keyword, rest;
-        words >> keyword;
-        std::getline(words, rest);
-        rest = trim(rest);
+        std::getline(words >> keyword >> std::ws, rest);
         if (keyword == "subsection")
           {
             if (!section.empty())
               throw InputError(where + ": section '" + rest + "' begins inside '" +
                                section + "', an 'end' is missing before it.");
             const Declarations all = declared(prm);
-            if (!all.contains(rest))
+            if (ContactPairs::is_pair(rest))
+              pairs.begin(where, rest);
+            else if (!all.contains(rest))
               throw InputError(where + unknown_section(all, rest));
             section = rest;
           }
@@ -230,7 +240,7 @@ namespace stiction
               throw InputError(where + ": " + section + "/" + name + " stands in line " +
                                std::to_string(first.first->second) +
                                " already, must stand once.");
-            assign(where, section, name, trim(rest.substr(equals + 1)), prm);
+            give(where, section, name, trim(rest.substr(equals + 1)), pairs, prm);
           }
         else
           throw InputError(where + ": '" + line +
@@ -244,14 +254,41 @@ namespace stiction
 
     for (const std::string &setting : settings)
       {
-        const std::string where  = "--set '" + setting + "'";
+        where                    = "--set '" + setting + "'";
         const std::size_t equals = setting.find('=');
         const std::size_t slash  = setting.find('/');
         if (equals == std::string::npos || slash > equals)
           throw InputError(where + ": must read 'Section/Entry=value'.");
-        assign(where, trim(setting.substr(0, slash)),
-               trim(setting.substr(slash + 1, equals - slash - 1)),
-               trim(setting.substr(equals + 1)), prm);
+        give(where, trim(setting.substr(0, slash)),
+             trim(setting.substr(slash + 1, equals - slash - 1)),
+             trim(setting.substr(equals + 1)), pairs, prm);
+      }
+    assign_lists(pairs, prm);
+  }
+
+  void ParameterFile::give(const std::string &where, const std::string &section,
+                           const std::string &name, const std::string &value,
+                           ContactPairs &pairs, ParameterHandler &prm)
+  {
+    if (ContactPairs::is_pair(section))
+      pairs.set(where, section, name, value);
+    else
+      assign(where, section, name, value, prm);
+  }
+
+  void ParameterFile::assign_lists(const ContactPairs &pairs, ParameterHandler &prm)
+  {
+    const auto value_of = [&](const std::string &entry) {
+      return places_.at(entry).value;
+    };
+    for (const ContactPairs::List &list : pairs.lists(value_of))
+      {
+        const std::string entry = list.section + "/" + list.name;
+        if (places_.at(entry).where != not_set)
+          throw InputError(describe(entry) + ", must stand in the sections 'Contact "
+                                             "pair', or all that they say in lists.");
+        if (!list.where.empty())
+          assign(list.where, list.section, list.name, trim(list.value), prm);
       }
   }
 

@@ -27,7 +27,9 @@ namespace stiction
       "one of the first of them alone. The entries Obstacle and Initial gap "
       "here and all those of the section Friction have one value for all "
       "contact boundaries, or one for each, separated by '|' in the same "
-      "order.",
+      "order. In place of these lists there may be a section a contact boundary, "
+      "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Initial "
+      "gap, Displacement, Force, Law, Coefficient, Slip stress, First direction.",
       prm, Patterns::Anything());
     add_parameter("Obstacle", obstacle,
                   "What the contact boundary may touch, rigid. foundation: it lies "

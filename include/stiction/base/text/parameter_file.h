@@ -12,6 +12,8 @@ namespace dealii
 
 namespace stiction
 {
+  class ContactPairs;
+
   /// Reads a parameter file and command line settings into a ParameterHandler
   /// that knows what is allowed, and remembers where each value came from.
   ///
@@ -24,7 +26,8 @@ namespace stiction
     ParameterFile() = default;
 
     /// Reads @p file (nothing if that is empty), then applies each of @p
-    /// settings ("Section/Entry=value") in the order given.
+    /// settings ("Section/Entry=value") in the order given. Sections 'Contact pair
+    /// NAME' become the lists of 'Boundary conditions' and 'Friction'.
     ///
     /// Throws InputError naming file, line, entry, value and what is allowed,
     /// for a file that cannot be read, an unknown section or entry, a value
@@ -73,6 +76,15 @@ namespace stiction
     std::map<std::string, std::string> given() const;
 
   private:
+    /// Gives an entry of a section or of a contact pair a value.
+    void give(const std::string &where, const std::string &section,
+              const std::string &name, const std::string &value, ContactPairs &pairs,
+              dealii::ParameterHandler &prm);
+
+    /// Gives the lists of the contact boundaries what the contact pairs say. Throws
+    /// InputError if the file says both.
+    void assign_lists(const ContactPairs &pairs, dealii::ParameterHandler &prm);
+
     struct Place
     {
       std::string where;
