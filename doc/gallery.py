@@ -42,6 +42,8 @@ PICTURES = {
     "part that touches, in which the pressure is half an ellipsoid.",
     "sliding_sphere": "A sphere pressed on and drawn sideways: a part sticks, "
     "the rim slips; small cells with hanging nodes where it touches.",
+    "roller": "A roller pressed on rubber and turned: it drags the rubber along, "
+    "the middle sticks, the rim slips.",
     "two_materials": "A soft layer under a stiff one: the stress is in the "
     "stiff layer.",
     "gravity": "A wall under the pressure of water and its own weight, "

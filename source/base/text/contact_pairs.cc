@@ -19,6 +19,7 @@ namespace stiction
       {"Obstacle", "Boundary conditions", "Obstacle"},
       {"Initial gap", "Boundary conditions", "Initial gap"},
       {"Displacement", "Boundary conditions", "Obstacle displacement"},
+      {"Rotation", "Boundary conditions", "Obstacle rotation"},
       {"Force", "Boundary conditions", "Obstacle force"},
       {"Law", "Friction", "Law"},
       {"Coefficient", "Friction", "Coefficient"},

@@ -25,11 +25,18 @@ namespace stiction
   {
     const std::string obstacle_entry     = "Boundary conditions/Obstacle";
     const std::string displacement_entry = "Boundary conditions/Obstacle displacement";
+    const std::string rotation_entry     = "Boundary conditions/Obstacle rotation";
     const std::string force_entry        = "Boundary conditions/Obstacle force";
 
     // Below this cosine between the outward normal and the direction towards
     // the obstacle a node faces away from it.
     constexpr double facing_cosine = 0.1;
+
+    // Above this sine between its motion and its tangent plane a surface that turns
+    // does not move along itself. The facets of round ones that are made of 32 to a
+    // turn, as files and coarse meshes are, are off by up to 0.098; an axis that is
+    // off by a tenth of the radius is seen.
+    constexpr double sine_of_round = 0.1;
 
     // A depth that is rounding, as part of the body's size.
     constexpr double rounding = 1e-9;
@@ -103,7 +110,8 @@ namespace stiction
       values("Boundary conditions/Initial gap", parameters.pairs.initial_gap);
     const auto displacements =
       values(displacement_entry, parameters.pairs.obstacle_displacement);
-    const auto forces = values(force_entry, parameters.pairs.obstacle_force);
+    const auto rotations = values(rotation_entry, parameters.pairs.obstacle_rotation);
+    const auto forces    = values(force_entry, parameters.pairs.obstacle_force);
     const auto coefficients =
       values("Friction/Coefficient", parameters.friction.coefficient);
     const auto slip_stresses =
@@ -126,8 +134,10 @@ namespace stiction
     for (std::size_t b = 0; b < names.size(); ++b)
       {
         ContactBoundary boundary;
-        boundary.id_   = body.boundary_names().id(names[b], source.locate(entry));
-        boundary.name_ = body.boundary_names().name(boundary.id_);
+        boundary.id_     = body.boundary_names().id(names[b], source.locate(entry));
+        boundary.name_   = body.boundary_names().name(boundary.id_);
+        boundary.size_   = size;
+        boundary.source_ = &source;
         if (!ids.insert(boundary.id_).second)
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
@@ -141,16 +151,42 @@ namespace stiction
           law, coefficients[b], slip_stresses[b], directions[b], source, time);
         boundary.displacement_ = vector(displacement_entry, displacements[b]);
         boundary.force_        = vector(force_entry, forces[b]);
+        boundary.set_rotation(
+          read_numbers(rotations[b], 7, source.locate(rotation_entry), time));
         boundary.description_ =
           obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
           (boundary.displacement_.norm() > 0. ? ", displaced " + displacements[b] : "") +
+          (boundary.rotation_.norm() > 0. ? ", turned " + rotations[b] : "") +
           (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
           describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
-        boundary.size_   = size;
-        boundary.source_ = &source;
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;
+  }
+
+  void ContactBoundary::set_rotation(const std::vector<double> &numbers)
+  {
+    const Tensor<1, 3> axis({numbers[3], numbers[4], numbers[5]});
+    const double angle = numbers[6];
+    if (angle == 0.)
+      return;
+    if (!(axis.norm() > 1e-30))
+      throw InputError(source_->describe(rotation_entry) +
+                       ", its axis must not be zero.");
+    axis_point_ = Point<3>(numbers[0], numbers[1], numbers[2]);
+    rotation_   = angle * (axis / axis.norm());
+  }
+
+  Tensor<1, 3> ContactBoundary::turning(const Point<3> &x, const Tensor<1, 3> &n) const
+  {
+    const Tensor<1, 3> U = cross_product_3d(rotation_, x - axis_point_);
+    if (!(std::abs(n * U) <=
+          sine_of_round * U.norm() + rounding * size_ * rotation_.norm()))
+      throw InputError(source_->describe(rotation_entry) +
+                       ", turns the obstacle of boundary '" + name_ +
+                       "' about an axis about which it is not round at " + text_of(x) +
+                       ", must turn it about an axis of revolution.");
+    return U;
   }
 
   bool ContactBoundary::place(ContactNode &node) const

@@ -14,6 +14,15 @@ namespace stiction
       const auto parts = split_at_bars(text);
       return std::all_of(parts.begin(), parts.end(), are_zero);
     }
+
+    // The same of the angles in 'px; py; pz; ax; ay; az; angle | ...'.
+    bool are_angles_zero(const std::string &text)
+    {
+      const auto parts = split_at_bars(text);
+      return std::all_of(parts.begin(), parts.end(), [](const std::string &part) {
+        return are_zero(part.substr(part.rfind(';') + 1));
+      });
+    }
   } // namespace
 
   ContactPairParameters::ContactPairParameters()
@@ -29,7 +38,7 @@ namespace stiction
       "contact boundaries, or one for each, separated by '|' in the same "
       "order. In place of these lists there may be a section a contact boundary, "
       "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Initial "
-      "gap, Displacement, Force, Law, Coefficient, Slip stress, First direction.",
+      "gap, Displacement, Rotation, Force, Law, Coefficient, Slip stress, First direction.",
       prm, Patterns::Anything());
     add_parameter("Obstacle", obstacle,
                   "What the contact boundary may touch, rigid. foundation: it lies "
@@ -54,7 +63,7 @@ namespace stiction
                   "outward normal is more than 84 degrees away from that normal face "
                   "away from the obstacle and cannot touch it; they must not be inside. "
                   "An obstacle that is moved by formulas in t drags nothing along; for "
-                  "that there is 'Obstacle displacement'.",
+                  "that there are 'Obstacle displacement' and 'Obstacle rotation'.",
                   prm, Patterns::Anything());
     add_parameter("Initial gap", initial_gap,
                   "Distance from the undeformed contact boundary to the "
@@ -69,11 +78,24 @@ namespace stiction
                   "along by friction. Small, like the displacements of the body: normals "
                   "stay. Unit: of length.",
                   prm, Patterns::Anything());
+    add_parameter("Obstacle rotation", obstacle_rotation,
+                  "By how much the surface of the obstacle has turned, 'px; py; pz; ax; "
+                  "ay; az; angle', formulas in t: a point p of the axis, which moves "
+                  "along with the obstacle, its direction a, and the angle in radians, "
+                  "counterclockwise as seen from where a points to. The obstacle must be "
+                  "a body of revolution about this axis (a roller, a sphere about any "
+                  "axis through its centre, a plane or a flat foundation about its "
+                  "normal): the shape stays, and at the place x its surface moves along "
+                  "itself by U = angle a x (x - p), also after many turns, and drags the "
+                  "body along by friction. All contact nodes count, those too that are "
+                  "far away: where n.U is more than a tenth of U the axis is refused. "
+                  "Unit: of length, and radians.",
+                  prm, Patterns::Anything());
     add_parameter("Obstacle force", obstacle_force,
                   "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
                   "The obstacle is then free to move along this vector, from where the "
                   "other entries place it, and moves until it acts on the body with this "
-                  "force along it; it does not turn, and is held in the directions "
+                  "force along it; it does not tilt, and is held in the directions "
                   "across. Of a body cut by planes of symmetry it is the part of the "
                   "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
                   "Unit: of force.",
@@ -82,7 +104,8 @@ namespace stiction
 
   bool ContactPairParameters::has_load() const
   {
-    return !are_all_zero(obstacle_displacement) || has_pressed_obstacles();
+    return !are_all_zero(obstacle_displacement) || !are_angles_zero(obstacle_rotation) ||
+           has_pressed_obstacles();
   }
 
   bool ContactPairParameters::has_pressed_obstacles() const

@@ -97,6 +97,8 @@ namespace stiction
             continue;
           }
         const Tensor<1, 3> normal = node.normal;
+        node.turning =
+          boundaries_[node.boundary].turning(node.position + node.gap * normal, normal);
         if (!set_tangents(node))
           continue;
         node.gap_growth = normal;
@@ -171,6 +173,7 @@ namespace stiction
         const ContactBoundary &boundary = boundaries_[node.boundary];
         Eigen::Vector3d e               = seen_from(node, boundary.displacement());
         e(0) += node.gap;
+        e.tail<2>() += seen_from(node, node.turning).tail<2>();
         if (e(0) < -boundary.body_size())
           throw InputError(
             source.describe("Boundary conditions/Obstacle displacement") +

@@ -142,13 +142,25 @@ namespace stiction
       const Units &units = result.units;
       print_row(log, label("force on the body", units.force),
                 text_of(contact.force_on_body));
+      const bool is_one = result.boundaries.size() == 1;
       for (const auto &boundary : result.boundaries)
-        if (boundary.obstacle_displacement != Vector3())
-          print_row(log,
-                    result.boundaries.size() == 1
-                      ? label("obstacle moved by", units.length)
-                      : label("moved", units.length) + ", " + boundary.name,
-                    text_of(boundary.obstacle_displacement));
+        {
+          const auto row = [&](const std::string &name, const std::string &unit,
+                               const std::string &value) {
+            print_row(log,
+                      is_one ? label("obstacle " + name + " by", unit)
+                             : label(name, unit) + ", " + boundary.name,
+                      value);
+          };
+          if (boundary.obstacle_displacement != Vector3())
+            row("moved", units.length, text_of(boundary.obstacle_displacement));
+          if (boundary.obstacle_rotation != Vector3())
+            {
+              row("turned", "rad", text_of(boundary.obstacle_rotation));
+              print_row(log, label("torque about its axis", units.moment),
+                        format("%.6g", boundary.torque));
+            }
+        }
       print_row(log, label("largest pressure", units.stress),
                 format("%.6g", contact.max_pressure));
       print_row(log, label("largest displacement", units.length),

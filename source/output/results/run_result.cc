@@ -92,7 +92,9 @@ namespace stiction
                  {{"name", part.name},
                   {"id", part.id},
                   {"nodes", part.nodes},
-                  {"obstacle_displacement", part.obstacle_displacement}});
+                  {"obstacle_displacement", part.obstacle_displacement},
+                  {"obstacle_rotation", part.obstacle_rotation},
+                  {"torque", part.torque}});
   }
 
   static void to_json(json &entry, const RunResult::Solver::Level &level)
@@ -175,6 +177,17 @@ namespace stiction
       contact.force_on_body += force;
       contact.tangential_force += force + lambda(0) * node.normal;
       contact.moment += cross_product_3d(node.position, force);
+    }
+
+    // About the axis about which the obstacle turns.
+    void add_torque(RunResult::ContactPart &part, const ContactNode &node,
+                    const Eigen::Vector3d &lambda)
+    {
+      const dealii::Tensor<1, 3> &U = node.turning;
+      if (const double angle = part.obstacle_rotation.norm(); angle > 0.)
+        part.torque -=
+          lambda.tail<2>().dot(node.displacement_to_local({U[0], U[1], U[2]}).tail<2>()) /
+          angle;
     }
 
     // Collective.
@@ -269,6 +282,7 @@ namespace stiction
         part.id   = boundary.id();
         part.obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
+        part.obstacle_rotation = boundary.rotation();
         result.boundaries.push_back(part);
       }
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
@@ -279,6 +293,7 @@ namespace stiction
         ++part.nodes;
         count(part, statuses[i]);
         add_forces(part, node, lambda, statuses[i]);
+        add_torque(part, node, lambda);
         add_forces(result.contact, node, lambda, statuses[i]);
       }
 

@@ -53,6 +53,17 @@ namespace stiction
     /// How far the obstacle is moved from where it is said to be, m.
     const dealii::Tensor<1, 3> &displacement() const { return displacement_; }
 
+    /// θ a, by which its surface has turned about the axis a, rad; zero: it does not.
+    const dealii::Tensor<1, 3> &rotation() const { return rotation_; }
+
+    /// By how much the surface of an obstacle that turns has moved along itself at its
+    /// point x with the normal n: U = θ a × (x − p), m, p being a point of the axis.
+    ///
+    /// Throws InputError if this is not along the surface, so that the obstacle is no
+    /// body of revolution about the axis.
+    dealii::Tensor<1, 3> turning(const dealii::Point<3> &x,
+                                 const dealii::Tensor<1, 3> &n) const;
+
     /// The force in N that presses the obstacle on and along which it is free
     /// to move; zero: it is held.
     const dealii::Tensor<1, 3> &force() const { return force_; }
@@ -90,13 +101,17 @@ namespace stiction
   private:
     ContactBoundary();
 
+    /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
+    void set_rotation(const std::vector<double> &numbers);
+
     std::string name_, description_;
     dealii::types::boundary_id id_;
 
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
     std::unique_ptr<ParsedFunction> gap_;
     std::unique_ptr<FrictionData> friction_;
-    dealii::Tensor<1, 3> displacement_, force_;
+    dealii::Tensor<1, 3> displacement_, rotation_, force_;
+    dealii::Point<3> axis_point_;
     double size_                 = 0.; ///< of the body, m
     const ParameterFile *source_ = nullptr;
   };

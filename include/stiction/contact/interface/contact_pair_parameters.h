@@ -13,8 +13,8 @@ namespace stiction
   {
     ContactPairParameters();
 
-    /// Whether an obstacle is displaced or pressed on. Interference loads the body
-    /// too, which only the gaps show.
+    /// Whether an obstacle is displaced, turned or pressed on. Interference loads
+    /// the body too, which only the gaps show.
     bool has_load() const;
 
     /// Whether forces press obstacles on.
@@ -24,6 +24,7 @@ namespace stiction
     std::string obstacle              = "foundation";
     std::string initial_gap           = "0";
     std::string obstacle_displacement = "0; 0; 0";
+    std::string obstacle_rotation     = "0; 0; 0; 0; 0; 1; 0";
     std::string obstacle_force        = "0; 0; 0";
   };
 } // namespace stiction

@@ -39,6 +39,9 @@ namespace stiction
     /// By how much the gap grows with displacements of the obstacle: n, and
     /// where a part of n is held, n over its cosine with what is left.
     dealii::Tensor<1, 3> gap_growth;
+    /// How far the surface of an obstacle that turns has moved past it, m: the point
+    /// that it faces.
+    dealii::Tensor<1, 3> turning;
     /// Its prescribed components, 0 in the others, m.
     dealii::Tensor<1, 3> prescribed_displacement;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
@@ -72,7 +75,7 @@ namespace stiction
     ///
     /// Throws InputError if a contact boundary does not exist, is prescribed
     /// itself, has no node that can touch its obstacle, or if what is said of
-    /// it (obstacle, gap, displacement, force, coefficient, slip stress) cannot
+    /// it (obstacle, gap, displacement, rotation, force, coefficient, slip stress) cannot
     /// be read or has a value that is not allowed.
     ContactSurface(const LinearElasticity &elasticity,
                    const ContactParameters &parameters);

@@ -7,7 +7,8 @@ namespace stiction
 {
   /// How displacements U of the obstacles look from the contact nodes, in
   /// contact variables: the offset e = (d + n·U; s1 t1·U; s2 t2·U) in
-  /// r = e − Bu = (remaining gap; −slip).
+  /// r = e − Bu = (remaining gap; −slip). Where an obstacle turns, its surface moves
+  /// along itself: U has a part that counts along t1 and t2 alone.
   ///
   /// Some obstacles are free to move along a direction a, with a force P that
   /// presses them on: e = e0 + C δ, a column C_j = M a of C for each of them.

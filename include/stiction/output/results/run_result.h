@@ -89,7 +89,8 @@ namespace stiction
     {
       std::string name;
       unsigned int id = 0, nodes = 0;
-      dealii::Tensor<1, 3> obstacle_displacement;
+      dealii::Tensor<1, 3> obstacle_displacement, obstacle_rotation;
+      double torque = 0.; ///< what friction does on the body a radian; 0: no rotation
     };
 
     /// Force on the body and moment about the origin of what holds a boundary.
