@@ -18,12 +18,14 @@
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/blas_choice.h>
+#include <stiction/simulation/carried_state.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/cores.h>
 #include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/missing_entries.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/reference_costs.h>
+#include <stiction/simulation/time_steps.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
@@ -32,6 +34,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace stiction
@@ -49,12 +53,10 @@ namespace stiction
     , history_(std::make_unique<ConvergenceHistory>(
         *log_, step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
         parameters.contact_solver.is_primal(), parameters.output.print_progress,
-        parameters.refinement.adaptive_steps > 0))
+        parameters.refinement.adaptive_steps > 0, parameters.time.has_steps()))
   {
     if (parameters.output.print_progress)
       phases_.announce(*log_);
-    if (parameters.refinement.adaptive_steps > 0)
-      refinement_ = std::make_unique<AdaptiveRefinement>(parameters);
   }
 
   ContactProblem::~ContactProblem() = default;
@@ -68,12 +70,10 @@ namespace stiction
       make_contact_surface();
       print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
       require_writable_output(parameters_.output, parameters_.source, communicator_);
-      step(parameters_.boundary.time);
-      while (refine_mesh())
+      TimeSteps times(parameters_.time.start, parameters_.time.times(),
+                      parameters_.time.smallest_step);
+      while (!times.is_finished() && take_step(times))
         {
-          assemble_system();
-          make_contact_surface();
-          step(parameters_.boundary.time);
         }
       estimate_mesh();
       if (!status_.interrupted)
@@ -85,11 +85,72 @@ namespace stiction
     return status_.converged;
   }
 
-  void ContactProblem::step(const double time)
+  bool ContactProblem::take_step(TimeSteps &times)
   {
-    discretization_->set_time(parameters_.of_contact(), time);
+    begin_step(times);
+    solve_at(times.time());
+    while (refine_mesh())
+      solve_at(times.time());
+    if (status_.converged)
+      {
+        times.accept();
+        end_step(times.reached());
+        return true;
+      }
+    if (status_.interrupted || !times.cut())
+      return false;
+    log_->line("The step is taken back: " +
+               explain(status_, *certificate_, parameters_.contact_solver.tolerance));
+    return true;
+  }
+
+  void ContactProblem::begin_step(const TimeSteps &times)
+  {
+    if (parameters_.refinement.adaptive_steps > 0)
+      refinement_ = std::make_unique<AdaptiveRefinement>(parameters_);
+    if (!parameters_.time.has_steps())
+      return;
+    history_->begin_time(times.time());
+    log_->line(format("Step %u: t = %.6g to %.6g", times.n_taken() + 1, times.reached(),
+                      times.time()));
+  }
+
+  void ContactProblem::solve_at(const double time)
+  {
+    const SlipHistory history = ends_.empty() ? SlipHistory() : ends_.front().state.history;
+    discretization_->set_time(parameters_.of_contact(), time, history);
+    if (!ends_.empty())
+      state_ = first_guess(time);
+    state_.history = history;
     solve();
     certify();
+  }
+
+  State ContactProblem::first_guess(const double time) const
+  {
+    const auto &[elasticity, surface, solver] = *discretization_;
+    const auto &[last_time, last]             = ends_.front();
+    if (ends_.size() < 2)
+      return last;
+    const auto &[earlier_time, earlier] = ends_.back();
+    const double ratio = (time - last_time) / (last_time - earlier_time);
+    State further      = last;
+    further.u.sadd(1. + ratio, -ratio, earlier.u);
+    further.lambda += ratio * (last.lambda - earlier.lambda);
+    further.distances += ratio * (last.distances - earlier.distances);
+
+    const auto error = [&elasticity = elasticity, &surface = surface](State state) {
+      elasticity->prescribe(state.u);
+      return Certificate(*elasticity, *surface, state).worst_figure().second;
+    };
+    return error(further) < error(last) ? further : last;
+  }
+
+  void ContactProblem::end_step(const double time)
+  {
+    state_.history = history_after(state_, *discretization_->surface);
+    ends_.push_front({time, state_});
+    ends_.resize(std::min<std::size_t>(ends_.size(), 2));
   }
 
   void ContactProblem::solve()
@@ -100,7 +161,7 @@ namespace stiction
       solver =
         ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
     open_output();
-    status_ = solver->solve(state_, [&](const ContactStep &step) { finish_step(step); });
+    status_ = solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
   }
 
   void ContactProblem::certify()
@@ -132,11 +193,11 @@ namespace stiction
       }
   }
 
-  void ContactProblem::finish_step(const ContactStep &step)
+  void ContactProblem::observe(const ContactStep &iteration)
   {
-    history_->add(step);
-    if (!step.remark.empty() && parameters_.output.print_progress)
-      log_->line(step.remark);
+    history_->add(iteration);
+    if (!iteration.remark.empty() && parameters_.output.print_progress)
+      log_->line(iteration.remark);
     stop_if_interrupted(communicator_);
   }
 
@@ -162,12 +223,27 @@ namespace stiction
         return false;
       }
 
+    std::optional<CarriedState> carried;
+    if (!ends_.empty())
+      carried.emplace(ends_.front().state, *discretization_->elasticity,
+                      *discretization_->surface);
     discretization_.reset();
-    state_ = {{}, {}, state_.distances}; // where obstacles are is no matter of the mesh
-    const auto phase = phases_.scope("mesh");
-    body_->refine(is_cut);
-    describe_body();
+    // where obstacles are is no matter of the mesh
+    state_ = {{}, {}, state_.distances, {}};
+    {
+      const auto phase = phases_.scope("mesh");
+      body_->refine(is_cut, carried ? carried->fields() : std::vector<LA::Vector *>());
+      describe_body();
+    }
     history_->begin_mesh();
+    assemble_system();
+    make_contact_surface();
+    if (carried)
+      {
+        const double time = ends_.front().time;
+        discretization_->set_time(parameters_.of_contact(), time, {});
+        ends_ = {{time, carried->on(*discretization_->surface)}};
+      }
     return true;
   }
 

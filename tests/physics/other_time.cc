@@ -44,7 +44,7 @@ namespace
     const bool is_first_certified     = solve();
     const Eigen::VectorXd first       = state.lambda;
     const ContactSolver *const before = solver.get();
-    discretization.set_time(parameters.of_contact(), 1.);
+    discretization.set_time(parameters.of_contact(), 1., {});
     const bool is_kept      = solver.get() == before && before != nullptr;
     const bool is_certified = solve();
 

@@ -11,6 +11,7 @@
 
 #include <mpi.h>
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ namespace stiction
   class Parameters;
   class SupportReactions;
   class ConvergenceHistory;
+  class TimeSteps;
 
   /// An elastic body in contact with a rigid foundation, from the parameters
   /// to the certified result and its files.
@@ -69,8 +71,24 @@ namespace stiction
     const SupportReactions &reactions() const { return *reactions_; }
 
   private:
-    /// Solves the problem of a time, from the present state.
-    void step(double time);
+    /// What was found at a time.
+    struct StepEnd
+    {
+      double time;
+      State state;
+    };
+
+    /// Solves the problem of the next time, on refined meshes again if that is
+    /// wanted, and keeps the answer if it is certified; otherwise the step is cut.
+    /// @return false if that would be too short, or the user wants no more.
+    bool take_step(TimeSteps &times);
+    void solve_at(double time);
+    void begin_step(const TimeSteps &times);
+    /// Makes the state the end of a step.
+    void end_step(double time);
+    /// From the end of the last step, in the direction of the last two if that
+    /// fits the problem of this time better.
+    State first_guess(double time) const;
     void solve();
     void certify();
     /// Refines the mesh where the answer needs it.
@@ -86,8 +104,8 @@ namespace stiction
     void assemble_system();
     void make_contact_surface();
     void open_output();
-    /// Ends the iteration by an exception if the user wants it.
-    void finish_step(const ContactStep &step);
+    /// Of an iteration. Ends it by an exception if the user wants that.
+    void observe(const ContactStep &iteration);
     void estimate_mesh();
     void measure_reference_costs();
     void output_results();
@@ -107,6 +125,8 @@ namespace stiction
     std::unique_ptr<Body> body_;
     std::unique_ptr<Discretization> discretization_;
     State state_;
+    /// Ends of the last steps, the last one first; on the present mesh.
+    std::deque<StepEnd> ends_;
     SolveStatus status_;
     std::unique_ptr<Certificate> certificate_;
 

@@ -2,6 +2,7 @@
 #define stiction_simulation_discretization_h
 
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/simulation/contact_solver.h>
 
@@ -22,7 +23,10 @@ namespace stiction
     /// Nothing is assembled or factorised, unless an obstacle's formula turns the
     /// normals of contact nodes: then the solver goes and has to be made anew.
     /// Collective. Throws InputError as the constructors do.
-    void set_time(const ContactParameters &contact, double time);
+    ///
+    /// @param history from which slip is counted.
+    void set_time(const ContactParameters &contact, double time,
+                  const SlipHistory &history);
   };
 } // namespace stiction
 

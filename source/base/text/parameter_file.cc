@@ -146,14 +146,27 @@ namespace stiction
       return !line.empty();
     }
 
+    // Entries by their old names.
+    const std::map<std::string, std::pair<std::string, std::string>> moved = {
+      {"Boundary conditions/Time", {"Time", "End"}}};
+
+    // Section and name of an entry, which may be written with its old name.
+    std::pair<std::string, std::string> present(const std::string &section,
+                                                const std::string &name)
+    {
+      const auto entry = moved.find(section + "/" + name);
+      return entry == moved.end() ? std::make_pair(section, name) : entry->second;
+    }
+
     // Where a default value stands.
     const std::string not_set = "default value";
   } // namespace
 
-  void ParameterFile::assign(const std::string &where, const std::string &section,
-                             const std::string &name, const std::string &value,
+  void ParameterFile::assign(const std::string &where, const std::string &old_section,
+                             const std::string &old_name, const std::string &value,
                              ParameterHandler &prm)
   {
+    const auto [section, name] = present(old_section, old_name);
     for (const std::string &text : {section, name, value})
       if (const std::size_t bad = first_byte_not_utf8(text); bad != std::string::npos)
         throw InputError(where + ": byte " + std::to_string(bad + 1) + " of '" + text +
@@ -235,7 +248,9 @@ namespace stiction
                                "stand in one.");
             const std::size_t equals = rest.find('=');
             const std::string name   = trim(rest.substr(0, equals));
-            const auto first         = first_line.emplace(section + "/" + name, number);
+            const auto entry         = present(section, name);
+            const auto first =
+              first_line.emplace(entry.first + "/" + entry.second, number);
             if (!first.second)
               throw InputError(where + ": " + section + "/" + name + " stands in line " +
                                std::to_string(first.first->second) +

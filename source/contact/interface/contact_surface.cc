@@ -1,8 +1,10 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace stiction
 {
@@ -75,6 +77,35 @@ namespace stiction
         column += force > 0. ? 1 : 0;
       }
     return Tensor<1, 3>();
+  }
+
+  void ContactSurface::count_slip_from(const Eigen::VectorXd &origin)
+  {
+    if (origin.size() == 0)
+      return;
+    Eigen::VectorXd offset = motion_.offset_at_start();
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const Eigen::Vector3d local =
+          nodes_[i].displacement_to_local(at_node(origin, i));
+        for (unsigned int c = 1; c < 3; ++c)
+          offset(i + c * n_nodes()) -= local(c);
+      }
+    motion_ = ObstacleMotion(std::move(offset), motion_.directions(), motion_.forces());
+  }
+
+  Eigen::VectorXd ContactSurface::relative_displacement(const State &state) const
+  {
+    Eigen::VectorXd relative = -B_.dofs().restriction(state.u);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const Tensor<1, 3> U =
+          obstacle_displacement(boundaries_[nodes_[i].boundary].id(), state.distances) +
+          nodes_[i].turning;
+        for (unsigned int c = 0; c < 3; ++c)
+          relative(i + c * n_nodes()) += U[c];
+      }
+    return relative;
   }
 
   bool ContactSurface::are_obstacles_too_deep(const Eigen::VectorXd &distances) const

@@ -208,7 +208,7 @@ namespace stiction
         const auto effort           = multipliers.solve(
                     state, bound, target, std::min(max_fallback_steps, max_steps - steps));
         steps += effort.newton_steps;
-        statistics_ += effort;
+        statistics_.IterationCounts::operator+=(effort);
         if (ContactResidual(problem_, state, problem_.slip_bound()).value() <= target)
           break;
       }

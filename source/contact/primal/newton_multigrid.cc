@@ -48,18 +48,16 @@ namespace stiction
                                      const unsigned int max_steps,
                                      const Observer &observer)
   {
-    state_ = std::make_unique<ContactState>(*problems_[0]);
-    if (solution.distances.size() == state_->distances.size())
-      state_->distances = solution.distances;
-    problems_[0]->prescribe(state_->u);
-    state_->update(*problems_[0]);
-    Eigen::VectorXd lambda = Eigen::VectorXd::Zero(state_->lambda.size());
+    const bool is_warm       = solution.u.size() == n_dofs(finest_level());
+    const unsigned int first = is_warm ? finest_level() : 0;
+    Eigen::VectorXd lambda   = begin(first, solution);
+    const auto earlier       = statistics_;
     ContactStep row;
     SolveStatus status;
     unsigned int steps = 0;
-    for (unsigned int l = 0; l < hierarchy_.n_levels(); ++l)
+    for (unsigned int l = first; l < hierarchy_.n_levels(); ++l)
       {
-        if (l > 0)
+        if (l > first)
           lambda = refine(l);
         if (status.interrupted)
           continue; // the iterate is wanted on the finest level
@@ -69,7 +67,8 @@ namespace stiction
         row.residual                  = 0.; // that of another problem
         const auto after_step         = [&](const LevelNewton::Statistics &statistics,
                                     const ContactResidual &residual) {
-          statistics_[l] = statistics;
+          statistics_[l] = earlier[l];
+          statistics_[l] += statistics;
           ++row.step;
           row.unknowns     = hierarchy_.level(l).n_dofs();
           row.iterations   = iterations + statistics.krylov_iterations;
@@ -98,11 +97,30 @@ namespace stiction
             status.interrupted = true;
           }
 
-        steps += statistics_[l].newton_steps;
+        steps += statistics_[l].newton_steps - earlier[l].newton_steps;
       }
-    solution         = {state_->u, state_->lambda, state_->distances};
+    solution.u         = state_->u;
+    solution.lambda    = state_->lambda;
+    solution.distances = state_->distances;
     status.converged = status.reason.empty() && !status.interrupted;
-    return status;
+    if (status.converged || status.interrupted || !is_warm || steps >= max_steps)
+      return status;
+    solution.u.reinit(0); // from the coarsest level, then
+    return solve(solution, tolerance, max_steps - steps, observer);
+  }
+
+  Eigen::VectorXd NewtonMultigrid::begin(const unsigned int level, const State &known)
+  {
+    const ContactLevel &problem = *problems_[level];
+    state_                      = std::make_unique<ContactState>(problem);
+    if (known.distances.size() == state_->distances.size())
+      state_->distances = known.distances;
+    const bool is_warm = known.u.size() == state_->u.size();
+    if (is_warm)
+      state_->u.copy_locally_owned_data_from(known.u);
+    problem.prescribe(state_->u);
+    state_->update(problem);
+    return is_warm ? known.lambda : Eigen::VectorXd::Zero(state_->lambda.size());
   }
 
   Eigen::VectorXd NewtonMultigrid::refine(const unsigned int level)

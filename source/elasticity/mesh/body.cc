@@ -4,6 +4,7 @@
 #include <stiction/elasticity/mesh/geometry_parameters.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -122,11 +123,29 @@ namespace stiction
     material_names_ = MeshNames("material", {ids.begin(), ids.end()}, {});
   }
 
-  void Body::refine(const std::vector<bool> &is_cut)
+  void Body::refine(const std::vector<bool> &is_cut,
+                    const std::vector<LA::Vector *> &fields)
   {
+    parallel::distributed::SolutionTransfer<3, LA::Vector> transfer(dof_handler_);
+    std::vector<LA::Vector> with_ghosts;
+    for (const LA::Vector *field : fields)
+      {
+        with_ghosts.emplace_back(locally_owned_dofs(), locally_relevant_dofs_,
+                                 communicator());
+        with_ghosts.back().copy_locally_owned_data_from(*field);
+        with_ghosts.back().update_ghost_values();
+      }
     for (const auto &cell : triangulation_.active_cell_iterators())
       if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
         cell->set_refine_flag();
+    if (!fields.empty())
+      {
+        triangulation_.prepare_coarsening_and_refinement();
+        std::vector<const LA::Vector *> all;
+        for (const LA::Vector &field : with_ghosts)
+          all.push_back(&field);
+        transfer.prepare_for_coarsening_and_refinement(all);
+      }
     triangulation_.execute_coarsening_and_refinement();
     shape_cells();
     if (!quadratic_cells_.empty())
@@ -135,6 +154,13 @@ namespace stiction
       });
     distribute_dofs();
     collect_nodes();
+    for (LA::Vector *field : fields)
+      field->reinit(locally_owned_dofs(), communicator());
+    if (!fields.empty())
+      {
+        std::vector<LA::Vector *> all = fields;
+        transfer.interpolate(all);
+      }
   }
 
   void Body::distribute_dofs()

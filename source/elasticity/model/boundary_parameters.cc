@@ -48,16 +48,6 @@ namespace stiction
                   "addition to 'Body force'. '0; 0; -9.81' is weight along -z. "
                   "Empty: none. Unit: of length per time^2.",
                   prm, Patterns::Anything());
-    add_parameter("Time", time,
-                  "The value of t in all formulas: how far the loads have "
-                  "grown, or a time. The problem itself is static.",
-                  prm, Patterns::Double());
-  }
-
-  void BoundaryParameters::check(const ParameterFile &source) const
-  {
-    source.require(std::abs(time) <= 1e30, "Boundary conditions/Time",
-                   "must be a number of at most 1e30");
   }
 
   bool BoundaryParameters::has_load() const

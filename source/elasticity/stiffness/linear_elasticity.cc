@@ -25,7 +25,7 @@ namespace stiction
   LinearElasticity::LinearElasticity(const Body &body, const BodyParameters &parameters)
     : body_(body)
     , parameters_(parameters)
-    , time_(parameters.boundary.time)
+    , time_(parameters.time)
     , materials_(std::make_unique<Materials>(body, parameters))
     , mesh_(std::make_unique<MeshLevel>(body))
   {
@@ -65,6 +65,13 @@ namespace stiction
   bool LinearElasticity::is_hanging(const types::global_dof_index dof) const
   {
     return body_.is_hanging(dof);
+  }
+
+  void LinearElasticity::prescribe(LA::Vector &u) const
+  {
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        u(dof) = prescribed_value(dof);
   }
 
   void LinearElasticity::distribute(LA::Vector &u) const
@@ -114,15 +121,9 @@ namespace stiction
   void LinearElasticity::constrain_load()
   {
     LA::Vector prescribed = zero_vector();
-    bool is_moved         = false;
-    for (const auto dof : body_.locally_owned_dofs())
-      if (is_prescribed(dof))
-        {
-          prescribed(dof) = prescribed_value(dof);
-          is_moved        = is_moved || prescribed(dof) != 0.;
-        }
+    prescribe(prescribed);
     constrained_load_ = load_;
-    if (Utilities::MPI::max(is_moved ? 1 : 0, body_.communicator()) == 1)
+    if (prescribed.linfty_norm() > 0.)
       constrained_load_ -= internal_force(prescribed);
 
     const LA::Vector diagonal = stiffness_diagonal();

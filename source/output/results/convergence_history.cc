@@ -6,13 +6,20 @@ namespace stiction
 {
   ConvergenceHistory::ConvergenceHistory(Log &log, const std::string &step_name,
                                          const bool on_levels, const bool print,
-                                         const bool has_meshes)
+                                         const bool has_meshes, const bool has_times)
     : log_(log)
     , on_levels_(on_levels)
     , print_(print)
     , has_meshes_(has_meshes)
+    , has_times_(has_times)
     , step_name_(step_name)
   {
+  }
+
+  void ConvergenceHistory::begin_time(const double time)
+  {
+    time_       = time;
+    has_header_ = false;
   }
 
   void ConvergenceHistory::begin_mesh()
@@ -51,7 +58,8 @@ namespace stiction
     if (print_)
       print_row(step);
 
-    rows_ += (has_meshes_ ? format("%u,", mesh_) : "") +
+    rows_ += (has_times_ ? format("%.10g,", time_) : "") +
+             (has_meshes_ ? format("%u,", mesh_) : "") +
              (on_levels_ ? format("%u,%lu,%u,%.9e", step.step, step.unknowns,
                                   step.iterations, step.residual)
                          : format("%u,%u,%.4f,%.9e,%.9e", step.step, step.iterations,
@@ -61,7 +69,7 @@ namespace stiction
 
   void ConvergenceHistory::write(std::ostream &out) const
   {
-    out << (has_meshes_ ? "mesh," : "")
+    out << (has_times_ ? "t," : "") << (has_meshes_ ? "mesh," : "")
         << (on_levels_ ? "step,unknowns,iterations,kkt_residual,"
                        : "step,iterations,dual_multiplications,kkt_residual,"
                          "relative_change,")

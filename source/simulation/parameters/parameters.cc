@@ -88,7 +88,7 @@ namespace stiction
   {
     refinement.check(source);
     material.check(source);
-    boundary.check(source);
+    time.check(source);
     check_table_1();
     friction.check(source);
     check_method(friction.has_coulomb());

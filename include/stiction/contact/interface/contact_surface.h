@@ -99,6 +99,13 @@ namespace stiction
     /// a force presses on are in the order of their boundaries.
     const ObstacleMotion &motion() const { return motion_; }
 
+    /// Counts slip from where body and obstacles were at the end of a step: takes
+    /// SlipHistory::origin off the tangential offsets. Once, after the constructor.
+    void count_slip_from(const Eigen::VectorXd &origin);
+
+    /// U − u of the contact nodes, see SlipHistory. Collective.
+    Eigen::VectorXd relative_displacement(const State &state) const;
+
     /// How far the obstacle of a contact boundary is from where its own entry
     /// places it, m, with pressed obstacles at distances δ.
     dealii::Tensor<1, 3> obstacle_displacement(dealii::types::boundary_id id,

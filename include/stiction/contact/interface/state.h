@@ -1,6 +1,7 @@
 #ifndef stiction_contact_interface_state_h
 #define stiction_contact_interface_state_h
 
+#include <stiction/contact/interface/slip_history.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
@@ -16,6 +17,7 @@ namespace stiction
     LA::Vector u;              ///< displacement, m; hanging nodes have theirs
     Eigen::VectorXd lambda;    ///< contact forces, N, length 3m
     Eigen::VectorXd distances; ///< δ of pressed obstacles, m, see ObstacleMotion
+    SlipHistory history;
   };
 } // namespace stiction
 

@@ -47,6 +47,16 @@ namespace stiction
       /// The step from which on its systems are solved by factorisation, 0 if
       /// none.
       unsigned int factorized_from = 0;
+
+      /// Adds what was done in another solve.
+      Statistics &operator+=(const Statistics &other)
+      {
+        IterationCounts::operator+=(other);
+        rho_changes += other.rho_changes;
+        if (factorized_from == 0)
+          factorized_from = other.factorized_from;
+        return *this;
+      }
     };
 
     /// A step of either method: its Krylov iterations, the residual after it.

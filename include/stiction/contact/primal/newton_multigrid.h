@@ -48,12 +48,13 @@ namespace stiction
     /// Solves the problem to the tolerance, in the figures of the certificate.
     /// Collective.
     ///
-    /// @param state in: where pressed obstacles are looked for first, if it has
-    ///   them; out: the solution.
+    /// @param state in: what is known of the solution: with a displacement the
+    ///   iteration begins there, on the finest level, without one on the coarsest
+    ///   level with pressed obstacles at their distances; out: the solution.
     SolveStatus solve(State &state, double tolerance, unsigned int max_steps,
                       const Observer &observer);
 
-    /// From the coarsest level to the mesh itself.
+    /// What all calls of solve() did, from the coarsest level to the mesh itself.
     const std::vector<LevelNewton::Statistics> &statistics() const { return statistics_; }
 
     /// The unknowns of a level.
@@ -69,6 +70,10 @@ namespace stiction
     unsigned int finest_level() const { return hierarchy_.n_levels() - 1; }
 
   private:
+    /// Begins on a level: with the known displacement if it is the finest one and
+    /// there is one, with none otherwise. Returns the known contact forces.
+    Eigen::VectorXd begin(unsigned int level, const State &known);
+
     /// Interpolates the state to this level from the one below. Returns the
     /// interpolated contact forces.
     Eigen::VectorXd refine(unsigned int level);

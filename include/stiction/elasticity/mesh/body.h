@@ -2,6 +2,7 @@
 #define stiction_elasticity_mesh_body_h
 
 #include <stiction/base/text/mesh_names.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/mesh/readers/quadratic_cells.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -51,7 +52,10 @@ namespace stiction
     ///
     /// @param is_cut one flag for each active cell by its active_cell_index();
     ///   those of cells that this rank does not own are ignored.
-    void refine(const std::vector<bool> &is_cut);
+    /// @param fields over the unknowns, with right values at hanging nodes: they
+    ///   are interpolated to the new mesh.
+    void refine(const std::vector<bool> &is_cut,
+                const std::vector<LA::Vector *> &fields = {});
 
     /// Whether the mesh is uniform and the elements are trilinear: then K is
     /// known cell by cell on all levels, otherwise it is assembled.

@@ -13,6 +13,7 @@ namespace stiction
     const MaterialParameters &material;
     const BoundaryParameters &boundary;
     const ParameterFile &source; ///< for messages
+    double time;                 ///< the t of the first loads
     bool needs_matrix;           ///< one of the stiffness of the whole mesh
   };
 } // namespace stiction

@@ -7,15 +7,10 @@
 
 namespace stiction
 {
-  class ParameterFile;
-
   /// Of the section 'Boundary conditions' what supports, moves and loads the body.
   struct BoundaryParameters : dealii::ParameterAcceptor
   {
     BoundaryParameters();
-
-    /// Throws InputError about what a pattern cannot see.
-    void check(const ParameterFile &source) const;
 
     /// Whether an entry loads the body or moves it: a force (also one of zero, if
     /// it is written) or a displacement that is not zero.
@@ -27,7 +22,6 @@ namespace stiction
     std::string pressure                = "";
     std::string body_force              = "";
     std::string gravity                 = "";
-    double time                         = 1.;
   };
 } // namespace stiction
 

@@ -65,6 +65,9 @@ namespace stiction
       return constraints_.get_inhomogeneity(dof);
     }
 
+    /// Gives u its prescribed values.
+    void prescribe(LA::Vector &u) const;
+
     /// Whether an unknown follows from those of other nodes.
     bool is_hanging(dealii::types::global_dof_index dof) const;
 

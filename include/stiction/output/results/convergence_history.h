@@ -20,8 +20,13 @@ namespace stiction
     /// @param print whether lines are printed.
     /// @param has_meshes whether the problem is solved on one mesh after the
     ///   other: then a row tells which.
+    /// @param has_times whether it is solved at several times: then a row tells
+    ///   which.
     ConvergenceHistory(Log &log, const std::string &step_name, bool on_levels, bool print,
-                       bool has_meshes = false);
+                       bool has_meshes = false, bool has_times = false);
+
+    /// What follows belongs to another time.
+    void begin_time(double time);
 
     /// What follows belongs to the next mesh.
     void begin_mesh();
@@ -37,8 +42,9 @@ namespace stiction
 
     Log &log_;
     const bool on_levels_;
-    const bool print_, has_meshes_;
+    const bool print_, has_meshes_, has_times_;
     unsigned int mesh_ = 0;
+    double time_       = 0.;
     bool has_header_   = false; ///< on the screen, of this mesh
     const std::string step_name_;
     std::string rows_; ///< of convergence.csv

@@ -15,6 +15,7 @@
 #include <stiction/elasticity/solvers/stiffness_solver_parameters.h>
 #include <stiction/output/output_parameters.h>
 #include <stiction/simulation/parameters/performance_parameters.h>
+#include <stiction/simulation/parameters/time_parameters.h>
 
 #include <optional>
 #include <string>
@@ -105,7 +106,7 @@ namespace stiction
     /// outlive it.
     BodyParameters of_body() const
     {
-      return {material, boundary, source, needs_stiffness_matrix()};
+      return {material, boundary, source, time.times().front(), needs_stiffness_matrix()};
     }
     ContactParameters of_contact() const { return {contact, friction, source}; }
 
@@ -120,6 +121,7 @@ namespace stiction
     MaterialParameters material;
     BoundaryParameters boundary;
     ContactPairParameters contact;
+    TimeParameters time;
     FrictionParameters friction;
     ContactSolverParameters contact_solver;
     StiffnessSolverParameters stiffness_solver;

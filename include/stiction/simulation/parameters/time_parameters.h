@@ -1,0 +1,35 @@
+#ifndef stiction_simulation_parameters_time_parameters_h
+#define stiction_simulation_parameters_time_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  class ParameterFile;
+
+  /// The section 'Time': at which t the problem is solved, one step after the
+  /// other.
+  struct TimeParameters : dealii::ParameterAcceptor
+  {
+    TimeParameters();
+
+    /// The times asked for, in ascending order. Valid after check().
+    std::vector<double> times() const;
+
+    /// Whether there is more than one step.
+    bool has_steps() const { return times().size() > 1; }
+
+    /// Throws InputError where the entries cannot be read or contradict each
+    /// other.
+    void check(const ParameterFile &source) const;
+
+    double start = 0., end = 1.;
+    std::string steps    = "1";
+    double smallest_step = 0.;
+  };
+} // namespace stiction
+
+#endif

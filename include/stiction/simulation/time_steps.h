@@ -1,0 +1,46 @@
+#ifndef stiction_simulation_time_steps_h
+#define stiction_simulation_time_steps_h
+
+#include <cstddef>
+#include <vector>
+
+namespace stiction
+{
+  /// The times at which the problem is solved: those asked for, and others between
+  /// them where a step had to be cut.
+  class TimeSteps
+  {
+  public:
+    /// @param start the time before the first step.
+    /// @param times those asked for, ascending, at least one.
+    /// @param smallest no step is cut into shorter ones; 0: none is cut.
+    TimeSteps(double start, std::vector<double> times, double smallest);
+
+    /// Whether the last time asked for is reached.
+    bool is_finished() const { return next_ == times_.size(); }
+
+    /// The time reached, and that of the step to take.
+    double reached() const { return reached_; }
+    double time() const;
+
+    /// Steps taken.
+    unsigned int n_taken() const { return n_taken_; }
+
+    /// The step was taken. After two in a row the next one may be twice as long.
+    void accept();
+
+    /// The step cannot be taken: the next try is half as long.
+    /// @return false if that would be too short.
+    bool cut();
+
+  private:
+    const std::vector<double> times_;
+    const double smallest_;
+    double reached_;
+    double longest_; ///< that a step may be now
+    std::size_t next_     = 0; ///< of times_
+    unsigned int n_taken_ = 0, n_in_a_row_ = 0;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,42 @@
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/simulation/carried_state.h>
+
+namespace stiction
+{
+  CarriedState::CarriedState(const State &state, const LinearElasticity &elasticity,
+                             const ContactSurface &surface)
+    : u_(state.u)
+    , traction_(elasticity.zero_vector())
+    , path_(elasticity.zero_vector())
+    , distances_(state.distances)
+  {
+    const DofSubset &dofs = surface.B().dofs();
+    dofs.add_extension(surface.B()
+                         .force_to_cartesian(state.lambda)
+                         .cwiseQuotient(surface.areas().replicate(3, 1)),
+                       traction_);
+    dofs.add_extension(state.history.path.replicate(3, 1), path_);
+    // hanging nodes are between others on the refined mesh, too
+    elasticity.distribute(traction_);
+    elasticity.distribute(path_);
+  }
+
+  std::vector<LA::Vector *> CarriedState::fields()
+  {
+    return {&u_, &traction_, &path_};
+  }
+
+  State CarriedState::on(const ContactSurface &surface) const
+  {
+    const DofSubset &dofs = surface.B().dofs();
+    State state{u_,
+                surface.B().force_to_local(dofs.restriction(traction_).cwiseProduct(
+                  surface.areas().replicate(3, 1))),
+                distances_,
+                {}};
+    state.history = {surface.relative_displacement(state),
+                     dofs.restriction(path_).head(surface.n_nodes())};
+    return state;
+  }
+} // namespace stiction
