@@ -1,7 +1,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/text/utf8.h>
-#include <stiction/simulation/blas_choice.h>
+#include <stiction/base/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/dual_contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>

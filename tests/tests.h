@@ -7,7 +7,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/qp/node_status.h>
-#include <stiction/simulation/blas_choice.h>
+#include <stiction/base/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
 

@@ -17,10 +17,10 @@
 #include <stiction/output/results/report.h>
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
-#include <stiction/simulation/blas_choice.h>
+#include <stiction/base/blas_choice.h>
 #include <stiction/simulation/carried_state.h>
 #include <stiction/simulation/contact_problem.h>
-#include <stiction/simulation/cores.h>
+#include <stiction/base/cores.h>
 #include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/missing_entries.h>
 #include <stiction/simulation/parameters/parameters.h>

@@ -1,7 +1,7 @@
 // A process whose OpenBLAS takes the processor for an old one starts itself
 // again, once, if the processor knows AVX2.
 
-#include <stiction/simulation/blas_choice.h>
+#include <stiction/base/blas_choice.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -3,7 +3,6 @@
 #include <stiction/elasticity/model/boundary_parameters.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace stiction
 {

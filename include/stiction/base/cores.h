@@ -1,5 +1,5 @@
-#ifndef stiction_simulation_cores_h
-#define stiction_simulation_cores_h
+#ifndef stiction_base_cores_h
+#define stiction_base_cores_h
 
 #include <mpi.h>
 

@@ -1,4 +1,4 @@
-#include <stiction/simulation/cores.h>
+#include <stiction/base/cores.h>
 
 #include <sched.h>
 

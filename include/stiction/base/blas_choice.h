@@ -1,5 +1,5 @@
-#ifndef stiction_simulation_blas_choice_h
-#define stiction_simulation_blas_choice_h
+#ifndef stiction_base_blas_choice_h
+#define stiction_base_blas_choice_h
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include <stiction/simulation/blas_choice.h>
+#include <stiction/base/blas_choice.h>
 
 #include <algorithm>
 #include <cstdlib>
