@@ -27,14 +27,16 @@ namespace stiction
     return {&u_, &traction_, &path_};
   }
 
-  State CarriedState::on(const ContactSurface &surface) const
+  State CarriedState::on(const LinearElasticity &elasticity,
+                         const ContactSurface &surface) const
   {
     const DofSubset &dofs = surface.B().dofs();
-    State state{u_,
+    State state{elasticity.zero_vector(),
                 surface.B().force_to_local(dofs.restriction(traction_).cwiseProduct(
                   surface.areas().replicate(3, 1))),
                 distances_,
                 {}};
+    state.u.copy_locally_owned_data_from(u_);
     state.history = {surface.relative_displacement(state),
                      dofs.restriction(path_).head(surface.n_nodes())};
     return state;

@@ -117,7 +117,8 @@ namespace stiction
 
   void ContactProblem::solve_at(const double time)
   {
-    const SlipHistory history = ends_.empty() ? SlipHistory() : ends_.front().state.history;
+    const SlipHistory history =
+      ends_.empty() ? SlipHistory() : ends_.front().state.history;
     discretization_->set_time(parameters_.of_contact(), time, history);
     if (!ends_.empty())
       state_ = first_guess(time);
@@ -133,8 +134,8 @@ namespace stiction
     if (ends_.size() < 2)
       return last;
     const auto &[earlier_time, earlier] = ends_.back();
-    const double ratio = (time - last_time) / (last_time - earlier_time);
-    State further      = last;
+    const double ratio                  = (time - last_time) / (last_time - earlier_time);
+    State further                       = last;
     further.u.sadd(1. + ratio, -ratio, earlier.u);
     further.lambda += ratio * (last.lambda - earlier.lambda);
     further.distances += ratio * (last.distances - earlier.distances);
@@ -161,7 +162,8 @@ namespace stiction
       solver =
         ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
     open_output();
-    status_ = solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
+    status_ =
+      solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
   }
 
   void ContactProblem::certify()
@@ -242,7 +244,8 @@ namespace stiction
       {
         const double time = ends_.front().time;
         discretization_->set_time(parameters_.of_contact(), time, {});
-        ends_ = {{time, carried->on(*discretization_->surface)}};
+        ends_ = {
+          {time, carried->on(*discretization_->elasticity, *discretization_->surface)}};
       }
     return true;
   }

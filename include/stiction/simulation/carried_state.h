@@ -29,8 +29,8 @@ namespace stiction
 
     /// The state on the refined mesh. Collective.
     ///
-    /// @param surface on that mesh, at the time of the state.
-    State on(const ContactSurface &surface) const;
+    /// @param elasticity, surface on that mesh, at the time of the state.
+    State on(const LinearElasticity &elasticity, const ContactSurface &surface) const;
 
   private:
     LA::Vector u_, traction_, path_; ///< the path in all three components

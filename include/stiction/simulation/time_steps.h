@@ -37,7 +37,7 @@ namespace stiction
     const std::vector<double> times_;
     const double smallest_;
     double reached_;
-    double longest_; ///< that a step may be now
+    double longest_;           ///< that a step may be now
     std::size_t next_     = 0; ///< of times_
     unsigned int n_taken_ = 0, n_in_a_row_ = 0;
   };

@@ -38,7 +38,8 @@ namespace stiction
       "contact boundaries, or one for each, separated by '|' in the same "
       "order. In place of these lists there may be a section a contact boundary, "
       "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Initial "
-      "gap, Displacement, Rotation, Force, Law, Coefficient, Slip stress, First direction.",
+      "gap, Displacement, Rotation, Force, Law, Coefficient, Slip stress, First "
+      "direction.",
       prm, Patterns::Anything());
     add_parameter("Obstacle", obstacle,
                   "What the contact boundary may touch, rigid. foundation: it lies "

@@ -86,8 +86,7 @@ namespace stiction
     Eigen::VectorXd offset = motion_.offset_at_start();
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
-        const Eigen::Vector3d local =
-          nodes_[i].displacement_to_local(at_node(origin, i));
+        const Eigen::Vector3d local = nodes_[i].displacement_to_local(at_node(origin, i));
         for (unsigned int c = 1; c < 3; ++c)
           offset(i + c * n_nodes()) -= local(c);
       }

@@ -14,6 +14,10 @@ namespace stiction
     // from 0.1 to 1e-4 the steps on the finest level are the same.
     constexpr double coarse_tolerance = 0.03;
 
+    // A known displacement with a larger residual is worth less than what the coarse
+    // levels find.
+    constexpr double warm_residual = 0.1;
+
     std::vector<dealii::types::global_dof_index> first_dofs(const ContactSurface &surface)
     {
       const auto &dofs = surface.B().dofs().dofs();
@@ -48,8 +52,7 @@ namespace stiction
                                      const unsigned int max_steps,
                                      const Observer &observer)
   {
-    const bool is_warm       = solution.u.size() == n_dofs(finest_level());
-    const unsigned int first = is_warm ? finest_level() : 0;
+    const unsigned int first = first_level(solution);
     Eigen::VectorXd lambda   = begin(first, solution);
     const auto earlier       = statistics_;
     ContactStep row;
@@ -102,11 +105,19 @@ namespace stiction
     solution.u         = state_->u;
     solution.lambda    = state_->lambda;
     solution.distances = state_->distances;
-    status.converged = status.reason.empty() && !status.interrupted;
-    if (status.converged || status.interrupted || !is_warm || steps >= max_steps)
-      return status;
-    solution.u.reinit(0); // from the coarsest level, then
-    return solve(solution, tolerance, max_steps - steps, observer);
+    status.converged   = status.reason.empty() && !status.interrupted;
+    return status;
+  }
+
+  unsigned int NewtonMultigrid::first_level(const State &known)
+  {
+    if (known.u.size() != n_dofs(finest_level()))
+      return 0;
+    begin(finest_level(), known);
+    const ContactLevel &problem = *problems_.back();
+    const double residual =
+      ContactResidual(problem, *state_, problem.slip_bound()).value();
+    return residual <= warm_residual ? finest_level() : 0;
   }
 
   Eigen::VectorXd NewtonMultigrid::begin(const unsigned int level, const State &known)

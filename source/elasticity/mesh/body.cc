@@ -127,13 +127,14 @@ namespace stiction
                     const std::vector<LA::Vector *> &fields)
   {
     parallel::distributed::SolutionTransfer<3, LA::Vector> transfer(dof_handler_);
-    std::vector<LA::Vector> with_ghosts;
-    for (const LA::Vector *field : fields)
+    // a copy of such a vector would lose what is of other ranks
+    std::vector<LA::Vector> with_ghosts(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i)
       {
-        with_ghosts.emplace_back(locally_owned_dofs(), locally_relevant_dofs_,
-                                 communicator());
-        with_ghosts.back().copy_locally_owned_data_from(*field);
-        with_ghosts.back().update_ghost_values();
+        with_ghosts[i].reinit(locally_owned_dofs(), locally_relevant_dofs_,
+                              communicator());
+        with_ghosts[i].copy_locally_owned_data_from(*fields[i]);
+        with_ghosts[i].update_ghost_values();
       }
     for (const auto &cell : triangulation_.active_cell_iterators())
       if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
@@ -155,7 +156,7 @@ namespace stiction
     distribute_dofs();
     collect_nodes();
     for (LA::Vector *field : fields)
-      field->reinit(locally_owned_dofs(), communicator());
+      field->reinit(locally_owned_dofs(), locally_relevant_dofs_, communicator());
     if (!fields.empty())
       {
         std::vector<LA::Vector *> all = fields;

@@ -321,8 +321,7 @@ namespace stiction
       return;
     const std::string entry = "Material/Material ids";
     const ParsedFunction formula(parameters.material.material_ids, 1,
-                                 parameters.source.locate(entry),
-                                 parameters.time);
+                                 parameters.source.locate(entry), parameters.time);
     // every rank knows the coarse mesh
     body.set_material_ids([&](const dealii::Point<3> &centre) {
       const double id = formula.value(centre);

@@ -79,16 +79,17 @@ namespace stiction
     require(std::abs(end) <= 1e30, "End", "must be a number of at most 1e30");
     require(smallest_step <= 1e30, "Smallest step", "must be a number of at most 1e30");
 
-    const auto numbers = numbers_of(steps);
-    const std::string what =
-      "must be a whole number from 1 to " + std::to_string(max_steps) +
-      " or a list of times separated by ','";
+    const auto numbers     = numbers_of(steps);
+    const std::string what = "must be a whole number from 1 to " +
+                             std::to_string(max_steps) +
+                             " or a list of times separated by ','";
     require(numbers && !numbers->empty() && numbers->size() <= max_steps, "Steps", what);
     if (numbers->size() == 1)
       {
         const double n = numbers->front();
         require(n >= 1. && n <= max_steps && n == std::floor(n), "Steps", what);
-        require(n == 1. || end > start, "End", "must be after 'Start' with several steps");
+        require(n == 1. || end > start, "End",
+                "must be after 'Start' with several steps");
         require(n == 1. || start + (end - start) / n > start, "Steps",
                 "are too many for the time between 'Start' and 'End'");
         return;
@@ -96,7 +97,8 @@ namespace stiction
     double last = start;
     for (const double time : *numbers)
       {
-        require(time > last, "Steps", "each time must be after the one before and 'Start'");
+        require(time > last, "Steps",
+                "each time must be after the one before and 'Start'");
         last = time;
       }
     require(source.given().count("Time/End") == 0 || end == last, "End",

@@ -48,9 +48,9 @@ namespace stiction
     /// Solves the problem to the tolerance, in the figures of the certificate.
     /// Collective.
     ///
-    /// @param state in: what is known of the solution: with a displacement the
-    ///   iteration begins there, on the finest level, without one on the coarsest
-    ///   level with pressed obstacles at their distances; out: the solution.
+    /// @param state in: what is known of the solution: a displacement
+    ///   near the solution, from which the finest level begins, and distances of
+    ///   pressed obstacles, from which the coarsest one does; out: the solution.
     SolveStatus solve(State &state, double tolerance, unsigned int max_steps,
                       const Observer &observer);
 
@@ -70,6 +70,9 @@ namespace stiction
     unsigned int finest_level() const { return hierarchy_.n_levels() - 1; }
 
   private:
+    /// Where to begin: on the finest level if what is known is near the solution.
+    unsigned int first_level(const State &known);
+
     /// Begins on a level: with the known displacement if it is the finest one and
     /// there is one, with none otherwise. Returns the known contact forces.
     Eigen::VectorXd begin(unsigned int level, const State &known);
