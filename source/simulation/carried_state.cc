@@ -37,8 +37,9 @@ namespace stiction
                 distances_,
                 {}};
     state.u.copy_locally_owned_data_from(u_);
-    state.history = {surface.relative_displacement(state),
-                     dofs.restriction(path_).head(surface.n_nodes())};
+    state.history.path   = dofs.restriction(path_).head(surface.n_nodes());
+    state.history.nodes  = surface.first_dofs();
+    state.history.origin = surface.relative_displacement(state);
     return state;
   }
 } // namespace stiction

@@ -122,7 +122,7 @@ namespace stiction
     discretization_->set_time(parameters_.of_contact(), time, history);
     if (!ends_.empty())
       state_ = first_guess(time);
-    state_.history = history;
+    state_.history = on_nodes(history, *discretization_->surface);
     solve();
     certify();
   }
@@ -131,11 +131,14 @@ namespace stiction
   {
     const auto &[elasticity, surface, solver] = *discretization_;
     const auto &[last_time, last]             = ends_.front();
-    if (ends_.size() < 2)
+    const auto &[earlier_time, earlier]       = ends_.back();
+    // where an obstacle made others contact nodes their forces are no guess
+    if (on_nodes(last.history, *surface).nodes != last.history.nodes)
+      return {{}, {}, last.distances, {}};
+    if (ends_.size() < 2 || earlier.history.nodes != last.history.nodes)
       return last;
-    const auto &[earlier_time, earlier] = ends_.back();
-    const double ratio                  = (time - last_time) / (last_time - earlier_time);
-    State further                       = last;
+    const double ratio = (time - last_time) / (last_time - earlier_time);
+    State further      = last;
     further.u.sadd(1. + ratio, -ratio, earlier.u);
     further.lambda += ratio * (last.lambda - earlier.lambda);
     further.distances += ratio * (last.distances - earlier.distances);

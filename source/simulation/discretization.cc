@@ -9,7 +9,7 @@ namespace stiction
       return;
     elasticity->set_time(time);
     ContactSurface then(*elasticity, contact);
-    then.count_slip_from(history.origin);
+    then.count_slip_from(on_nodes(history, then).origin);
     const bool is_same_map = then.B() == surface->B();
     *surface               = std::move(then);
     if (!is_same_map)

@@ -91,6 +91,18 @@ namespace
                           1.) < 1e-6)
           << std::endl;
   }
+
+  // A small sphere that a formula moves along the body: nodes far from it face away.
+  void check_other_nodes(const std::string &method)
+  {
+    const Run moves(shipped("brick.prm"),
+                    brick + Settings{"Contact solver/Method=" + method, moved + "0; 0; 0",
+                                     "Boundary conditions/Obstacle=sphere : 1+2*t; 1.5; "
+                                     "-0.0999; 0.1",
+                                     "Time/Steps=0.25, 0.5, 1"});
+    out() << method << ", others are contact nodes in each step: certified "
+          << yes(moves.converged) << std::endl;
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -101,5 +113,8 @@ int main(int argc, char *argv[])
         method.name == "gauss seidel")
       check(method);
   for (const std::string method : {"newton", "newton multigrid"})
-    check_refinement(method);
+    {
+      check_refinement(method);
+      check_other_nodes(method);
+    }
 }

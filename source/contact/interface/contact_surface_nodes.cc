@@ -28,7 +28,8 @@ namespace stiction
 
   namespace
   {
-    std::vector<types::global_dof_index> first_dofs(const std::vector<ContactNode> &nodes)
+    std::vector<types::global_dof_index> first_dofs_of(
+      const std::vector<ContactNode> &nodes)
     {
       std::vector<types::global_dof_index> dofs;
       for (const ContactNode &node : nodes)
@@ -118,9 +119,9 @@ namespace stiction
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
-    B_                = ContactOperator(DofSubset::of_nodes(first_dofs(nodes_)),
+    B_                = ContactOperator(DofSubset::of_nodes(first_dofs_of(nodes_)),
                                         {nodes_.begin(), nodes_.end()});
-    facing_away_dofs_ = DofSubset::of_nodes(first_dofs(facing_away_));
+    facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));
   }
 
   void ContactSurface::evaluate_data()

@@ -3,12 +3,32 @@
 #include <stiction/contact/interface/state.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
+#include <cstddef>
+
 namespace stiction
 {
+  SlipHistory on_nodes(const SlipHistory &history, const ContactSurface &surface)
+  {
+    if (history.nodes.empty())
+      return history;
+    const Eigen::Index m = surface.n_nodes();
+    SlipHistory here{surface.first_dofs(), Eigen::VectorXd::Zero(3 * m),
+                     Eigen::VectorXd::Zero(m)};
+    for (std::size_t k = 0; k < history.nodes.size(); ++k)
+      if (const Eigen::Index i = surface.node_of(history.nodes[k]); i >= 0)
+        {
+          const auto before = static_cast<Eigen::Index>(k);
+          set_at_node(here.origin, i, at_node(history.origin, before));
+          here.path(i) = history.path(before);
+        }
+    return here;
+  }
+
   SlipHistory history_after(const State &state, const ContactSurface &surface)
   {
     const Eigen::Index m = surface.n_nodes();
-    SlipHistory history{surface.relative_displacement(state), state.history.path};
+    SlipHistory history{surface.first_dofs(), surface.relative_displacement(state),
+                        state.history.path};
     if (history.path.size() == 0)
       history.path = Eigen::VectorXd::Zero(m);
     const Eigen::VectorXd r =

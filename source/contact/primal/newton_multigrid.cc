@@ -17,12 +17,6 @@ namespace stiction
     // A known displacement with a larger residual is worth less than what the coarse
     // levels find.
     constexpr double warm_residual = 0.1;
-
-    std::vector<dealii::types::global_dof_index> first_dofs(const ContactSurface &surface)
-    {
-      const auto &dofs = surface.B().dofs().dofs();
-      return {dofs.begin(), dofs.begin() + surface.n_nodes()};
-    }
   } // namespace
 
   NewtonMultigrid::NewtonMultigrid(const LinearElasticity &elasticity,
@@ -31,7 +25,7 @@ namespace stiction
                                    const LevelNewton::Options &options)
     : options_(options)
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
-    , dof_hierarchy_(hierarchy_, first_dofs(surface))
+    , dof_hierarchy_(hierarchy_, surface.first_dofs())
     , multigrid_(elasticity, hierarchy_, dof_hierarchy_)
     , problems_(hierarchy_.n_levels())
     , statistics_(hierarchy_.n_levels())

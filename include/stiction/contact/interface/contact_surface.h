@@ -88,6 +88,13 @@ namespace stiction
 
     const std::vector<ContactNode> &nodes() const { return nodes_; }
 
+    /// Of each contact node the first of its three unknowns.
+    std::vector<dealii::types::global_dof_index> first_dofs() const
+    {
+      const auto &dofs = B_.dofs().dofs();
+      return {dofs.begin(), dofs.begin() + n_nodes()};
+    }
+
     /// The contact boundaries, in the order of the parameter file.
     const std::vector<ContactBoundary> &boundaries() const { return boundaries_; }
 

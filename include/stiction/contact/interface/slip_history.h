@@ -1,7 +1,11 @@
 #ifndef stiction_contact_interface_slip_history_h
 #define stiction_contact_interface_slip_history_h
 
+#include <deal.II/base/types.h>
+
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace stiction
 {
@@ -12,6 +16,8 @@ namespace stiction
   /// is made.
   struct SlipHistory
   {
+    /// The contact nodes it is about, by their first unknowns.
+    std::vector<dealii::types::global_dof_index> nodes;
     /// U − u of the contact nodes at the end of the last step, U being the
     /// displacement of their obstacles: the slip of a step is counted from there.
     /// Length 3m by Cartesian components, m.
@@ -20,6 +26,11 @@ namespace stiction
     /// steps after which it was closed, length m, m.
     Eigen::VectorXd path;
   };
+
+  /// The history in the order of the surface's nodes. An obstacle that moves by a
+  /// formula may make others contact nodes than in the step before: those have none,
+  /// and count slip from the undeformed body.
+  SlipHistory on_nodes(const SlipHistory &history, const ContactSurface &surface);
 
   /// The history after a step that ended with this state. Collective.
   SlipHistory history_after(const State &state, const ContactSurface &surface);
