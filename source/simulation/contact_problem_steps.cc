@@ -1,0 +1,143 @@
+// How a problem is taken from time to time, and in each step from mesh to mesh.
+
+#include <stiction/base/interrupt.h>
+#include <stiction/base/log.h>
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/results/convergence_history.h>
+#include <stiction/output/results/report.h>
+#include <stiction/simulation/adaptive_refinement.h>
+#include <stiction/simulation/carried_state.h>
+#include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/time_steps.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace stiction
+{
+  bool ContactProblem::take_step(TimeSteps &times)
+  {
+    begin_step(times);
+    solve_at(times.time());
+    while (refine_mesh())
+      solve_at(times.time());
+    if (status_.converged)
+      {
+        times.accept();
+        end_step(times.reached());
+        return true;
+      }
+    if (status_.interrupted || !times.cut())
+      return false;
+    log_->line("The step is taken back: " +
+               explain(status_, *certificate_, parameters_.contact_solver.tolerance));
+    return true;
+  }
+
+  void ContactProblem::begin_step(const TimeSteps &times)
+  {
+    if (parameters_.refinement.adaptive_steps > 0)
+      refinement_ = std::make_unique<AdaptiveRefinement>(parameters_);
+    if (!parameters_.time.has_steps())
+      return;
+    history_->begin_time(times.time());
+    log_->line(format("Step %u: t = %.6g to %.6g", times.n_taken() + 1, times.reached(),
+                      times.time()));
+  }
+
+  void ContactProblem::solve_at(const double time)
+  {
+    const SlipHistory history =
+      ends_.empty() ? SlipHistory() : ends_.front().state.history;
+    discretization_->set_time(parameters_.of_contact(), time, history);
+    if (!ends_.empty())
+      state_ = first_guess(time);
+    state_.history = on_nodes(history, *discretization_->surface);
+    solve();
+    certify();
+  }
+
+  State ContactProblem::first_guess(const double time) const
+  {
+    const auto &[elasticity, surface, solver] = *discretization_;
+    const auto &[last_time, last]             = ends_.front();
+    const auto &[earlier_time, earlier]       = ends_.back();
+    // where an obstacle made others contact nodes their forces are no guess
+    if (on_nodes(last.history, *surface).nodes != last.history.nodes)
+      return {{}, {}, last.distances, {}};
+    if (ends_.size() < 2 || earlier.history.nodes != last.history.nodes)
+      return last;
+    const double ratio = (time - last_time) / (last_time - earlier_time);
+    State further      = last;
+    further.u.sadd(1. + ratio, -ratio, earlier.u);
+    further.lambda += ratio * (last.lambda - earlier.lambda);
+    further.distances += ratio * (last.distances - earlier.distances);
+
+    const auto error = [&elasticity = elasticity, &surface = surface](State state) {
+      elasticity->prescribe(state.u);
+      return Certificate(*elasticity, *surface, state).worst_figure().second;
+    };
+    return error(further) < error(last) ? further : last;
+  }
+
+  void ContactProblem::end_step(const double time)
+  {
+    state_.history = history_after(state_, *discretization_->surface);
+    ends_.push_front({time, state_});
+    ends_.resize(std::min<std::size_t>(ends_.size(), 2));
+  }
+
+  bool ContactProblem::refine_mesh()
+  {
+    if (!refinement_)
+      return false;
+    std::vector<bool> is_cut;
+    {
+      const auto phase = phases_.scope("error_estimate");
+      refinement_->add_mesh(*discretization_->elasticity, *discretization_->surface,
+                            status_.converged, state_, certificate_->strain_energy());
+      is_cut = refinement_->cells_to_cut(*discretization_->elasticity,
+                                         *discretization_->surface);
+    }
+    log_->line(refinement_->remark());
+    if (refinement_->is_finished())
+      return false;
+    if (is_interrupted(communicator_))
+      {
+        status_.interrupted = true;
+        log_->line("INTERRUPTED: the mesh is refined no further.");
+        return false;
+      }
+
+    std::optional<CarriedState> carried;
+    if (!ends_.empty())
+      carried.emplace(ends_.front().state, *discretization_->elasticity,
+                      *discretization_->surface);
+    discretization_.reset();
+    // where obstacles are is no matter of the mesh
+    state_ = {{}, {}, state_.distances, {}};
+    {
+      const auto phase = phases_.scope("mesh");
+      body_->refine(is_cut, carried ? carried->fields() : std::vector<LA::Vector *>());
+      describe_body();
+    }
+    history_->begin_mesh();
+    assemble_system();
+    make_contact_surface();
+    if (carried)
+      {
+        const double time = ends_.front().time;
+        discretization_->set_time(parameters_.of_contact(), time, {});
+        ends_ = {
+          {time, carried->on(*discretization_->elasticity, *discretization_->surface)}};
+      }
+    return true;
+  }
+} // namespace stiction
