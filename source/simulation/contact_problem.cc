@@ -109,8 +109,14 @@ namespace stiction
     if (!status_.converged && !status_.interrupted && status_.reason.empty())
       status_.reason = "the certificate measures more than the iteration did, "
                        "raise 'Contact solver/Tolerance'";
+  }
+
+  void ContactProblem::measure_duality_gap()
+  {
     if (!state_.lambda.allFinite() || (status_.interrupted && !status_.converged))
       return; // the gap only informs, and takes an elastic solve
+    const auto phase                    = phases_.scope("certificate");
+    auto &[elasticity, surface, solver] = *discretization_;
     try
       {
         certificate_->set_duality_gap(

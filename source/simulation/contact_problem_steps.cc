@@ -16,12 +16,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace stiction
 {
+  namespace
+  {
+    // Of friction at the answer. Contractions up to 0.8 end before.
+    constexpr unsigned int max_approximations = 100;
+  } // namespace
+
   bool ContactProblem::take_step(TimeSteps &times)
   {
     begin_step(times);
@@ -60,8 +68,43 @@ namespace stiction
     if (!ends_.empty())
       state_ = first_guess(time);
     state_.history = on_nodes(history, *discretization_->surface);
-    solve();
-    certify();
+    solve_and_certify();
+  }
+
+  void ContactProblem::solve_and_certify()
+  {
+    ContactSurface &surface = *discretization_->surface;
+    if (!surface.has_friction_of_state())
+      {
+        solve();
+        certify();
+        return measure_duality_gap();
+      }
+    double error = std::numeric_limits<double>::infinity(), contraction = 0.;
+    for (unsigned int k = 1; k <= max_approximations; ++k)
+      {
+        surface.set_friction(state_, ContactSurface::FrictionForm::tangent);
+        if (discretization_->solver)
+          discretization_->solver->update();
+        solve();
+        const bool is_solved = status_.converged;
+        surface.set_friction(state_, ContactSurface::FrictionForm::value);
+        certify();
+        const double last = std::exchange(error, certificate_->worst_figure().second);
+        contraction       = error / last;
+        if (parameters_.output.print_progress)
+          log_->line(
+            format("Friction at the answer, approximation %u: residual %.2e", k, error) +
+            (k > 1 ? format(", contraction %.2g", contraction) : ""));
+        if (status_.converged || status_.interrupted || !is_solved)
+          return measure_duality_gap();
+      }
+    status_.reason =
+      format("friction that depends on pressure or slip does not settle (the last "
+             "approximation changed the residual by a factor of %.2g): where it falls "
+             "faster with slip than the body springs back, the body jumps and there is "
+             "no answer nearby, let the formula fall more gently",
+             contraction);
   }
 
   State ContactProblem::first_guess(const double time) const

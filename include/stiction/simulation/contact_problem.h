@@ -89,8 +89,13 @@ namespace stiction
     /// From the end of the last step, in the direction of the last two if that
     /// fits the problem of this time better.
     State first_guess(double time) const;
+    /// Solves and certifies the problem of the present loads; friction that depends on
+    /// pressure or slip is followed until the certificate holds with its values at the
+    /// answer itself.
+    void solve_and_certify();
     void solve();
     void certify();
+    void measure_duality_gap();
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.
     bool refine_mesh();

@@ -5,6 +5,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <sstream>
@@ -78,6 +80,21 @@ namespace stiction
       return "";
     }
 
+    // Whether a name stands in a formula as a word of its own.
+    bool mentions(const std::string &formula, const std::string &name)
+    {
+      const auto is_part = [&](const std::size_t i) {
+        return i < formula.size() &&
+               (std::isalnum(static_cast<unsigned char>(formula[i])) ||
+                formula[i] == '_');
+      };
+      for (std::size_t i = formula.find(name); i != std::string::npos;
+           i             = formula.find(name, i + 1))
+        if ((i == 0 || !is_part(i - 1)) && !is_part(i + name.size()))
+          return true;
+      return false;
+    }
+
     // Zeros in place of components that are 'free', which are taken out of the
     // mask.
     std::string mark_free(const std::string &formulas, dealii::ComponentMask &components)
@@ -99,11 +116,13 @@ namespace stiction
 
   ParsedFunction::ParsedFunction(const std::string &expression,
                                  const unsigned int n_components, std::string location,
-                                 const double time)
+                                 const double time,
+                                 const std::vector<std::string> &quantities)
     : dealii::Function<3>(n_components)
     , expression_(trim(expression))
     , location_(std::move(location))
     , parser_(std::make_unique<dealii::FunctionParser<3>>(n_components))
+    , quantities_(quantities)
   {
     const auto parts = dealii::Utilities::split_string_list(expression_, ';');
     bool complete    = parts.size() == n_components;
@@ -120,20 +139,46 @@ namespace stiction
       if (!trap(part).empty())
         throw InputError(location_ + " = " + expression_ + ", " + trap(part) + ".");
 
+    // deal.II's parser has four variables: t becomes a constant of a formula with
+    // quantities, which take the places of variables that it does without
+    std::vector<std::string> names{"x", "y", "z"};
+    names.insert(names.end(), quantities.begin(), quantities.end());
+    std::string variables = "x,y,z,t", allowed = "x, y, z, t";
+    std::map<std::string, double> constants{{"pi", dealii::numbers::PI}};
+    for (const std::string &name : quantities)
+      allowed += ", " + name;
+    if (std::any_of(quantities.begin(), quantities.end(),
+                    [&](const std::string &name) { return mentions(expression_, name); }))
+      {
+        for (const bool is_wanted : {true, false})
+          for (std::size_t k = 0; k < names.size(); ++k)
+            if (mentions(expression_, names[k]) == is_wanted &&
+                (is_wanted || slots_.size() < 4))
+              slots_.push_back(k);
+        if (slots_.size() > 4)
+          throw InputError(location_ + " = " + expression_ +
+                           ", must use at most four of " +
+                           "x, y, z and the quantities of the answer.");
+        variables = names[slots_[0]];
+        for (std::size_t k = 1; k < 4; ++k)
+          variables += "," + names[slots_[k]];
+        constants["t"] = time;
+      }
+
     try
       {
         const SilentErrors silence;
-        parser_->initialize("x,y,z,t", expression_, {{"pi", dealii::numbers::PI}}, true);
-        set_time(time);
+        parser_->initialize(variables, expression_, constants, true);
+        if (slots_.empty())
+          set_time(time);
         // muParser reads a formula when it is first evaluated
         for (unsigned int c = 0; c < n_components; ++c)
           parser_->value(dealii::Point<3>(), c);
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(
-          location_ + " = " + expression_ +
-          ", is not a formula in x, y, z, t: " + complaint_of_parser(exception) + ".");
+        throw InputError(location_ + " = " + expression_ + ", is not a formula in " +
+                         allowed + ": " + complaint_of_parser(exception) + ".");
       }
   }
 
@@ -148,12 +193,31 @@ namespace stiction
   double ParsedFunction::value(const dealii::Point<3> &p,
                                const unsigned int component) const
   {
-    const double value = parser_->value(p, component);
+    return value_with(p, {}, component);
+  }
+
+  double ParsedFunction::value_with(const dealii::Point<3> &p,
+                                    const std::vector<double> &quantities,
+                                    const unsigned int component) const
+  {
+    dealii::Point<3> variables = p;
+    if (!slots_.empty())
+      {
+        const auto variable = [&](const unsigned int k) {
+          return slots_[k] < 3 ? p[slots_[k]] : quantities.at(slots_[k] - 3);
+        };
+        variables = {variable(0), variable(1), variable(2)};
+        parser_->set_time(variable(3));
+      }
+    const double value = parser_->value(variables, component);
     if (!(std::abs(value) <= 1e30))
       {
         std::ostringstream message;
         message << location_ << " = " << expression_ << ", gives " << value << " at ("
-                << p << "), must be a finite number of at most 1e30 everywhere.";
+                << p << ')';
+        for (std::size_t k = 0; k < quantities.size() && !slots_.empty(); ++k)
+          message << ", " << quantities_[k] << " = " << quantities[k];
+        message << ", must be a finite number of at most 1e30 everywhere.";
         throw InputError(message.str());
       }
     return value;

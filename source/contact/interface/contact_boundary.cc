@@ -226,16 +226,6 @@ namespace stiction
     return gap_->value(p);
   }
 
-  FrictionLaw ContactBoundary::law() const
-  {
-    return friction_->law();
-  }
-
-  void ContactBoundary::set_friction(ContactNode &node) const
-  {
-    friction_->set(node);
-  }
-
   double ContactBoundary::penetration(const Point<3> &p) const
   {
     if (!obstacle_)

@@ -1,5 +1,7 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
@@ -12,6 +14,17 @@ namespace stiction
 
   namespace
   {
+    // The slope of p F(p), p being the pressure, at a node that is pressed.
+    double slope_of_bound(const FrictionData &friction, const ContactNode &node,
+                          const Rubbing &at)
+    {
+      const double h     = 1e-5 * at.pressure;
+      const auto product = [&](const double pressure) {
+        return pressure * friction.value(node, {pressure, at.slip});
+      };
+      return (product(at.pressure + h) - product(at.pressure - h)) / (2. * h);
+    }
+
     // The place of a boundary in the list, the list's size if it is not there.
     std::size_t index_of(const std::vector<ContactBoundary> &boundaries,
                          const types::boundary_id id)
@@ -91,6 +104,53 @@ namespace stiction
           offset(i + c * n_nodes()) -= local(c);
       }
     motion_ = ObstacleMotion(std::move(offset), motion_.directions(), motion_.forces());
+  }
+
+  bool ContactSurface::has_friction_of_state() const
+  {
+    return std::any_of(boundaries_.begin(), boundaries_.end(),
+                       [](const ContactBoundary &boundary) {
+                         return boundary.friction().depends_on_rubbing();
+                       });
+  }
+
+  void ContactSurface::set_friction(const State &state, const FrictionForm form)
+  {
+    const Eigen::Index m  = n_nodes();
+    const bool is_touched = state.lambda.size() > 0;
+    Eigen::VectorXd slip  = has_friction_of_state() && is_touched
+                              ? slip_in_step(state, *this)
+                              : Eigen::VectorXd(Eigen::VectorXd::Zero(m));
+    if (state.history.path.size() > 0)
+      slip += state.history.path;
+
+    Eigen::VectorXd constant(m), coefficient(m);
+    bool is_coulomb = false;
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        ContactNode &node            = nodes_[i];
+        const FrictionData &friction = boundaries_[node.boundary].friction();
+        const bool has_coefficient   = friction.law() == FrictionLaw::coulomb;
+        const Rubbing at{is_touched ? std::max(state.lambda(i), 0.) / node.area : 0.,
+                         slip(i)};
+        if (friction.depends_on_rubbing())
+          (has_coefficient ? node.coefficient : node.slip_stress) =
+            friction.value(node, at);
+        constant(i)    = node.area * node.slip_stress;
+        coefficient(i) = node.coefficient;
+        if (form == FrictionForm::tangent && friction.depends_on_rubbing() &&
+            has_coefficient && at.pressure > 0.)
+          {
+            // a bound grows with the normal force and is nowhere negative
+            coefficient(i) =
+              std::clamp(slope_of_bound(friction, node, at), 0., node.coefficient);
+            constant(i) = (node.coefficient - coefficient(i)) * state.lambda(i);
+          }
+        is_coulomb = is_coulomb || has_coefficient;
+      }
+    slip_bound_ = is_coulomb
+                    ? qp::SlipBound::mixed(std::move(constant), std::move(coefficient))
+                    : qp::SlipBound::given(std::move(constant));
   }
 
   Eigen::VectorXd ContactSurface::relative_displacement(const State &state) const

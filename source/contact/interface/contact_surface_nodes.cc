@@ -7,7 +7,8 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_parameters.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/interface/friction_parameters.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
@@ -128,23 +129,14 @@ namespace stiction
   {
     areas_.resize(n_nodes());
     stiffness_.youngs_moduli.resize(n_nodes());
-    Eigen::VectorXd constant(n_nodes()), coefficient(n_nodes());
-    bool is_coulomb = false;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
-        ContactNode &node               = nodes_[i];
-        const ContactBoundary &boundary = boundaries_[node.boundary];
-        boundary.set_friction(node);
-
+        ContactNode &node = nodes_[i];
+        boundaries_[node.boundary].friction().set(node);
         areas_(i)                   = node.area;
         stiffness_.youngs_moduli(i) = node.youngs_modulus;
-        constant(i)                 = node.area * node.slip_stress;
-        coefficient(i)              = node.coefficient;
-        is_coulomb = is_coulomb || boundary.law() == FrictionLaw::coulomb;
       }
-    slip_bound_ = is_coulomb
-                    ? qp::SlipBound::mixed(std::move(constant), std::move(coefficient))
-                    : qp::SlipBound::given(std::move(constant));
+    set_friction({}, FrictionForm::value);
   }
 
   void ContactSurface::displace_obstacles(const ParameterFile &source)

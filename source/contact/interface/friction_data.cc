@@ -8,8 +8,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 namespace stiction
 {
@@ -22,6 +24,9 @@ namespace stiction
     // The conditions of the scaled problem grow with the square of the ratio
     // of the axes.
     constexpr double largest_ratio = 100.;
+
+    // Ratios of axes that differ by less are the same but for rounding.
+    constexpr double same_ratio = 1e-9;
   } // namespace
 
   FrictionData::Values::Values(const ParameterFile &source, const std::string &entry,
@@ -35,27 +40,34 @@ namespace stiction
                        ", must be one formula, or two separated by ';' for "
                        "the two principal directions.");
     function = std::make_unique<ParsedFunction>(
-      expression, static_cast<unsigned int>(n_formulas), source.locate(entry), time);
+      expression, static_cast<unsigned int>(n_formulas), source.locate(entry), time,
+      std::vector<std::string>{"pressure", "slip"});
   }
 
   FrictionData::Values::~Values() = default;
 
-  std::array<double, 2> FrictionData::Values::at(const Point<3> &p) const
+  std::array<double, 2> FrictionData::Values::at(const Point<3> &p,
+                                                 const Rubbing &rubbing) const
   {
+    const std::vector<double> quantities{rubbing.pressure, rubbing.slip};
     const bool is_one   = function->n_components == 1;
-    const double first  = function->value(p, 0);
-    const double second = is_one ? first : function->value(p, 1);
+    const double first  = function->value_with(p, quantities, 0);
+    const double second = is_one ? first : function->value_with(p, quantities, 1);
 
     const auto refuse = [&](const std::string &allowed) {
       std::ostringstream message;
       message << source.describe(entry) << ", gives " << first;
       if (!is_one)
         message << " and " << second;
-      message << " at (" << p << "), must be " << allowed << ".";
+      message << " at (" << p << ')';
+      if (function->has_quantities())
+        message << ", pressure = " << rubbing.pressure << ", slip = " << rubbing.slip;
+      message << ", must be " << allowed << ".";
       throw InputError(message.str());
     };
     if (first < 0. || second < 0.)
-      refuse(">= 0 everywhere");
+      refuse(function->has_quantities() ? ">= 0 whatever the pressure and the slip"
+                                        : ">= 0 everywhere");
     if ((first == 0.) != (second == 0.))
       refuse("> 0 along both principal directions or 0 along both");
     if (std::max(first, second) > largest_ratio * std::min(first, second))
@@ -84,12 +96,31 @@ namespace stiction
 
   FrictionData::~FrictionData() = default;
 
-  void FrictionData::set(ContactNode &node) const
+  bool FrictionData::depends_on_rubbing() const
+  {
+    return bound_ && bound_->function->has_quantities();
+  }
+
+  double FrictionData::value(const ContactNode &node, const Rubbing &rubbing) const
+  {
+    ContactNode other = node;
+    set(other, rubbing);
+    const double value =
+      law_ == FrictionLaw::coulomb ? other.coefficient : other.slip_stress;
+    for (unsigned int c = 0; c < 2 && value > 0.; ++c) // a disc of radius 0 has no shape
+      if (std::abs(other.scale[c] - node.scale[c]) > same_ratio * node.scale[c])
+        throw InputError(source_.describe(bound_->entry) +
+                         ", the two formulas must have the same ratio whatever the "
+                         "pressure and the slip.");
+    return value;
+  }
+
+  void FrictionData::set(ContactNode &node, const Rubbing &rubbing) const
   {
     if (law_ == FrictionLaw::frictionless)
       return;
     const bool is_coulomb = law_ == FrictionLaw::coulomb;
-    const auto values     = bound_->at(node.position);
+    const auto values     = bound_->at(node.position, rubbing);
 
     std::optional<Tensor<1, 3>> direction;
     if (first_direction_)

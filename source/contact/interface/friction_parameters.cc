@@ -20,8 +20,11 @@ namespace stiction
                   "each, separated by '|'. Must be said.",
                   prm, Patterns::Anything());
     add_parameter("Coefficient", coefficient,
-                  "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t; "
-                  "must be said with it. "
+                  "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t, "
+                  "pressure (contact pressure, unit: of stress) and slip (length of "
+                  "the way the point has slipped, the step's included, unit: of "
+                  "length), of which it may use all but one of x, y, z if both stand "
+                  "in it; must be said with the law. "
                   "Two formulas, '0.3; 0.1': orthotropic friction, F1 along "
                   "the first and F2 along the second principal direction; the "
                   "tangential force lies in the ellipse with these semi-axes "
@@ -34,7 +37,7 @@ namespace stiction
                   prm, Patterns::Anything());
     add_parameter("Slip stress", slip_stress,
                   "Slip stress >= 0 of given friction, which must be said with it, a "
-                  "formula in x, y, z, t, "
+                  "formula in x, y, z, t, pressure, slip, "
                   "or two for an ellipse, as for the coefficient. Unit: of stress.",
                   prm, Patterns::Anything());
     add_parameter("First direction", first_direction,

@@ -4,6 +4,7 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace stiction
 {
@@ -24,13 +25,10 @@ namespace stiction
     return here;
   }
 
-  SlipHistory history_after(const State &state, const ContactSurface &surface)
+  Eigen::VectorXd slip_in_step(const State &state, const ContactSurface &surface)
   {
     const Eigen::Index m = surface.n_nodes();
-    SlipHistory history{surface.first_dofs(), surface.relative_displacement(state),
-                        state.history.path};
-    if (history.path.size() == 0)
-      history.path = Eigen::VectorXd::Zero(m);
+    Eigen::VectorXd way  = Eigen::VectorXd::Zero(m);
     const Eigen::VectorXd r =
       surface.motion().offset(state.distances) - surface.B().apply(state.u);
     for (Eigen::Index i = 0; i < m; ++i)
@@ -38,8 +36,16 @@ namespace stiction
         {
           Eigen::Vector3d slip = at_node(r, i);
           slip(0)              = 0.;
-          history.path(i) += surface.nodes()[i].displacement_to_cartesian(slip).norm();
+          way(i) = surface.nodes()[i].displacement_to_cartesian(slip).norm();
         }
-    return history;
+    return way;
+  }
+
+  SlipHistory history_after(const State &state, const ContactSurface &surface)
+  {
+    Eigen::VectorXd path = slip_in_step(state, surface);
+    if (state.history.path.size() > 0)
+      path += state.history.path;
+    return {surface.first_dofs(), surface.relative_displacement(state), std::move(path)};
   }
 } // namespace stiction

@@ -22,18 +22,22 @@ namespace stiction
 {
   /// A formula of the user in x, y, z, t with n components separated by ';', as
   /// deal.II functions go. Values that are not finite are refused when they
-  /// are met.
+  /// are met. Quantities that the answer decides may stand in it beside them.
   class ParsedFunction : public dealii::Function<3>
   {
   public:
     /// @param location the beginning of a sentence about the entry, see
     ///   ParameterFile::locate().
-    /// @param time the value of t, until set_time().
+    /// @param time the value of t, until set_time(), which a formula that depends on
+    ///   quantities does not know.
+    /// @param quantities the names of quantities that may stand in the formula.
     ///
     /// Throws InputError if the number of components is wrong or a component
-    /// is not a formula muParser can read.
+    /// is not a formula muParser can read, or uses more than four of x, y, z and the
+    /// quantities.
     ParsedFunction(const std::string &expression, unsigned int n_components,
-                   std::string location, double time = 1.);
+                   std::string location, double time = 1.,
+                   const std::vector<std::string> &quantities = {});
     ~ParsedFunction() override;
 
     /// Gives t another value.
@@ -42,6 +46,13 @@ namespace stiction
     /// Throws InputError if the value is not a finite number.
     double value(const dealii::Point<3> &p, unsigned int component = 0) const override;
 
+    /// Whether a quantity stands in it.
+    bool has_quantities() const { return !slots_.empty(); }
+
+    /// The value at a place with these quantities, in the order of their names.
+    double value_with(const dealii::Point<3> &p, const std::vector<double> &quantities,
+                      unsigned int component) const;
+
     /// As the user wrote it.
     const std::string &expression() const { return expression_; }
 
@@ -49,6 +60,10 @@ namespace stiction
     std::string expression_;
     std::string location_;
     std::unique_ptr<dealii::FunctionParser<3>> parser_;
+    std::vector<std::string> quantities_;
+    /// Which of x, y, z and the quantities are the four variables of the parser; none:
+    /// these are x, y, z, t.
+    std::vector<std::size_t> slots_;
   };
 
   /// The values of formulas separated by ';' that depend on t alone.

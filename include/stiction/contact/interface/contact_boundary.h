@@ -15,7 +15,6 @@ namespace stiction
   struct ContactNode;
   struct ContactParameters;
   class FrictionData;
-  enum class FrictionLaw;
   class Obstacle;
   class ParsedFunction;
   class ParameterFile;
@@ -43,8 +42,6 @@ namespace stiction
 
     /// As the user calls it.
     const std::string &name() const { return name_; }
-
-    FrictionLaw law() const;
 
     /// What the entries say of it, for people: "foundation, gap 1e-5, Coulomb
     /// friction, F = 0.3".
@@ -90,9 +87,7 @@ namespace stiction
     /// the body is large, and if a node that faces away is inside the obstacle.
     bool place(ContactNode &node) const;
 
-    /// Gives a node of this boundary its friction data, see
-    /// FrictionData::set().
-    void set_friction(ContactNode &node) const;
+    const FrictionData &friction() const { return *friction_; }
 
     /// How far a place is inside the obstacle along ∇ψ, m; 0 outside and for
     /// the foundation.

@@ -110,6 +110,24 @@ namespace stiction
     /// SlipHistory::origin off the tangential offsets. Once, after the constructor.
     void count_slip_from(const Eigen::VectorXd &origin);
 
+    /// Whether friction depends on pressure or slip, so that set_friction() has to
+    /// follow the state.
+    bool has_friction_of_state() const;
+
+    /// How the slip bound stands for friction that depends on the state.
+    enum class FrictionForm
+    {
+      value,  ///< by the coefficients and slip stresses at the state
+      tangent ///< and by how F λ_ν changes with λ_ν there, where that gives a bound
+    };
+
+    /// Makes the slip bound that of friction at the pressures and slip paths of a
+    /// state, without forces: of a body that nothing has touched. Either form gives the
+    /// same bound at the state itself. Collective.
+    ///
+    /// Throws InputError for values that are not allowed.
+    void set_friction(const State &state, FrictionForm form);
+
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
 
@@ -151,7 +169,8 @@ namespace stiction
     const ContactOperator &B() const { return B_; }
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
-    /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary. Unit: N.
+    /// F(x_i) max(λ_ν,i, 0) by the law of the node's boundary; where friction depends
+    /// on the state, that of the last set_friction(). Unit: N.
     const qp::SlipBound &slip_bound() const { return slip_bound_; }
 
     /// The largest coefficient of Coulomb friction, in any direction.

@@ -18,8 +18,16 @@ namespace stiction
   class ParameterFile;
   class ParsedFunction;
 
+  /// What friction may depend on beside place and time.
+  struct Rubbing
+  {
+    double pressure = 0.; ///< λ_ν/A, Pa
+    double slip     = 0.; ///< the length of the way slipped up to now, m
+  };
+
   /// What the user says about friction on one contact boundary, as functions of
-  /// place: one number, or two along the principal directions of an ellipse.
+  /// place, time, pressure and slip: one number, or two along the principal directions
+  /// of an ellipse.
   class FrictionData
   {
   public:
@@ -38,10 +46,19 @@ namespace stiction
     FrictionLaw law() const { return law_; }
 
     /// Gives a node with its normal frame the coefficient or the slip stress of
-    /// the law and, for an ellipse, tangents and scales.
+    /// the law without pressure and slip and, for an ellipse, tangents and scales.
     ///
     /// Throws InputError for values that are not allowed at its place.
-    void set(ContactNode &node) const;
+    void set(ContactNode &node) const { set(node, {}); }
+
+    /// Whether the values depend on pressure or slip.
+    bool depends_on_rubbing() const;
+
+    /// The coefficient or the slip stress at a node that has been set().
+    ///
+    /// Throws InputError for values that are not allowed, and if an ellipse changes its
+    /// proportions: the contact variables belong to them.
+    double value(const ContactNode &node, const Rubbing &rubbing) const;
 
   private:
     /// An entry of one formula or two.
@@ -51,12 +68,15 @@ namespace stiction
              const std::string &expression, double time);
       ~Values();
 
-      std::array<double, 2> at(const dealii::Point<3, double> &p) const;
+      std::array<double, 2> at(const dealii::Point<3, double> &p,
+                               const Rubbing &rubbing) const;
 
       const ParameterFile &source;
       const std::string entry;
       std::unique_ptr<ParsedFunction> function;
     };
+
+    void set(ContactNode &node, const Rubbing &rubbing) const;
 
     const ParameterFile &source_;
     const FrictionLaw law_;
