@@ -44,6 +44,8 @@ PICTURES = {
     "the rim slips; small cells with hanging nodes where it touches.",
     "roller": "A roller pressed on rubber and turned: it drags the rubber along, "
     "the middle sticks, the rim slips.",
+    "brake_pad": "A brake pad on a moving disc: friction tips it, and the coefficient "
+    "falls with the pressure.",
     "two_materials": "A soft layer under a stiff one: the stress is in the "
     "stiff layer.",
     "gravity": "A wall under the pressure of water and its own weight, "

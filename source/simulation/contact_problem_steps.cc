@@ -8,6 +8,7 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/report.h>
+#include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/carried_state.h>
 #include <stiction/simulation/contact_problem.h>
@@ -81,14 +82,18 @@ namespace stiction
         return measure_duality_gap();
       }
     double error = std::numeric_limits<double>::infinity(), contraction = 0.;
+    qp::ComponentwiseSecant secant;
+    Eigen::VectorXd path = slip_path(state_, surface);
     for (unsigned int k = 1; k <= max_approximations; ++k)
       {
-        surface.set_friction(state_, ContactSurface::FrictionForm::tangent);
+        surface.set_friction(state_.lambda, path, ContactSurface::FrictionForm::tangent);
         if (discretization_->solver)
           discretization_->solver->update();
         solve();
-        const bool is_solved = status_.converged;
-        surface.set_friction(state_, ContactSurface::FrictionForm::value);
+        const bool is_solved             = status_.converged;
+        const Eigen::VectorXd path_there = slip_path(state_, surface);
+        surface.set_friction(state_.lambda, path_there,
+                             ContactSurface::FrictionForm::value);
         certify();
         const double last = std::exchange(error, certificate_->worst_figure().second);
         contraction       = error / last;
@@ -98,6 +103,7 @@ namespace stiction
             (k > 1 ? format(", contraction %.2g", contraction) : ""));
         if (status_.converged || status_.interrupted || !is_solved)
           return measure_duality_gap();
+        path = secant.next(path, path_there);
       }
     status_.reason =
       format("friction that depends on pressure or slip does not settle (the last "

@@ -143,10 +143,10 @@ namespace stiction
     // quantities, which take the places of variables that it does without
     std::vector<std::string> names{"x", "y", "z"};
     names.insert(names.end(), quantities.begin(), quantities.end());
-    std::string variables = "x,y,z,t", allowed = "x, y, z, t";
+    std::string variables = "x,y,z,t", further;
     std::map<std::string, double> constants{{"pi", dealii::numbers::PI}};
     for (const std::string &name : quantities)
-      allowed += ", " + name;
+      further += ", " + name;
     if (std::any_of(quantities.begin(), quantities.end(),
                     [&](const std::string &name) { return mentions(expression_, name); }))
       {
@@ -157,8 +157,7 @@ namespace stiction
               slots_.push_back(k);
         if (slots_.size() > 4)
           throw InputError(location_ + " = " + expression_ +
-                           ", must use at most four of " +
-                           "x, y, z and the quantities of the answer.");
+                           ", must use at most four of x, y, z" + further + ".");
         variables = names[slots_[0]];
         for (std::size_t k = 1; k < 4; ++k)
           variables += "," + names[slots_[k]];
@@ -177,8 +176,9 @@ namespace stiction
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        throw InputError(location_ + " = " + expression_ + ", is not a formula in " +
-                         allowed + ": " + complaint_of_parser(exception) + ".");
+        throw InputError(location_ + " = " + expression_ +
+                         ", is not a formula in x, y, z, t" + further + ": " +
+                         complaint_of_parser(exception) + ".");
       }
   }
 

@@ -114,16 +114,10 @@ namespace stiction
                        });
   }
 
-  void ContactSurface::set_friction(const State &state, const FrictionForm form)
+  void ContactSurface::set_friction(const Eigen::VectorXd &lambda,
+                                    const Eigen::VectorXd &path, const FrictionForm form)
   {
-    const Eigen::Index m  = n_nodes();
-    const bool is_touched = state.lambda.size() > 0;
-    Eigen::VectorXd slip  = has_friction_of_state() && is_touched
-                              ? slip_in_step(state, *this)
-                              : Eigen::VectorXd(Eigen::VectorXd::Zero(m));
-    if (state.history.path.size() > 0)
-      slip += state.history.path;
-
+    const Eigen::Index m = n_nodes();
     Eigen::VectorXd constant(m), coefficient(m);
     bool is_coulomb = false;
     for (Eigen::Index i = 0; i < m; ++i)
@@ -131,8 +125,8 @@ namespace stiction
         ContactNode &node            = nodes_[i];
         const FrictionData &friction = boundaries_[node.boundary].friction();
         const bool has_coefficient   = friction.law() == FrictionLaw::coulomb;
-        const Rubbing at{is_touched ? std::max(state.lambda(i), 0.) / node.area : 0.,
-                         slip(i)};
+        const Rubbing at{lambda.size() > 0 ? std::max(lambda(i), 0.) / node.area : 0.,
+                         path(i)};
         if (friction.depends_on_rubbing())
           (has_coefficient ? node.coefficient : node.slip_stress) =
             friction.value(node, at);
@@ -144,7 +138,7 @@ namespace stiction
             // a bound grows with the normal force and is nowhere negative
             coefficient(i) =
               std::clamp(slope_of_bound(friction, node, at), 0., node.coefficient);
-            constant(i) = (node.coefficient - coefficient(i)) * state.lambda(i);
+            constant(i) = (node.coefficient - coefficient(i)) * lambda(i);
           }
         is_coulomb = is_coulomb || has_coefficient;
       }

@@ -8,7 +8,6 @@
 #include <stiction/contact/interface/contact_parameters.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
-#include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
@@ -136,7 +135,7 @@ namespace stiction
         areas_(i)                   = node.area;
         stiffness_.youngs_moduli(i) = node.youngs_modulus;
       }
-    set_friction({}, FrictionForm::value);
+    set_friction({}, Eigen::VectorXd::Zero(n_nodes()), FrictionForm::value);
   }
 
   void ContactSurface::displace_obstacles(const ParameterFile &source)

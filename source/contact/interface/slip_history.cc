@@ -4,7 +4,6 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace stiction
 {
@@ -25,10 +24,13 @@ namespace stiction
     return here;
   }
 
-  Eigen::VectorXd slip_in_step(const State &state, const ContactSurface &surface)
+  Eigen::VectorXd slip_path(const State &state, const ContactSurface &surface)
   {
     const Eigen::Index m = surface.n_nodes();
-    Eigen::VectorXd way  = Eigen::VectorXd::Zero(m);
+    Eigen::VectorXd path =
+      state.history.path.size() > 0 ? state.history.path : Eigen::VectorXd::Zero(m);
+    if (state.lambda.size() == 0)
+      return path;
     const Eigen::VectorXd r =
       surface.motion().offset(state.distances) - surface.B().apply(state.u);
     for (Eigen::Index i = 0; i < m; ++i)
@@ -36,16 +38,14 @@ namespace stiction
         {
           Eigen::Vector3d slip = at_node(r, i);
           slip(0)              = 0.;
-          way(i) = surface.nodes()[i].displacement_to_cartesian(slip).norm();
+          path(i) += surface.nodes()[i].displacement_to_cartesian(slip).norm();
         }
-    return way;
+    return path;
   }
 
   SlipHistory history_after(const State &state, const ContactSurface &surface)
   {
-    Eigen::VectorXd path = slip_in_step(state, surface);
-    if (state.history.path.size() > 0)
-      path += state.history.path;
-    return {surface.first_dofs(), surface.relative_displacement(state), std::move(path)};
+    return {surface.first_dofs(), surface.relative_displacement(state),
+            slip_path(state, surface)};
   }
 } // namespace stiction

@@ -121,12 +121,12 @@ namespace stiction
       tangent ///< and by how F λ_ν changes with λ_ν there, where that gives a bound
     };
 
-    /// Makes the slip bound that of friction at the pressures and slip paths of a
-    /// state, without forces: of a body that nothing has touched. Either form gives the
-    /// same bound at the state itself. Collective.
+    /// Makes the slip bound that of friction at these contact forces, empty: at none,
+    /// and on these ways slipped, m. Either form gives the same bound at the forces.
     ///
     /// Throws InputError for values that are not allowed.
-    void set_friction(const State &state, FrictionForm form);
+    void set_friction(const Eigen::VectorXd &lambda, const Eigen::VectorXd &path,
+                      FrictionForm form);
 
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;

@@ -32,9 +32,9 @@ namespace stiction
   /// and count slip from the undeformed body.
   SlipHistory on_nodes(const SlipHistory &history, const ContactSurface &surface);
 
-  /// On which way each contact node slips in the step that ends with this state, 0 where
-  /// it is open then, m, length m. Collective.
-  Eigen::VectorXd slip_in_step(const State &state, const ContactSurface &surface);
+  /// How far each contact node has slipped with the step that ends with this state, in
+  /// which one that is open then does not slip, m, length m. Collective.
+  Eigen::VectorXd slip_path(const State &state, const ContactSurface &surface);
 
   /// The history after a step that ended with this state. Collective.
   SlipHistory history_after(const State &state, const ContactSurface &surface);
