@@ -109,10 +109,30 @@ namespace stiction
       law_ == FrictionLaw::coulomb ? other.coefficient : other.slip_stress;
     for (unsigned int c = 0; c < 2 && value > 0.; ++c) // a disc of radius 0 has no shape
       if (std::abs(other.scale[c] - node.scale[c]) > same_ratio * node.scale[c])
-        throw InputError(source_.describe(bound_->entry) +
-                         ", the two formulas must have the same ratio whatever the "
-                         "pressure and the slip.");
+        refuse_ratio();
     return value;
+  }
+
+  void FrictionData::refuse_ratio() const
+  {
+    throw InputError(source_.describe(bound_->entry) +
+                     ", the two formulas must have the same ratio whatever the "
+                     "pressure and the slip.");
+  }
+
+  void FrictionData::set(ContactNode &node) const
+  {
+    set(node, {});
+    if (!depends_on_rubbing() || bound_->function->n_components == 1)
+      return;
+    // the ratio at some pressure and slip, so that most are refused before a run
+    const std::vector<double> some{1e-4 * node.youngs_modulus, 1e-4};
+    const auto at_rest  = bound_->at(node.position, {});
+    const double first  = bound_->function->value_with(node.position, some, 0),
+                 second = bound_->function->value_with(node.position, some, 1);
+    if (std::abs(first * at_rest[1] - second * at_rest[0]) >
+        same_ratio * std::abs(first) * at_rest[1])
+      refuse_ratio();
   }
 
   void FrictionData::set(ContactNode &node, const Rubbing &rubbing) const

@@ -49,7 +49,7 @@ namespace stiction
     /// the law without pressure and slip and, for an ellipse, tangents and scales.
     ///
     /// Throws InputError for values that are not allowed at its place.
-    void set(ContactNode &node) const { set(node, {}); }
+    void set(ContactNode &node) const;
 
     /// Whether the values depend on pressure or slip.
     bool depends_on_rubbing() const;
@@ -77,6 +77,8 @@ namespace stiction
     };
 
     void set(ContactNode &node, const Rubbing &rubbing) const;
+
+    [[noreturn]] void refuse_ratio() const;
 
     const ParameterFile &source_;
     const FrictionLaw law_;
