@@ -73,6 +73,7 @@ namespace stiction
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       TimeSteps times(parameters_.time.start, parameters_.time.times(),
                       parameters_.time.smallest_step);
+      begin_balance();
       while (!times.is_finished() && take_step(times))
         {
         }

@@ -63,14 +63,19 @@ namespace stiction
     write_history(*history_, parameters_.output.directory, communicator_);
   }
 
-  void ContactProblem::record_step(const TimeSteps &times)
+  void ContactProblem::record_step(const TimeSteps &times,
+                                   const EnergyBalance::Step &energy)
   {
     const auto phase      = phases_.scope("output");
     const auto &surface   = *discretization_->surface;
     const Units units     = Units::named(parameters_.output.units);
     const StepResult step = {
-      times.n_taken(), times.reached(), certificate_->worst_figure().second,
-      boundary_steps(surface, state_, *certificate_, node_statuses()), effort_};
+      times.n_taken(),
+      times.reached(),
+      certificate_->worst_figure().second,
+      boundary_steps(surface, state_, *certificate_, node_statuses()),
+      energy,
+      effort_};
     steps_->add(step);
     if (parameters_.output.print_progress)
       log_->line(
@@ -188,6 +193,17 @@ namespace stiction
     return list;
   }
 
+  void ContactProblem::print_totals() const
+  {
+    const EnergyBalance::Step all = steps_->energy();
+    log_->line(format("%zu steps: ", steps_->steps().size()) +
+               label("work", Units::named(parameters_.output.units).energy) +
+               format(" of loads %.6g, supports %.6g, obstacles %.6g; dissipated %.6g, "
+                      "elastic energy %.6g, trace of their length %.6g.",
+                      all.loads, all.supports, all.obstacles, all.dissipation,
+                      all.elastic_energy, all.time_stepping));
+  }
+
   std::string ContactProblem::files_to_open() const
   {
     const std::string ending = !steps_                   ? ".pvtu"
@@ -230,6 +246,8 @@ namespace stiction
                  : parameters_.refinement.adaptive_steps > 0
                    ? "more 'Refinement/Adaptive steps' lower it"
                    : "'Refinement/Adaptive steps' lowers it");
+    if (steps_)
+      print_totals();
     log_->line("Open " + files_to_open() + " in ParaView.");
     if (!parameters_.output.export_directory.empty())
       log_->line("The discrete problem is in " + parameters_.output.export_directory +

@@ -43,6 +43,21 @@ namespace stiction
     return true;
   }
 
+  void ContactProblem::begin_balance()
+  {
+    if (!steps_)
+      return;
+    const auto &[elasticity, surface, solver] = *discretization_;
+    if (ends_.empty())
+      {
+        discretization_->set_time(parameters_.of_contact(), parameters_.time.start, {});
+        balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
+      }
+    else
+      balance_ =
+        std::make_unique<EnergyBalance>(*elasticity, *surface, ends_.front().state);
+  }
+
   void ContactProblem::begin_step(const TimeSteps &times)
   {
     if (parameters_.refinement.adaptive_steps > 0)
@@ -107,11 +122,12 @@ namespace stiction
 
   void ContactProblem::end_step(const TimeSteps &times)
   {
-    state_.history = history_after(state_, *discretization_->surface);
+    const auto &[elasticity, surface, solver] = *discretization_;
+    state_.history                            = history_after(state_, *surface);
     ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));
     if (steps_)
-      record_step(times);
+      record_step(times, balance_->add_step(*elasticity, *surface, state_));
   }
 
   bool ContactProblem::refine_mesh()
@@ -158,6 +174,7 @@ namespace stiction
         ends_ = {
           {time, carried->on(*discretization_->elasticity, *discretization_->surface)}};
       }
+    begin_balance();
     return true;
   }
 } // namespace stiction

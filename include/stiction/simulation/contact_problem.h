@@ -84,11 +84,14 @@ namespace stiction
     /// wanted, and keeps the answer if it is certified; otherwise the step is cut.
     /// @return false if that would be too short, or the user wants no more.
     bool take_step(TimeSteps &times);
+    /// Of several steps: from the body as it is made, at the time of that, or on a
+    /// refined mesh from the end of the last step.
+    void begin_balance();
     void solve_at(double time);
     void begin_step(const TimeSteps &times);
     /// Makes the state the end of a step, and writes its results if there are several.
     void end_step(const TimeSteps &times);
-    void record_step(const TimeSteps &times);
+    void record_step(const TimeSteps &times, const EnergyBalance::Step &energy);
     /// From the end of the last step, in the direction of the last two if that
     /// fits the problem of this time better.
     State first_guess(double time) const;
@@ -125,6 +128,8 @@ namespace stiction
     void report();
     /// The list "steps" of summary.json.
     nlohmann::json step_list() const;
+    /// Of all steps.
+    void print_totals() const;
     /// "output/solution.pvtu and output/contact.pvtu"
     std::string files_to_open() const;
 
@@ -142,9 +147,10 @@ namespace stiction
     SolveStatus status_;
     std::unique_ptr<Certificate> certificate_;
 
-    std::unique_ptr<StepHistory> steps_; ///< if there are several
-    SolverEffort effort_;                ///< in this step
-    SolverEffort counted_;               ///< of the present solver before the last solve
+    std::unique_ptr<StepHistory> steps_;     ///< if there are several
+    std::unique_ptr<EnergyBalance> balance_; ///< of these steps
+    SolverEffort effort_;                    ///< in this step
+    SolverEffort counted_; ///< of the present solver before the last solve
 
     std::unique_ptr<SupportReactions> reactions_;
     MeshError mesh_error_; ///< of no cells: not estimated

@@ -59,6 +59,36 @@ namespace stiction
       "center_x,center_y,center_z,open_area,slip_area,stick_area,obstacle_x,obstacle_y,"
       "obstacle_z,dissipated,dissipated_total\n";
 
+    const char *const energy_header =
+      "step,t,work_loads,work_supports,work_obstacles,elastic_energy,"
+      "elastic_energy_change,dissipated,time_stepping,balance_error,newton_steps,"
+      "krylov_iterations,dual_multiplications,seconds\n";
+
+    std::string energy_row(const StepResult &step)
+    {
+      const EnergyBalance::Step &energy = step.energy;
+      Row row;
+      row << step.number << step.time << energy.loads << energy.supports
+          << energy.obstacles << energy.elastic_energy << energy.elastic_change
+          << energy.dissipation << energy.time_stepping
+          << (energy.error ? format("%.3g", *energy.error) : "")
+          << step.effort.newton_steps << step.effort.krylov_iterations
+          << static_cast<double>(step.effort.dual_multiplications) << step.effort.seconds;
+      return row.line();
+    }
+
+    json energy_to_json(const EnergyBalance::Step &energy)
+    {
+      return {{"work_loads", energy.loads},
+              {"work_supports", energy.supports},
+              {"work_obstacles", energy.obstacles},
+              {"elastic_energy", energy.elastic_energy},
+              {"elastic_energy_change", energy.elastic_change},
+              {"dissipated", energy.dissipation},
+              {"time_stepping", energy.time_stepping},
+              {"balance_error", energy.error ? json(*energy.error) : json(nullptr)}};
+    }
+
     std::string history_rows(const StepResult &step)
     {
       std::string rows;
@@ -94,6 +124,7 @@ namespace stiction
       step.boundaries[b].dissipated_total += steps_.back().boundaries[b].dissipated_total;
     steps_.push_back(std::move(step));
     append("history.csv", history_header, history_rows(steps_.back()));
+    append("energy.csv", energy_header, energy_row(steps_.back()));
   }
 
   void StepHistory::append(const std::string &file, const std::string &header,
@@ -109,6 +140,14 @@ namespace stiction
         throw InputError(name + ": cannot be written, must be in a directory with "
                                 "space and with the permission to write.");
     });
+  }
+
+  EnergyBalance::Step StepHistory::energy() const
+  {
+    EnergyBalance::Step sum;
+    for (const StepResult &step : steps_)
+      sum += step.energy;
+    return sum;
   }
 
   std::string StepHistory::tag() const
@@ -138,6 +177,7 @@ namespace stiction
                             {"certified", true},
                             {"residual", step.residual},
                             {"force_on_body", {force[0], force[1], force[2]}},
+                            {"energy", energy_to_json(step.energy)},
                             {"newton_steps", step.effort.newton_steps},
                             {"krylov_iterations", step.effort.krylov_iterations},
                             {"dual_multiplications", step.effort.dual_multiplications},

@@ -110,6 +110,10 @@ namespace stiction
     /// SlipHistory::origin off the tangential offsets. Once, after the constructor.
     void count_slip_from(const Eigen::VectorXd &origin);
 
+    /// U of the contact nodes, how far the obstacles are from where their entries place
+    /// them, with pressed ones at distances δ; length 3m by Cartesian components, m.
+    Eigen::VectorXd obstacle_displacements(const Eigen::VectorXd &distances) const;
+
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
 

@@ -22,7 +22,8 @@ namespace stiction
   public:
     StepHistory(std::string directory, MPI_Comm communicator);
 
-    /// Takes a step, and appends a row for each contact boundary to history.csv.
+    /// Takes a step, and appends a row for each contact boundary to history.csv and
+    /// one to energy.csv.
     void add(StepResult step);
 
     /// Enters files of the last step, NAME_NUMBER.EXTENSION, into NAME.pvd, which
@@ -33,6 +34,9 @@ namespace stiction
     std::string tag() const;
 
     const std::vector<StepResult> &steps() const { return steps_; }
+
+    /// Of all steps together.
+    EnergyBalance::Step energy() const;
 
     /// The list "steps" of summary.json.
     ///

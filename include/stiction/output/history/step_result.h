@@ -1,6 +1,7 @@
 #ifndef stiction_output_history_step_result_h
 #define stiction_output_history_step_result_h
 
+#include <stiction/contact/certificate/energy_balance.h>
 #include <stiction/qp/node_status.h>
 
 #include <deal.II/base/tensor.h>
@@ -44,6 +45,7 @@ namespace stiction
     double time         = 0.; ///< at its end
     double residual     = 0.; ///< the largest figure of the certificate
     std::vector<BoundaryStep> boundaries;
+    EnergyBalance::Step energy;
     SolverEffort effort;
 
     /// Of all boundaries together.
