@@ -196,7 +196,7 @@ namespace stiction
   void ContactProblem::print_totals() const
   {
     const EnergyBalance::Step all = steps_->energy();
-    log_->line(format("%zu steps: ", steps_->steps().size()) +
+    log_->line(format("Certified steps: %zu, ", steps_->steps().size()) +
                label("work", Units::named(parameters_.output.units).energy) +
                format(" of loads %.6g, supports %.6g, obstacles %.6g; dissipated %.6g, "
                       "elastic energy %.6g, trace of their length %.6g.",
@@ -212,7 +212,11 @@ namespace stiction
     const std::string start  = parameters_.output.directory + "/";
     return (parameters_.output.write_solution ? start + "solution" + ending + " and "
                                               : std::string()) +
-           start + "contact" + ending;
+           start + "contact" + ending + " in ParaView" +
+           (ending == ".pvd" && !status_.converged
+              ? "; what is not certified is in " + start + "contact_uncertified.pvtu"
+              : "") +
+           ".";
   }
 
   void ContactProblem::report()
@@ -246,9 +250,9 @@ namespace stiction
                  : parameters_.refinement.adaptive_steps > 0
                    ? "more 'Refinement/Adaptive steps' lower it"
                    : "'Refinement/Adaptive steps' lowers it");
-    if (steps_)
+    if (steps_ && !steps_->steps().empty())
       print_totals();
-    log_->line("Open " + files_to_open() + " in ParaView.");
+    log_->line("Open " + files_to_open());
     if (!parameters_.output.export_directory.empty())
       log_->line("The discrete problem is in " + parameters_.output.export_directory +
                  ".");

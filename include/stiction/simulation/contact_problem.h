@@ -130,7 +130,7 @@ namespace stiction
     nlohmann::json step_list() const;
     /// Of all steps.
     void print_totals() const;
-    /// "output/solution.pvtu and output/contact.pvtu"
+    /// "output/solution.pvtu and output/contact.pvtu in ParaView."
     std::string files_to_open() const;
 
     const Parameters &parameters_;
