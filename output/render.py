@@ -2,6 +2,7 @@
 """Draw the result of a run of stiction: the body and its contact boundaries.
 
 Call:   xvfb-run -a /usr/bin/python3 output/render.py DIRECTORY [PICTURE.png]
+        xvfb-run -a /usr/bin/python3 output/render.py --frames DIRECTORY
 after, for instance, './run parameters/brick.prm' with DIRECTORY output/brick.
 
 DIRECTORY holds what the run wrote, on any number of ranks; without
@@ -19,17 +20,25 @@ interpolated. The colour tells what friction does, white lines over it that the
 node is open all the same (given friction), white dots that rounding would
 decide whether it is; arrows of friction start at their nodes, on fine meshes at
 some of them. The second one shows the pressure.
+
+Of a run of several steps this is the last one, and history.png beside it has
+the curves of history.csv: the forces on the body over t, and over displacements
+of obstacles that moved. With --frames DIRECTORY/frame_0001.png and so on are
+the pictures of all certified steps of which there are files, all with the same
+scales, for an animation.
 """
 
 import io
 import os
 import sys
+from types import SimpleNamespace
 
 try:
     import PIL.Image
     import vtk
 
-    from render_parts import Unusable, body, page, panels, results
+    from render_parts import (Unusable, body, history, page, panels,
+                              results)
 except ImportError as error:
     sys.exit(f"render.py: {sys.executable}: {error}; install the packages "
              "python3-vtk9 and python3-matplotlib and call Debian's own "
@@ -39,16 +48,47 @@ SHARPNESS = 144  # dots an inch
 
 
 def render(directory, picture, sharpness=SHARPNESS):
-    """Draw the run that wrote into a directory."""
-    run = results.read(directory)
+    """Draw the run that wrote into a directory, and the curves of its history."""
+    run = results.read(directory, results.last_tag(directory))
+    write(draw(run, sharpness), picture, sharpness)
+    boundaries = history.read(directory)
+    if boundaries:
+        write(history.draw(boundaries, run.units),
+              os.path.join(os.path.dirname(picture), "history.png"), sharpness)
 
+
+def render_frames(directory, sharpness=SHARPNESS):
+    """Draw every step; returns the names of the pictures."""
+    steps = results.steps_of(directory)
+    if not steps or not steps[0][1]:
+        raise Unusable(f"{directory} has no steps, frames are made of a run with "
+                       "several 'Time/Steps'.")
+    scale = SimpleNamespace(displacement=0, stress=0, pressure=0)
+    for time, tag in steps:  # read again below: all may be too much for memory
+        for name, value in vars(results.read(directory, tag, time).scale).items():
+            setattr(scale, name, max(value, getattr(scale, name)))
+    pictures = []
+    for time, tag in steps:
+        run = results.read(directory, tag, time)
+        run.scale = scale
+        pictures.append(os.path.join(directory, f"frame{tag}.png"))
+        write(draw(run, sharpness), pictures[-1], sharpness)
+    return pictures
+
+
+def draw(run, sharpness):
+    """The page of a run."""
     def body_picture(width, height):
         dots = 2 * sharpness  # drawn larger, then shrunk: smooth lines
         return body.picture(run, page.STRESS(range(256)),
                             (width * dots, height * dots))
 
     shown = panels.panels_of(run.contact, run.body.points)
-    figure = page.draw(run, shown, body_picture)
+    return page.draw(run, shown, body_picture)
+
+
+def write(figure, picture, sharpness):
+    """Save a figure as a small file."""
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=sharpness)
     image = PIL.Image.open(drawn).convert("RGB")
@@ -67,13 +107,19 @@ def main(arguments):
         print(__doc__.strip())
         return
     try:
-        if len(arguments) not in (1, 2):
-            raise Unusable("call it as render.py DIRECTORY [PICTURE.png].")
+        frames = arguments[:1] == ["--frames"]
+        if len(arguments) not in ((2,) if frames else (1, 2)):
+            raise Unusable("call it as render.py DIRECTORY [PICTURE.png] or "
+                           "render.py --frames DIRECTORY.")
         if not os.environ.get("DISPLAY"):
             raise Unusable("there is no screen, put 'xvfb-run -a' before the "
                            "command.")
-        picture = (arguments[1:] or [os.path.join(arguments[0], "picture.png")])[0]
         vtk.vtkObject.GlobalWarningDisplayOff()
+        if frames:
+            pictures = render_frames(arguments[1])
+            print(f"Wrote {pictures[0]} to {pictures[-1]}")
+            return
+        picture = (arguments[1:] or [os.path.join(arguments[0], "picture.png")])[0]
         render(arguments[0], picture)
         print(f"Wrote {picture}")
     except Unusable as sentence:

@@ -35,6 +35,7 @@ LAYERS = (  # from the ground up
     "output",
     "output/problem",
     "output/results",
+    "output/history",
     "simulation/parameters",
     "simulation",
     "",  # main.cc

@@ -31,10 +31,9 @@ def rounded(number):
     return power * round(number / power)
 
 
-def exaggeration(body):
+def exaggeration(points, largest):
     """How many times larger than it is the displacement is drawn."""
-    largest = np.linalg.norm(body.displacement, axis=1).max()
-    size = np.ptp(body.points, axis=0).max()
+    size = np.ptp(points, axis=0).max()
     return max(1, rounded(0.1 * size / largest)) if largest > 0 else 1
 
 
@@ -187,9 +186,9 @@ def picture(run, colors, box):
     factor of exaggeration, the highest stress, the axes on the picture.
     """
     body = run.body
-    factor = exaggeration(body)
+    factor = exaggeration(body.points, run.scale.displacement)
     basis = view_basis(body.points)
-    highest = body.stress[np.unique(body.faces)].max()
+    highest = run.scale.stress
     deformed = surface_of(body.points + factor * body.displacement, body.faces,
                           body.stress)
     faint = min(0.3, 14 / math.sqrt(len(body.faces)))

@@ -203,7 +203,7 @@ def draw(run, panels, body_picture):
     draw_header(page, run)
     draw_body(page, run, body_picture, body_height)
     names = names_of(run)
-    largest = max(panel.pressure.max() for panel in panels)
+    largest = run.scale.pressure
     for slot, place in zip(slots, places):
         draw_slot(page, slot, place, names[slot.panel.boundary], run.units,
                   largest)
@@ -223,9 +223,12 @@ def names_of(run):
 def draw_header(page, run):
     """Title and the numbers that matter."""
     page.text(LEFT, 0.16, plain(run.name), LARGE, fontweight="bold")
-    if run.summary.get("interrupted") or not run.summary["converged"]:
+    if run.time is None and (run.summary.get("interrupted") or not run.summary["converged"]):
         page.text(RIGHT, 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
                   color=RED)
+    if run.time is not None:
+        page.text(LEFT, 0.53, f"t = {number(run.time)}")
+        return
     contact = run.summary["contact"]
     page.text(LEFT, 0.53, "   ".join([
         "largest pressure "

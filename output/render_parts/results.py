@@ -2,6 +2,7 @@
 
 import json
 import os
+from xml.etree import ElementTree
 from types import SimpleNamespace
 
 import numpy as np
@@ -69,19 +70,43 @@ def read_summary(directory):
         raise Unusable(f"{file} cannot be read: {error}.") from error
 
 
-def read(directory):
+def steps_of(directory):
+    """The certified steps of which there are files: t, and what the names of these
+    have behind the word, "_0001", or nothing where there is one step."""
+    file = os.path.join(directory, "contact.pvd")
+    if not os.path.isfile(file):
+        return []
+    try:
+        return [(float(entry.get("timestep")),
+                 entry.get("file")[len("contact"):-len(".pvtu")])
+                for entry in ElementTree.parse(file).iter("DataSet")]
+    except (OSError, ElementTree.ParseError, TypeError, ValueError) as error:
+        raise Unusable(f"{file} cannot be read: {error}.") from error
+
+
+def last_tag(directory):
+    """That of the end of the run, be it certified or not."""
+    if os.path.isfile(os.path.join(directory, "contact_uncertified.pvtu")):
+        return "_uncertified"
+    return ([(0, "")] + steps_of(directory))[-1][1]
+
+
+def read(directory, tag="", time=None):
     """Everything a picture shows of the run that wrote into a directory.
 
+    tag: what the names of the files have behind the word; time: of a frame of
+    which the summary does not speak.
     body: points, outer faces, and displacement and stress at the points;
     contact: faces of the same points, and fields at their corners, (n, 4) or
-    (n, 4, 3); obstacle: VTK's grid, or None; summary, units and name.
+    (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; scale:
+    the largest displacement, stress and pressure, which everything is drawn with.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
-    solution = read_mesh(os.path.join(directory, "solution.pvtu"), HEXAHEDRON,
+    solution = read_mesh(os.path.join(directory, f"solution{tag}.pvtu"), HEXAHEDRON,
                          8, ["displacement"],
                          ("von_Mises_stress_averaged", "von_Mises_stress"))
-    contact = read_mesh(os.path.join(directory, "contact.pvtu"), QUADRILATERAL,
+    contact = read_mesh(os.path.join(directory, f"contact{tag}.pvtu"), QUADRILATERAL,
                         4, ["pressure", "tangential_traction",
                             "normal_status", "tangential_status", "area",
                             "boundary"])
@@ -92,13 +117,19 @@ def read(directory):
     if (first >= n).any():
         raise Unusable("solution.pvtu and contact.pvtu are not of the same run.")
     faces = meshes.outer_faces(number[:n][solution.cells], len(first))
+    body = body_of(solution, faces, first, number[:n])
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
+        time=time, scale=SimpleNamespace(
+            displacement=np.linalg.norm(body.displacement, axis=1).max(),
+            stress=body.stress[np.unique(body.faces)].max(),
+            pressure=np.where(contact.normal_status == 3, 0,
+                              contact.pressure).max()),
         units={name: units.get(name, "") for name in
                ("length", "force", "stress")},
-        body=body_of(solution, faces, first, number[:n]),
+        body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),
-        obstacle=read_obstacle(directory))
+        obstacle=read_obstacle(directory, tag))
 
 
 def body_of(solution, faces, first, number):
@@ -145,9 +176,9 @@ def contact_of(contact, number, outer, n_points):
     return SimpleNamespace(faces=faces, **fields)
 
 
-def read_obstacle(directory):
+def read_obstacle(directory, tag):
     """The surfaces of the obstacles, or None where there is no such file."""
-    file = os.path.join(directory, "obstacle.vtu")
+    file = os.path.join(directory, f"obstacle{tag}.vtu")
     if not os.path.isfile(file):
         return None
     return read_grid(file, vtk.vtkXMLUnstructuredGridReader(), [])

@@ -44,8 +44,14 @@ namespace stiction
                   "with 17 digits. The .vtu files have the 7 digits of "
                   "single precision.",
                   prm, Patterns::Bool());
+    add_parameter("Every", every,
+                  "With several load steps: files for ParaView are written of every "
+                  "n-th step and of the last one. history.csv and energy.csv have "
+                  "all steps.",
+                  prm, Patterns::Integer(1));
     add_parameter("Print progress", print_progress,
-                  "Whether a line is printed for each step of the solver.");
+                  "Whether a line is printed for each step of the solver, and for "
+                  "each load step.");
   }
 
   void OutputParameters::check(const ParameterFile &source) const

@@ -11,6 +11,7 @@
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
+#include <stiction/output/history/step_history.h>
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/output_directory.h>
 #include <stiction/output/results/overview.h>
@@ -28,6 +29,7 @@
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -54,6 +56,8 @@ namespace stiction
   {
     if (parameters.output.print_progress)
       phases_.announce(*log_);
+    if (parameters.time.has_steps())
+      steps_ = std::make_unique<StepHistory>(parameters.output.directory, communicator);
   }
 
   ContactProblem::~ContactProblem() = default;
@@ -69,6 +73,7 @@ namespace stiction
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       TimeSteps times(parameters_.time.start, parameters_.time.times(),
                       parameters_.time.smallest_step);
+      begin_balance();
       while (!times.is_finished() && take_step(times))
         {
         }
@@ -84,14 +89,20 @@ namespace stiction
 
   void ContactProblem::solve()
   {
-    const auto phase                    = phases_.scope("contact_solve");
+    const auto phase = phases_.scope("contact_solve");
+    const dealii::Timer timer;
     auto &[elasticity, surface, solver] = *discretization_;
     if (!solver)
-      solver =
-        ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
+      {
+        solver =
+          ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
+        counted_ = {};
+      }
     open_output();
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
+    if (steps_)
+      add_effort(timer.wall_time());
   }
 
   void ContactProblem::certify()

@@ -9,6 +9,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
+#include <stiction/output/history/step_history.h>
 #include <stiction/output/problem/problem_files.h>
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/nodal_values.h>
@@ -23,6 +24,7 @@
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/time_steps.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -42,31 +44,74 @@ namespace stiction
                                    stiffness, parameters_.contact_solver.tolerance);
   }
 
+  void ContactProblem::compute_reactions()
+  {
+    LA::Vector contact_force = discretization_->elasticity->zero_vector();
+    discretization_->surface->B().add_transpose(-1., state_.lambda, contact_force);
+    reactions_ = std::make_unique<SupportReactions>(*discretization_->elasticity,
+                                                    state_.u, contact_force);
+  }
+
   void ContactProblem::output_results()
   {
-    const auto phase               = phases_.scope("output");
+    const auto phase = phases_.scope("output");
+    compute_reactions();
+    if (!steps_)
+      write_fields("");
+    else if (!status_.converged)
+      write_fields("_uncertified");
+    write_history(*history_, parameters_.output.directory, communicator_);
+  }
+
+  void ContactProblem::record_step(const TimeSteps &times,
+                                   const EnergyBalance::Step &energy)
+  {
+    const auto phase      = phases_.scope("output");
+    const auto &surface   = *discretization_->surface;
+    const Units units     = Units::named(parameters_.output.units);
+    const StepResult step = {
+      times.n_taken(),
+      times.reached(),
+      certificate_->worst_figure().second,
+      boundary_steps(surface, state_, *certificate_, node_statuses()),
+      energy,
+      effort_};
+    steps_->add(step);
+    if (parameters_.output.print_progress)
+      log_->line(
+        format("Step %u: t = %.6g certified, ", step.number, step.time) +
+        label("force on the body", units.force) + " " +
+        format_vector("%.6g", {{step.force()[0], step.force()[1], step.force()[2]}}));
+    if (step.number % parameters_.output.every != 0 && !times.is_finished())
+      return;
+    compute_reactions();
+    write_fields(steps_->tag());
+    if (parameters_.output.write_solution)
+      steps_->add_file("solution", "pvtu");
+    steps_->add_file("contact", "pvtu");
+    steps_->add_file("obstacle", "vtu");
+  }
+
+  void ContactProblem::write_fields(const std::string &tag) const
+  {
     const OutputParameters &output = parameters_.output;
     const LA::Vector &u            = state_.u;
-    LA::Vector contact_force       = discretization_->elasticity->zero_vector();
-    discretization_->surface->B().add_transpose(-1., state_.lambda, contact_force);
-    reactions_ =
-      std::make_unique<SupportReactions>(*discretization_->elasticity, u, contact_force);
     if (output.write_solution)
       write_solution(*discretization_->elasticity, u, reactions_->nodal(),
                      refinement_ ? refinement_->indicators() : dealii::Vector<double>(),
-                     output);
+                     output, tag);
     const std::vector<NodeStatus> statuses = node_statuses();
     write_contact(*discretization_->elasticity, u, *discretization_->surface,
-                  *certificate_, statuses, output);
+                  *certificate_, statuses, output, tag,
+                  steps_ ? state_.history.path : Eigen::VectorXd());
     if (output.double_precision)
       {
-        write_nodal_displacement(output.directory, *body_, u, reactions_->nodal());
+        write_nodal_displacement(output.directory, *body_, u, reactions_->nodal(), tag);
         write_contact_nodes(output.directory, *discretization_->surface, *certificate_,
-                            statuses, communicator_);
+                            statuses, communicator_, tag);
       }
     write_obstacles(output.directory, *discretization_->elasticity,
-                    *discretization_->surface, state_);
-    write_history(*history_, output.directory, communicator_);
+                    *discretization_->surface, state_, tag);
   }
 
   void ContactProblem::export_problem()
@@ -137,6 +182,43 @@ namespace stiction
     return result;
   }
 
+  json ContactProblem::step_list() const
+  {
+    json list = steps_->to_json(
+      elastic_solve_iterations_ > 0 ? phases_.seconds("elastic_solve") : 0.);
+    if (!status_.converged)
+      list.push_back({{"t", discretization_->elasticity->time()},
+                      {"certified", false},
+                      {"residual", certificate_->worst_figure().second}});
+    return list;
+  }
+
+  void ContactProblem::print_totals() const
+  {
+    const EnergyBalance::Step all = steps_->energy();
+    log_->line(format("Certified steps: %zu, ", steps_->steps().size()) +
+               label("work", Units::named(parameters_.output.units).energy) +
+               format(" of loads %.6g, supports %.6g, obstacles %.6g; dissipated %.6g, "
+                      "elastic energy %.6g, trace of their length %.6g.",
+                      all.loads, all.supports, all.obstacles, all.dissipation,
+                      all.elastic_energy, all.time_stepping));
+  }
+
+  std::string ContactProblem::files_to_open() const
+  {
+    const std::string ending = !steps_                   ? ".pvtu"
+                               : steps_->steps().empty() ? "_uncertified.pvtu"
+                                                         : ".pvd";
+    const std::string start  = parameters_.output.directory + "/";
+    return (parameters_.output.write_solution ? start + "solution" + ending + " and "
+                                              : std::string()) +
+           start + "contact" + ending + " in ParaView" +
+           (ending == ".pvd" && !status_.converged
+              ? "; what is not certified is in " + start + "contact_uncertified.pvtu"
+              : "") +
+           ".";
+  }
+
   void ContactProblem::report()
   {
     const RunResult result = this->result();
@@ -153,6 +235,8 @@ namespace stiction
     const MeshNames &names = body_->boundary_names();
     for (const auto id : names.ids())
       summary["problem"]["boundaries"].push_back({{"id", id}, {"name", names.name(id)}});
+    if (steps_)
+      summary["steps"] = step_list();
     if (refinement_)
       summary["refinement"] = refinement_->to_json();
     const std::string &directory = parameters_.output.directory;
@@ -166,10 +250,9 @@ namespace stiction
                  : parameters_.refinement.adaptive_steps > 0
                    ? "more 'Refinement/Adaptive steps' lower it"
                    : "'Refinement/Adaptive steps' lowers it");
-    log_->line("Open " +
-               (parameters_.output.write_solution ? directory + "/solution.pvtu and "
-                                                  : std::string()) +
-               directory + "/contact.pvtu in ParaView.");
+    if (steps_ && !steps_->steps().empty())
+      print_totals();
+    log_->line("Open " + files_to_open());
     if (!parameters_.output.export_directory.empty())
       log_->line("The discrete problem is in " + parameters_.output.export_directory +
                  ".");

@@ -8,6 +8,7 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/report.h>
+#include <stiction/output/results/run_result.h>
 #include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/carried_state.h>
@@ -40,14 +41,30 @@ namespace stiction
     if (status_.converged)
       {
         times.accept();
-        end_step(times.reached());
+        end_step(times);
         return true;
       }
     if (status_.interrupted || !times.cut())
       return false;
-    log_->line("The step is taken back: " +
-               explain(status_, *certificate_, parameters_.contact_solver.tolerance));
+    if (parameters_.output.print_progress)
+      log_->line("The step is taken back: " +
+                 explain(status_, *certificate_, parameters_.contact_solver.tolerance));
     return true;
+  }
+
+  void ContactProblem::begin_balance()
+  {
+    if (!steps_)
+      return;
+    const auto &[elasticity, surface, solver] = *discretization_;
+    if (ends_.empty())
+      {
+        discretization_->set_time(parameters_.of_contact(), parameters_.time.start, {});
+        balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
+      }
+    else
+      balance_ =
+        std::make_unique<EnergyBalance>(*elasticity, *surface, ends_.front().state);
   }
 
   void ContactProblem::begin_step(const TimeSteps &times)
@@ -57,8 +74,10 @@ namespace stiction
     if (!parameters_.time.has_steps())
       return;
     history_->begin_time(times.time());
-    log_->line(format("Step %u: t = %.6g to %.6g", times.n_taken() + 1, times.reached(),
-                      times.time()));
+    effort_ = {};
+    if (parameters_.output.print_progress)
+      log_->line(format("Step %u: t = %.6g to %.6g", times.n_taken() + 1, times.reached(),
+                        times.time()));
   }
 
   void ContactProblem::solve_at(const double time)
@@ -113,6 +132,20 @@ namespace stiction
              contraction);
   }
 
+  void ContactProblem::add_effort(const double seconds)
+  {
+    RunResult all; // that the solver did so far
+    discretization_->solver->add_to(all);
+    effort_.newton_steps += all.solver.newton_steps - counted_.newton_steps;
+    effort_.krylov_iterations +=
+      all.solver.krylov_iterations - counted_.krylov_iterations;
+    effort_.dual_multiplications +=
+      all.solver.dual_multiplications - counted_.dual_multiplications;
+    effort_.seconds += seconds;
+    counted_ = {all.solver.newton_steps, all.solver.krylov_iterations,
+                all.solver.dual_multiplications, 0.};
+  }
+
   State ContactProblem::first_guess(const double time) const
   {
     const auto &[elasticity, surface, solver] = *discretization_;
@@ -136,11 +169,14 @@ namespace stiction
     return error(further) < error(last) ? further : last;
   }
 
-  void ContactProblem::end_step(const double time)
+  void ContactProblem::end_step(const TimeSteps &times)
   {
-    state_.history = history_after(state_, *discretization_->surface);
-    ends_.push_front({time, state_});
+    const auto &[elasticity, surface, solver] = *discretization_;
+    state_.history                            = history_after(state_, *surface);
+    ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));
+    if (steps_)
+      record_step(times, balance_->add_step(*elasticity, *surface, state_));
   }
 
   bool ContactProblem::refine_mesh()
@@ -187,6 +223,7 @@ namespace stiction
         ends_ = {
           {time, carried->on(*discretization_->elasticity, *discretization_->surface)}};
       }
+    begin_balance();
     return true;
   }
 } // namespace stiction

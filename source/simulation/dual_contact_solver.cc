@@ -17,6 +17,7 @@
 #include <stiction/simulation/parameters/parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -140,6 +141,8 @@ namespace stiction
       setting_.elasticity, surface, *stiffness_solver_, state,
       [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
     forget_method();
+    if (augmented_)
+      earlier_multiplications_ += augmented_->n_multiplications();
     augmented_ = std::make_unique<AugmentedOperator>(
       *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place, weights);
 
@@ -219,6 +222,8 @@ namespace stiction
   {
     add_method(result.solver, *method_, augmented_ ? *augmented_ : *Q_);
     result.solver += earlier_;
+    result.solver.dual_multiplications +=
+      static_cast<unsigned long>(std::ceil(earlier_multiplications_));
     result.solver.stiffness_solves            = stiffness_solver_->n_solves();
     result.solver.stiffness_krylov_iterations = stiffness_solver_->n_iterations();
   }

@@ -4,6 +4,7 @@
 import itertools
 import os
 import sys
+import tempfile
 import unittest
 from types import SimpleNamespace
 
@@ -17,7 +18,7 @@ except ImportError as error:
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 "..", "..", "output"))
 # pylint: disable=wrong-import-position
-from render_parts import meshes, page, panels
+from render_parts import history, meshes, page, panels
 
 
 def hexahedra(cells, low=(0, 0, 0), high=(1, 1, 1)):
@@ -187,7 +188,8 @@ class Panels(unittest.TestCase):
 class Page(unittest.TestCase):
     """Nothing on the page is over anything else, whatever is shown."""
 
-    def texts_of(self, lengths, sides, friction, converged=True, status=None):
+    def texts_of(self, lengths, sides, friction, converged=True, status=None,
+                 time=None):
         """The boxes of all texts of the page of a brick with these sides."""
         points, faces = mesh_of(hexahedra((4, 4, 4), high=lengths))
         contact = joined(*[
@@ -198,7 +200,8 @@ class Page(unittest.TestCase):
                 np.resize(values, contact.faces.shape) for values in status)
         units = {"length": "mm", "force": "N", "stress": "MPa"}
         boundaries = [{"name": f"side {i}", "id": i} for i in range(len(sides))]
-        run = SimpleNamespace(name="a brick", contact=contact, units=units,
+        run = SimpleNamespace(name="a brick", contact=contact, units=units, time=time,
+                              scale=SimpleNamespace(pressure=contact.pressure.max()),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
                                   "force_on_body": [1e8, -1e8, 1e-9],
@@ -256,9 +259,54 @@ class Page(unittest.TestCase):
         self.assertIn("NOT CERTIFIED", words)
         self.assertEqual(sum("Contact boundary" in line for line in words), 3)
 
+    def test_frame(self):
+        words = self.check((4, 3, 1), [(2, 0)], (1, 0, 0), converged=False,
+                           time=0.25)
+        self.assertIn("t = 0.25", words)
+        self.assertNotIn("NOT CERTIFIED", words)
+
     def test_no_friction(self):
         self.assertIn("no friction",
                       self.check((4, 3, 1), [(2, 1)], (0, 0, 0)))
+
+
+class Curves(unittest.TestCase):
+    """The diagrams of a history."""
+
+    HEADER = "t,boundary,force_x,force_y,force_z,center_x," \
+        "obstacle_x,obstacle_y,obstacle_z,dissipated_total\n"
+
+    def read(self, rows):
+        """What a directory with these rows has."""
+        with tempfile.TemporaryDirectory() as directory:
+            with open(os.path.join(directory, "history.csv"), "w",
+                      encoding="utf-8") as stream:
+                stream.write(self.HEADER + rows)
+            return history.read(directory)
+
+    def test_diagrams(self):
+        boundaries = self.read('1,"a,b",0,0,0,,0,0,0,0\n1,c,1,0,2,1,0,0,0,0\n'
+                               '2,"a,b",1,0,-5,1,0.1,0,0,3\n2,c,1,0,2,1,0,0,0,0\n')
+        self.assertEqual(list(boundaries), ["a,b", "c"])
+        self.assertTrue(np.isnan(boundaries["a,b"]["center_x"][0]))
+        figure = history.draw(boundaries, {"length": "mm", "force": "N"})
+        figure.canvas.draw()
+        over_t, over_x = figure.axes
+        self.assertEqual(over_t.get_xlabel(), "t")
+        self.assertIn("along x [mm]", over_x.get_xlabel())
+        self.assertEqual([text.get_text() for text in over_x.get_legend().texts],
+                         ["x", "z"])
+        self.assertEqual(len(over_t.get_legend().texts), 4)
+
+    def test_nothing_moves_and_no_force(self):
+        figure = history.draw(self.read("1,a,0,0,0,,0,0,0,0\n"),
+                              {"length": "", "force": ""})
+        figure.canvas.draw()
+        self.assertEqual(len(figure.axes), 1)
+
+    def test_line_that_was_being_written(self):
+        rows = self.read("1,a,0,0,1,,0,0,0,0\n2,a,0,0,1,,0")["a"]
+        self.assertEqual(list(rows["t"]), [1])
 
 
 class Numbers(unittest.TestCase):

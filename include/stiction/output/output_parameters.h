@@ -26,6 +26,7 @@ namespace stiction
     bool write_solution          = true;
     std::string fields           = "all";
     bool double_precision        = false;
+    unsigned int every           = 1;
     bool print_progress          = true;
   };
 } // namespace stiction

@@ -5,6 +5,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/output/history/step_result.h>
 #include <stiction/simulation/discretization.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,6 +29,7 @@ namespace stiction
   class Parameters;
   class SupportReactions;
   class ConvergenceHistory;
+  class StepHistory;
   class TimeSteps;
 
   /// An elastic body in contact with a rigid foundation, from the parameters
@@ -82,10 +84,14 @@ namespace stiction
     /// wanted, and keeps the answer if it is certified; otherwise the step is cut.
     /// @return false if that would be too short, or the user wants no more.
     bool take_step(TimeSteps &times);
+    /// Of several steps: from the body as it is made, at the time of that, or on a
+    /// refined mesh from the end of the last step.
+    void begin_balance();
     void solve_at(double time);
     void begin_step(const TimeSteps &times);
-    /// Makes the state the end of a step.
-    void end_step(double time);
+    /// Makes the state the end of a step, and writes its results if there are several.
+    void end_step(const TimeSteps &times);
+    void record_step(const TimeSteps &times, const EnergyBalance::Step &energy);
     /// From the end of the last step, in the direction of the last two if that
     /// fits the problem of this time better.
     State first_guess(double time) const;
@@ -94,6 +100,8 @@ namespace stiction
     /// answer itself.
     void solve_and_certify();
     void solve();
+    /// Adds what the solver did, in so many seconds, to that of the step.
+    void add_effort(double seconds);
     void certify();
     void measure_duality_gap();
     /// Refines the mesh where the answer needs it.
@@ -114,12 +122,21 @@ namespace stiction
     void estimate_mesh();
     void measure_reference_costs();
     void output_results();
+    void compute_reactions();
+    /// The files of what was found, with this behind the words of their names.
+    void write_fields(const std::string &tag) const;
     void export_problem();
     /// What the certificate does not see, in sentences.
     std::vector<std::string> warnings(double largest_displacement) const;
     RunResult result() const;
     /// Writes summary.json and prints the report.
     void report();
+    /// The list "steps" of summary.json.
+    nlohmann::json step_list() const;
+    /// Of all steps.
+    void print_totals() const;
+    /// "output/solution.pvtu and output/contact.pvtu in ParaView."
+    std::string files_to_open() const;
 
     const Parameters &parameters_;
     const MPI_Comm communicator_;
@@ -134,6 +151,11 @@ namespace stiction
     std::deque<StepEnd> ends_;
     SolveStatus status_;
     std::unique_ptr<Certificate> certificate_;
+
+    std::unique_ptr<StepHistory> steps_;     ///< if there are several
+    std::unique_ptr<EnergyBalance> balance_; ///< of these steps
+    SolverEffort effort_;                    ///< in this step
+    SolverEffort counted_; ///< of the present solver before the last solve
 
     std::unique_ptr<SupportReactions> reactions_;
     MeshError mesh_error_; ///< of no cells: not estimated

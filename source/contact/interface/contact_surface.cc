@@ -149,16 +149,21 @@ namespace stiction
 
   Eigen::VectorXd ContactSurface::relative_displacement(const State &state) const
   {
-    Eigen::VectorXd relative = -B_.dofs().restriction(state.u);
+    return obstacle_displacements(state.distances) - B_.dofs().restriction(state.u);
+  }
+
+  Eigen::VectorXd ContactSurface::obstacle_displacements(
+    const Eigen::VectorXd &distances) const
+  {
+    Eigen::VectorXd all(3 * n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         const Tensor<1, 3> U =
-          obstacle_displacement(boundaries_[nodes_[i].boundary].id(), state.distances) +
+          obstacle_displacement(boundaries_[nodes_[i].boundary].id(), distances) +
           nodes_[i].turning;
-        for (unsigned int c = 0; c < 3; ++c)
-          relative(i + c * n_nodes()) += U[c];
+        set_at_node(all, i, {U[0], U[1], U[2]});
       }
-    return relative;
+    return all;
   }
 
   bool ContactSurface::are_obstacles_too_deep(const Eigen::VectorXd &distances) const

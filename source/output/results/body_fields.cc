@@ -344,9 +344,9 @@ namespace stiction
 
   void write_solution(const LinearElasticity &elasticity, const LA::Vector &u,
                       const LA::Vector &reaction, const Vector<double> &error_indicators,
-                      const OutputParameters &parameters)
+                      const OutputParameters &parameters, const std::string &tag)
   {
     BodyOutput(elasticity, u, reaction, error_indicators, parameters)
-      .write(parameters.directory, "solution");
+      .write(parameters.directory, "solution", tag);
   }
 } // namespace stiction

@@ -31,11 +31,13 @@ namespace stiction
     public:
       ContactOutput(const Body &body, const LA::Vector &u, const ContactSurface &surface,
                     const Certificate &certificate,
-                    const std::vector<NodeStatus> &statuses, const Units &units)
+                    const std::vector<NodeStatus> &statuses,
+                    const Eigen::VectorXd &slip_path, const Units &units)
         : FieldOutput<2>(body)
         , surface_(surface)
         , certificate_(certificate)
         , statuses_(statuses)
+        , slip_path_(slip_path)
         , units_(units)
       {
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();
@@ -119,6 +121,8 @@ namespace stiction
         values[slip_bound_]        = certificate_.slip_bound()(i) / node.area;
         values[normal_status_]     = static_cast<double>(statuses_[i].normal);
         values[tangential_status_] = static_cast<double>(statuses_[i].tangential);
+        if (slip_path_.size() > 0)
+          values[path_] = slip_path_(i);
         for (unsigned int c = 0; c < 3; ++c)
           {
             values[traction_ + c] = -force[c] / node.area;
@@ -133,6 +137,7 @@ namespace stiction
       const ContactSurface &surface_;
       const Certificate &certificate_;
       const std::vector<NodeStatus> &statuses_;
+      const Eigen::VectorXd &slip_path_; // of no nodes: not wanted
       const Units units_;
 
       const unsigned int pressure_          = add_field("pressure", 1, units_.stress),
@@ -146,19 +151,23 @@ namespace stiction
                          boundary_          = add_field("boundary", 1),
                          displacement_      = add_field("displacement", 3, units_.length),
                          normal_            = add_field("normal", 3),
-                         tangential_traction_ =
-                           add_field("tangential_traction", 3, units_.stress);
+                         tangential_traction_ = add_field("tangential_traction", 3,
+                                                          units_.stress),
+                         path_                = slip_path_.size() > 0
+                                                  ? add_field("slip_path", 1, units_.length)
+                                                  : 0;
     };
   } // namespace
 
   void write_contact(const LinearElasticity &elasticity, const LA::Vector &u,
                      const ContactSurface &surface, const Certificate &certificate,
                      const std::vector<NodeStatus> &statuses,
-                     const OutputParameters &parameters)
+                     const OutputParameters &parameters, const std::string &tag,
+                     const Eigen::VectorXd &slip_path)
   {
     const Body &body = elasticity.body();
-    ContactOutput(body, with_ghosts(body, u), surface, certificate, statuses,
+    ContactOutput(body, with_ghosts(body, u), surface, certificate, statuses, slip_path,
                   Units::named(parameters.units))
-      .write(parameters.directory, "contact");
+      .write(parameters.directory, "contact", tag);
   }
 } // namespace stiction

@@ -38,7 +38,8 @@ namespace stiction
   }
 
   template<int dim>
-  void FieldOutput<dim>::write(const std::string &directory, const std::string &name)
+  void FieldOutput<dim>::write(const std::string &directory, const std::string &name,
+                               const std::string &tag)
   {
     // the default takes three times as long for a tenth less
     flags_.compression_level = DataOutBase::VtkFlags::best_speed;
@@ -47,7 +48,7 @@ namespace stiction
     const MPI_Comm communicator = body_.communicator();
     const unsigned int rank     = Utilities::MPI::this_mpi_process(communicator);
     const auto piece            = [&](const unsigned int r) {
-      return name + "." + Utilities::int_to_string(r, 4) + ".vtu";
+      return name + tag + "." + Utilities::int_to_string(r, 4) + ".vtu";
     };
     // readers complain of pieces that are empty
     std::vector<std::string> pieces;
@@ -62,11 +63,12 @@ namespace stiction
       if (rank != 0)
         return;
 
-      write_file(directory + "/" + name + ".pvtu",
+      write_file(directory + "/" + name + tag + ".pvtu",
                  [&](std::ostream &file) { this->write_pvtu_record(file, pieces); });
-      write_file(directory + "/" + name + ".pvd", [&](std::ostream &file) {
-        DataOutBase::write_pvd_record(file, {{0., name + ".pvtu"}});
-      });
+      if (tag.empty())
+        write_file(directory + "/" + name + ".pvd", [&](std::ostream &file) {
+          DataOutBase::write_pvd_record(file, {{0., name + ".pvtu"}});
+        });
     });
   }
 

@@ -24,9 +24,10 @@ namespace stiction
   class FieldOutput : public dealii::DataOutInterface<dim, 3>
   {
   public:
-    /// Writes NAME.pvtu on rank 0 over one NAME.RRRR.vtu a rank, and NAME.pvd
-    /// over the (one) load step. Collective.
-    void write(const std::string &directory, const std::string &name);
+    /// Writes NAMETAG.pvtu on rank 0 over one NAMETAG.RRRR.vtu a rank, and without a
+    /// tag NAME.pvd over the one step. Collective.
+    void write(const std::string &directory, const std::string &name,
+               const std::string &tag);
 
   protected:
     using Patch = dealii::DataOutBase::Patch<dim, 3>;

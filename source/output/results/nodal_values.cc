@@ -47,9 +47,10 @@ namespace stiction
   } // namespace
 
   void write_nodal_displacement(const std::string &directory, const Body &body,
-                                const LA::Vector &u, const LA::Vector &reaction)
+                                const LA::Vector &u, const LA::Vector &reaction,
+                                const std::string &tag)
   {
-    write_rows(directory + "/displacement.csv",
+    write_rows(directory + "/displacement" + tag + ".csv",
                "x,y,z,u_x,u_y,u_z,reaction_x,reaction_y,reaction_z", body.communicator(),
                [&](std::ostream &out) {
                  for (const Body::Node &node : body.locally_owned_nodes())
@@ -65,12 +66,13 @@ namespace stiction
 
   void write_contact_nodes(const std::string &directory, const ContactSurface &surface,
                            const Certificate &certificate,
-                           const std::vector<NodeStatus> &statuses, MPI_Comm communicator)
+                           const std::vector<NodeStatus> &statuses, MPI_Comm communicator,
+                           const std::string &tag)
   {
     // every rank knows all nodes
     const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     write_rows(
-      directory + "/contact.csv",
+      directory + "/contact" + tag + ".csv",
       "x,y,z,normal_x,normal_y,normal_z,area,boundary,force_x,force_y,force_z,"
       "normal_force,slip_bound,gap,slip_x,slip_y,slip_z,"
       "normal_status,tangential_status",

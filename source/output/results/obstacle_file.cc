@@ -285,7 +285,8 @@ namespace stiction
   } // namespace
 
   void write_obstacles(const std::string &directory, const LinearElasticity &elasticity,
-                       const ContactSurface &surface, const State &state)
+                       const ContactSurface &surface, const State &state,
+                       const std::string &tag)
   {
     const Body &body    = elasticity.body();
     ObstacleFaces faces = foundations(body, surface, state);
@@ -303,7 +304,7 @@ namespace stiction
             add_zero_set(MovedObstacle(boundary, displacement),
                          neighbourhood(surface, state, b), boundary.id(), faces);
         }
-      write_file(directory + "/obstacle.vtu",
+      write_file(directory + "/obstacle" + tag + ".vtu",
                  [&](std::ostream &file) { write_faces(file, faces); });
     });
   }

@@ -21,9 +21,11 @@ namespace stiction
     bool is_ours(const std::string &name)
     {
       static const std::regex names(
-        "(solution|contact|obstacle)(\\.[0-9]{4,})?\\.(vtu|pvtu|pvd)"
-        "|summary\\.json|(convergence|forces|displacement|contact)\\.csv"
-        "|picture\\.png");
+        "((solution|contact|obstacle)(_[0-9]{4,}|_uncertified)?(\\.[0-9]{4,})?\\.(vtu|"
+        "pvtu|pvd)"
+        "|summary\\.json|(convergence|forces|history|energy)\\.csv"
+        "|(displacement|contact)(_[0-9]{4,}|_uncertified)?\\.csv"
+        "|(picture|history|frame_[0-9]{4,})\\.png)(\\.new)?");
       return std::regex_match(name, names);
     }
 

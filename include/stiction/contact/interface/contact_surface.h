@@ -128,6 +128,10 @@ namespace stiction
     void set_friction(const Eigen::VectorXd &lambda, const Eigen::VectorXd &path,
                       FrictionForm form);
 
+    /// U of the contact nodes, how far the obstacles are from where their entries place
+    /// them, with pressed ones at distances δ; length 3m by Cartesian components, m.
+    Eigen::VectorXd obstacle_displacements(const Eigen::VectorXd &distances) const;
+
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
 

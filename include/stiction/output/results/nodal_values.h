@@ -23,8 +23,11 @@ namespace stiction
   /// digits are.
   ///
   /// Throws InputError if the file cannot be written; so does the other.
+  ///
+  /// @param tag what the name of the file has behind the word; so in the other.
   void write_nodal_displacement(const std::string &directory, const Body &body,
-                                const LA::Vector &u, const LA::Vector &reaction);
+                                const LA::Vector &u, const LA::Vector &reaction,
+                                const std::string &tag);
 
   /// Writes contact.csv, a row for each contact node: its place, its normal
   /// towards the obstacle, its area and the id of its boundary, the force on
@@ -33,8 +36,8 @@ namespace stiction
   /// Collective.
   void write_contact_nodes(const std::string &directory, const ContactSurface &surface,
                            const Certificate &certificate,
-                           const std::vector<NodeStatus> &statuses,
-                           MPI_Comm communicator);
+                           const std::vector<NodeStatus> &statuses, MPI_Comm communicator,
+                           const std::string &tag);
 } // namespace stiction
 
 #endif

@@ -1,0 +1,107 @@
+#ifndef stiction_contact_certificate_energy_balance_h
+#define stiction_contact_certificate_energy_balance_h
+
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
+#include <deal.II/base/types.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace stiction
+{
+  class ContactSurface;
+  class LinearElasticity;
+  struct State;
+
+  /// Where the work goes in the steps of a history.
+  ///
+  /// The elastic energy E = ½uᵀKu is quadratic: from the end 0 of one step to the end
+  /// 1 of the next, Δ being the difference, ΔE = ½(Ku₀ + Ku₁)·Δu without an error of
+  /// any order. Both ends are in equilibrium, Ku = f + R − Bᵀλ with the loads f and
+  /// the forces R of the supports at prescribed unknowns, hence
+  ///
+  ///     ΔE = W_loads + W_supports − ½(λ₀ + λ₁)·Δ(Bu),
+  ///     W_loads = ½(f₀ + f₁)·Δu,   W_supports = ½(R₀ + R₁)·Δu.
+  ///
+  /// With r = e − Bu, e being the offset of the obstacles from the undeformed body
+  /// (gaps and displacements, without what slip is counted from), −Δ(Bu) = Δr − Δe,
+  /// where Δr_ν is the change of the gap and −Δr_t the slip of the step. Friction
+  /// holds at the end of the step, where it dissipates D = λ₁ₜ·slip ≥ 0. So
+  ///
+  ///     W_loads + W_supports + W_obstacles = ΔE + D + X,
+  ///     W_obstacles = −½(λ₀ + λ₁)·Δe,
+  ///     X = ½(λ₀ − λ₁)ₜ·slip − ½(λ₀ + λ₁)_ν Δr_ν.
+  ///
+  /// X is the trace of the length of the step: zero where slip or stick is steady,
+  /// else it vanishes with the number of steps. Every term is computed from its own
+  /// data, so that the balance is a check of displacement, forces and slip.
+  ///
+  /// The frames of contact nodes may turn from end to end: the terms are computed in
+  /// Cartesian components, in which what the turning changes of the slip counts to X,
+  /// and so does the work at nodes that are contact nodes at one end alone.
+  ///
+  /// The first step begins without displacement and forces, whatever the loads there.
+  class EnergyBalance
+  {
+  public:
+    /// What happened in a step, J.
+    struct Step
+    {
+      double loads = 0., supports = 0., obstacles = 0.; ///< work on the body
+      double elastic_change = 0.;                       ///< ΔE
+      double dissipation    = 0.;
+      double time_stepping  = 0.; ///< X
+      double elastic_energy = 0.; ///< E at its end
+      /// What the balance lacks, relative to the largest term; nothing after a change
+      /// of the mesh, where the forces λ₀ were interpolated and are in no equilibrium.
+      std::optional<double> error;
+
+      /// Adds up terms and takes the other's energy. The error is that of no step.
+      Step &operator+=(const Step &other);
+    };
+
+    /// Begins with the body as it is made.
+    ///
+    /// @param surface at the time of that, for the gaps.
+    EnergyBalance(const LinearElasticity &elasticity, const ContactSurface &surface);
+
+    /// Goes on, on another mesh, from a state that was carried there.
+    EnergyBalance(const LinearElasticity &elasticity, const ContactSurface &surface,
+                  const State &state);
+
+    /// Takes the end of a step. Collective.
+    ///
+    /// @param surface on which slip is counted from the end of the step before.
+    Step add_step(const LinearElasticity &elasticity, const ContactSurface &surface,
+                  const State &state);
+
+  private:
+    /// Of a step. Vectors over contact nodes have Cartesian components, by blocks.
+    struct End
+    {
+      LA::Vector u, internal_force, load, reaction;
+      std::vector<dealii::types::global_dof_index> nodes; ///< by first unknowns
+      Eigen::VectorXd force;                              ///< Bᵀλ, on the obstacle
+      Eigen::VectorXd offset;                             ///< e in the free directions
+      Eigen::VectorXd gap;                                ///< r_ν n
+      Eigen::VectorXd relative;                           ///< U − u, see SlipHistory
+      Eigen::VectorXd sliding;                            ///< its tangential part
+    };
+
+    static End end_of(const LinearElasticity &elasticity, const ContactSurface &surface,
+                      const State &state);
+
+    /// Adds W_obstacles, D and X.
+    static void add_contact(Step &step, const End &before, const End &after,
+                            const ContactSurface &surface, const State &state);
+
+    End last_;
+    bool is_carried_ = false; ///< the last end, from another mesh
+  };
+} // namespace stiction
+
+#endif

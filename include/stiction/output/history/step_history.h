@@ -1,0 +1,58 @@
+#ifndef stiction_output_history_step_history_h
+#define stiction_output_history_step_history_h
+
+#include <stiction/output/history/step_result.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <mpi.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stiction
+{
+  /// The certified steps of a run and the files that grow with them: whatever ends
+  /// the run, those of the steps before can be read. All is collective, and throws
+  /// InputError if a file cannot be written.
+  class StepHistory
+  {
+  public:
+    StepHistory(std::string directory, MPI_Comm communicator);
+
+    /// Takes a step, and appends a row for each contact boundary to history.csv and
+    /// one to energy.csv.
+    void add(StepResult step);
+
+    /// Enters files of the last step, NAME_NUMBER.EXTENSION, into NAME.pvd, which
+    /// ParaView opens as a series over t.
+    void add_file(const std::string &name, const std::string &extension);
+
+    /// "_0001": what the names of the files of the last step have.
+    std::string tag() const;
+
+    const std::vector<StepResult> &steps() const { return steps_; }
+
+    /// Of all steps together.
+    EnergyBalance::Step energy() const;
+
+    /// The list "steps" of summary.json.
+    ///
+    /// @param elastic_solve_seconds 0: not measured.
+    nlohmann::json to_json(double elastic_solve_seconds) const;
+
+  private:
+    void append(const std::string &file, const std::string &header,
+                const std::string &rows) const;
+
+    const std::string directory_;
+    const MPI_Comm communicator_;
+    std::vector<StepResult> steps_;
+    /// By the names of files: times and what is shown there.
+    std::map<std::string, std::vector<std::pair<double, std::string>>> series_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,100 @@
+"""The curves of a history: forces over time and over what moved the body."""
+
+import csv
+import os
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from . import Unusable
+from .page import (NORMAL, SMALL, TEXT, exponent_of, label, number, plain)
+
+AXES = "xyz"
+COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components
+LINES = ("-", "--", ":", "-.")  # of the contact boundaries
+NOTHING = 1e-9  # parts of the largest component that are rounding
+WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches
+
+
+def read(directory):
+    """The rows of history.csv by contact boundaries, columns as arrays.
+
+    None where the run had one step. What a last line lacks that was being
+    written when the run was killed is left out with the line.
+    """
+    file = os.path.join(directory, "history.csv")
+    if not os.path.isfile(file):
+        return None
+    boundaries = {}
+    try:
+        with open(file, encoding="utf-8", newline="") as stream:
+            for row in csv.DictReader(stream):
+                if row["dissipated_total"]:
+                    boundaries.setdefault(row["boundary"], []).append(row)
+        return {name: {column: np.array([float(row[column] or "nan")
+                                         for row in rows])
+                       for column in rows[0] if column != "boundary"}
+                for name, rows in boundaries.items()}
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise Unusable(f"{file} cannot be read: {error}.") from error
+
+
+def moved(rows):
+    """The directions in which an obstacle moved during the history."""
+    places = np.array([rows["obstacle_" + axis] for axis in AXES])
+    ways = np.ptp(places, axis=1)
+    return [c for c in range(3) if ways[c] > NOTHING * np.abs(places).max()]
+
+
+def diagrams(boundaries):
+    """What is drawn: words of the abscissa, whether it is a length, and for
+    each boundary the abscissa and its rows."""
+    result = [("t", False, {name: (rows["t"], rows)
+                            for name, rows in boundaries.items()})]
+    for c, axis in enumerate(AXES):
+        curves = {name: (rows["obstacle_" + axis], rows)
+                  for name, rows in boundaries.items() if c in moved(rows)}
+        if curves:
+            result.append((f"obstacle displacement along {axis}", True, curves))
+    return result
+
+
+def draw_forces(axes, curves, units, words, is_length):
+    """The components of the force on the body that are not rounding."""
+    forces = {name: np.array([rows["force_" + axis] for axis in AXES])
+              for name, (_, rows) in curves.items()}
+    largest = max(np.abs(force).max() for force in forces.values())
+    furthest = max(np.abs(place).max() for place, _ in curves.values())
+    exponents = (exponent_of(furthest), exponent_of(largest))
+    for (name, (place, _)), line in zip(curves.items(), LINES * len(curves)):
+        for c, axis in enumerate(AXES):
+            if np.abs(forces[name][c]).max() > NOTHING * largest:
+                axes.plot(place / 10.0**exponents[0],
+                          forces[name][c] / 10.0**exponents[1], line,
+                          color=COLORS[c], marker=".", markersize=4, linewidth=1.2,
+                          label=axis if len(curves) == 1
+                          else f"{axis}, {plain(name)}")
+    axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
+    axes.set_xlabel(label(words, units["length"] if is_length else "",
+                          exponents[0]), size=NORMAL, color=TEXT)
+    axes.set_ylabel(label("force on the body", units["force"], exponents[1]),
+                    size=NORMAL, color=TEXT)
+    if axes.lines[:-1]:
+        axes.legend(fontsize=SMALL, frameon=False, labelcolor=TEXT)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(lambda value, _: number(value))
+
+
+def draw(boundaries, units):
+    """The figure of all diagrams, side by side."""
+    shown = diagrams(boundaries)
+    figure = Figure(figsize=(WIDTH * len(shown), HEIGHT), facecolor="white",
+                    layout="constrained")
+    FigureCanvasAgg(figure)
+    for axes, (words, is_length, curves) in zip(
+            figure.subplots(1, len(shown), squeeze=False)[0], shown):
+        draw_forces(axes, curves, units, words, is_length)
+    return figure

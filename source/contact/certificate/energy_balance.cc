@@ -1,0 +1,181 @@
+#include <stiction/contact/certificate/energy_balance.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace stiction
+{
+  namespace
+  {
+    // Terms below this part of the elastic energy are what the iteration leaves of a
+    // body at rest.
+    constexpr double nothing = 1e-12;
+
+    // The tangential part of Cartesian vectors at all nodes, in free directions.
+    Eigen::VectorXd tangential(const ContactSurface &surface, const Eigen::VectorXd &v)
+    {
+      Eigen::VectorXd part(v.size());
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        {
+          const ContactNode &node = surface.nodes()[i];
+          Eigen::Vector3d local   = node.displacement_to_local(at_node(v, i));
+          local(0)                = 0.;
+          set_at_node(part, i, node.displacement_to_cartesian(local));
+        }
+      return part;
+    }
+
+    // One number a node along its normal.
+    Eigen::VectorXd along_normals(const ContactSurface &surface, const Eigen::VectorXd &v)
+    {
+      Eigen::VectorXd vectors(3 * v.size());
+      for (Eigen::Index i = 0; i < v.size(); ++i)
+        set_at_node(vectors, i,
+                    surface.nodes()[i].displacement_to_cartesian({v(i), 0., 0.}));
+      return vectors;
+    }
+  } // namespace
+
+  EnergyBalance::Step &EnergyBalance::Step::operator+=(const Step &other)
+  {
+    loads += other.loads;
+    supports += other.supports;
+    obstacles += other.obstacles;
+    elastic_change += other.elastic_change;
+    dissipation += other.dissipation;
+    time_stepping += other.time_stepping;
+    elastic_energy = other.elastic_energy;
+    error.reset();
+    return *this;
+  }
+
+  EnergyBalance::EnergyBalance(const LinearElasticity &elasticity,
+                               const ContactSurface &surface)
+  {
+    const LA::Vector zero         = elasticity.zero_vector();
+    const Eigen::Index m          = surface.n_nodes();
+    const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(3 * m);
+    Eigen::VectorXd gaps(m); // obstacles are not displaced yet
+    for (Eigen::Index i = 0; i < m; ++i)
+      gaps(i) = surface.nodes()[i].gap;
+    const Eigen::VectorXd gap = along_normals(surface, gaps);
+    last_                     = {zero,    zero, zero, zero,    surface.first_dofs(),
+                                 nowhere, gap,  gap,  nowhere, nowhere};
+  }
+
+  EnergyBalance::EnergyBalance(const LinearElasticity &elasticity,
+                               const ContactSurface &surface, const State &state)
+    : last_(end_of(elasticity, surface, state))
+    , is_carried_(true)
+  {
+  }
+
+  EnergyBalance::End EnergyBalance::end_of(const LinearElasticity &elasticity,
+                                           const ContactSurface &surface,
+                                           const State &state)
+  {
+    End end{state.u,
+            elasticity.internal_force(state.u),
+            elasticity.load(),
+            elasticity.zero_vector(),
+            surface.first_dofs(),
+            surface.B().force_to_cartesian(state.lambda)};
+    LA::Vector applied = end.load;
+    surface.B().add_transpose(-1., state.lambda, applied);
+    for (const auto dof : elasticity.body().locally_owned_dofs())
+      if (elasticity.is_prescribed(dof))
+        end.reaction(dof) = end.internal_force(dof) - applied(dof);
+
+    const Eigen::VectorXd U       = surface.obstacle_displacements(state.distances);
+    const Eigen::Index m          = surface.n_nodes();
+    const Eigen::VectorXd offsets = surface.motion().offset(state.distances).head(m);
+    end.offset   = along_normals(surface, offsets) + tangential(surface, U);
+    end.gap      = along_normals(surface, offsets - surface.B().apply(state.u).head(m));
+    end.relative = surface.relative_displacement(state);
+    end.sliding  = tangential(surface, end.relative);
+    return end;
+  }
+
+  void EnergyBalance::add_contact(Step &step, const End &before, const End &after,
+                                  const ContactSurface &surface, const State &state)
+  {
+    std::map<dealii::types::global_dof_index, Eigen::Index> index_before;
+    for (std::size_t k = 0; k < before.nodes.size(); ++k)
+      index_before[before.nodes[k]] = static_cast<Eigen::Index>(k);
+    const Eigen::VectorXd r =
+      surface.motion().offset(state.distances) - surface.B().apply(state.u);
+    const DofSubset nodes_before = DofSubset::of_nodes(before.nodes);
+    const Eigen::VectorXd moved =
+      surface.B().dofs().restriction(after.u) - surface.B().dofs().restriction(before.u);
+    const Eigen::VectorXd moved_before =
+      nodes_before.restriction(after.u) - nodes_before.restriction(before.u);
+
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      {
+        const ContactNode &node     = surface.nodes()[i];
+        const Eigen::Vector3d force = at_node(after.force, i);
+        Eigen::Vector3d slip        = -at_node(r, i);
+        slip(0)                     = 0.;
+        slip                        = node.displacement_to_cartesian(slip);
+        step.dissipation += force.dot(slip);
+        const auto place = index_before.find(after.nodes[i]);
+        if (place == index_before.end())
+          {
+            step.time_stepping += force.dot(0.5 * at_node(moved, i)) - force.dot(slip);
+            continue;
+          }
+        const Eigen::Index k               = place->second;
+        const Eigen::Vector3d force_before = at_node(before.force, k);
+        const Eigen::Vector3d sum          = force_before + force;
+        step.obstacles -=
+          0.5 * sum.dot(at_node(after.offset, i) - at_node(before.offset, k));
+        // of the sliding before, what is tangential to the normal of now
+        Eigen::Vector3d sliding = node.displacement_to_local(at_node(before.relative, k));
+        sliding(0)              = 0.;
+        const Eigen::Vector3d turned =
+          node.displacement_to_cartesian(sliding) - at_node(before.sliding, k);
+        step.time_stepping +=
+          0.5 * (force_before - force).dot(slip) -
+          0.5 * sum.dot(at_node(after.gap, i) - at_node(before.gap, k) + turned);
+        index_before.erase(place);
+      }
+    for (const auto &[dof, k] : index_before) // contact nodes no longer
+      step.time_stepping += 0.5 * at_node(before.force, k).dot(at_node(moved_before, k));
+  }
+
+  EnergyBalance::Step EnergyBalance::add_step(const LinearElasticity &elasticity,
+                                              const ContactSurface &surface,
+                                              const State &state)
+  {
+    const End before = std::exchange(last_, end_of(elasticity, surface, state));
+    LA::Vector moved = last_.u;
+    moved -= before.u;
+    const auto mean_work = [&](const LA::Vector &a, const LA::Vector &b) {
+      return 0.5 * (a * moved) + 0.5 * (b * moved);
+    };
+    Step step;
+    step.loads          = mean_work(before.load, last_.load);
+    step.supports       = mean_work(before.reaction, last_.reaction);
+    step.elastic_change = mean_work(before.internal_force, last_.internal_force);
+    step.elastic_energy = 0.5 * (last_.u * last_.internal_force);
+    add_contact(step, before, last_, surface, state);
+
+    const double lacking = step.loads + step.supports + step.obstacles -
+                           step.elastic_change - step.dissipation - step.time_stepping;
+    const double largest =
+      std::max({std::abs(step.loads), std::abs(step.supports), std::abs(step.obstacles),
+                std::abs(step.elastic_change), std::abs(step.dissipation),
+                std::abs(step.time_stepping), nothing * step.elastic_energy});
+    if (!is_carried_)
+      step.error = largest > 0. ? std::abs(lacking) / largest : 0.;
+    is_carried_ = false;
+    return step;
+  }
+} // namespace stiction

@@ -1,0 +1,193 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/files.h>
+#include <stiction/base/log.h>
+#include <stiction/output/history/step_history.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+namespace stiction
+{
+  using nlohmann::json;
+
+  namespace
+  {
+    // Of a row: numbers with twelve digits, words in quotes where they need them.
+    class Row
+    {
+    public:
+      Row &operator<<(const std::string &text)
+      {
+        const bool needs_quotes = text.find_first_of(",\"\r\n") != std::string::npos;
+        std::string quoted;
+        for (const char c : text)
+          quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+        return add(needs_quotes ? '"' + quoted + '"' : text);
+      }
+
+      Row &operator<<(const double number)
+      {
+        return add(format("%.12g", number == 0. ? 0. : number));
+      }
+
+      Row &operator<<(const dealii::Tensor<1, 3> &v)
+      {
+        return *this << v[0] << v[1] << v[2];
+      }
+
+      std::string line() const { return text_ + '\n'; }
+
+    private:
+      Row &add(const std::string &entry)
+      {
+        text_ += (is_empty_ ? "" : ",") + entry;
+        is_empty_ = false;
+        return *this;
+      }
+
+      std::string text_;
+      bool is_empty_ = true;
+    };
+
+    const char *const history_header =
+      "step,t,boundary,force_x,force_y,force_z,moment_x,moment_y,moment_z,normal_force,"
+      "center_x,center_y,center_z,open_area,slip_area,stick_area,obstacle_x,obstacle_y,"
+      "obstacle_z,dissipated,dissipated_total\n";
+
+    const char *const energy_header =
+      "step,t,work_loads,work_supports,work_obstacles,elastic_energy,"
+      "elastic_energy_change,dissipated,time_stepping,balance_error,newton_steps,"
+      "krylov_iterations,dual_multiplications,seconds\n";
+
+    std::string energy_row(const StepResult &step)
+    {
+      const EnergyBalance::Step &energy = step.energy;
+      Row row;
+      row << step.number << step.time << energy.loads << energy.supports
+          << energy.obstacles << energy.elastic_energy << energy.elastic_change
+          << energy.dissipation << energy.time_stepping
+          << (energy.error ? format("%.3g", *energy.error) : "")
+          << step.effort.newton_steps << step.effort.krylov_iterations
+          << static_cast<double>(step.effort.dual_multiplications) << step.effort.seconds;
+      return row.line();
+    }
+
+    json energy_to_json(const EnergyBalance::Step &energy)
+    {
+      return {{"work_loads", energy.loads},
+              {"work_supports", energy.supports},
+              {"work_obstacles", energy.obstacles},
+              {"elastic_energy", energy.elastic_energy},
+              {"elastic_energy_change", energy.elastic_change},
+              {"dissipated", energy.dissipation},
+              {"time_stepping", energy.time_stepping},
+              {"balance_error", energy.error ? json(*energy.error) : json(nullptr)}};
+    }
+
+    std::string history_rows(const StepResult &step)
+    {
+      std::string rows;
+      for (const BoundaryStep &boundary : step.boundaries)
+        {
+          Row row;
+          row << step.number << step.time << boundary.name << boundary.force
+              << boundary.moment << boundary.normal_force;
+          if (boundary.normal_force > 0.)
+            row << boundary.center;
+          else
+            row << ""
+                << ""
+                << "";
+          row << boundary.open_area << boundary.slip_area << boundary.stick_area
+              << boundary.obstacle_displacement << boundary.dissipated
+              << boundary.dissipated_total;
+          rows += row.line();
+        }
+      return rows;
+    }
+  } // namespace
+
+  StepHistory::StepHistory(std::string directory, MPI_Comm communicator)
+    : directory_(std::move(directory))
+    , communicator_(communicator)
+  {
+  }
+
+  void StepHistory::add(StepResult step)
+  {
+    for (std::size_t b = 0; b < step.boundaries.size() && !steps_.empty(); ++b)
+      step.boundaries[b].dissipated_total += steps_.back().boundaries[b].dissipated_total;
+    steps_.push_back(std::move(step));
+    append("history.csv", history_header, history_rows(steps_.back()));
+    append("energy.csv", energy_header, energy_row(steps_.back()));
+  }
+
+  void StepHistory::append(const std::string &file, const std::string &header,
+                           const std::string &rows) const
+  {
+    do_on_first_rank(communicator_, [&]() {
+      const std::string name = directory_ + "/" + file;
+      const bool is_first    = steps_.size() == 1;
+      std::ofstream out(name, is_first ? std::ios::trunc : std::ios::app);
+      out << (is_first ? header : "") << rows;
+      out.close();
+      if (!out)
+        throw InputError(name + ": cannot be written, must be in a directory with "
+                                "space and with the permission to write.");
+    });
+  }
+
+  EnergyBalance::Step StepHistory::energy() const
+  {
+    EnergyBalance::Step sum;
+    for (const StepResult &step : steps_)
+      sum += step.energy;
+    return sum;
+  }
+
+  std::string StepHistory::tag() const
+  {
+    return format("_%04u", steps_.back().number);
+  }
+
+  void StepHistory::add_file(const std::string &name, const std::string &extension)
+  {
+    auto &series = series_[name];
+    series.emplace_back(steps_.back().time, name + tag() + "." + extension);
+    do_on_first_rank(communicator_, [&]() {
+      write_file(directory_ + "/" + name + ".pvd", [&](std::ostream &file) {
+        dealii::DataOutBase::write_pvd_record(file, series);
+      });
+    });
+  }
+
+  json StepHistory::to_json(const double elastic_solve_seconds) const
+  {
+    json list = json::array();
+    for (const StepResult &step : steps_)
+      {
+        const auto force = step.force();
+        json entry       = {{"step", step.number},
+                            {"t", step.time},
+                            {"certified", true},
+                            {"residual", step.residual},
+                            {"force_on_body", {force[0], force[1], force[2]}},
+                            {"energy", energy_to_json(step.energy)},
+                            {"newton_steps", step.effort.newton_steps},
+                            {"krylov_iterations", step.effort.krylov_iterations},
+                            {"dual_multiplications", step.effort.dual_multiplications},
+                            {"seconds", step.effort.seconds},
+                            {"elastic_solve_equivalents", nullptr}};
+        if (elastic_solve_seconds > 0.)
+          entry["elastic_solve_equivalents"] =
+            step.effort.seconds / elastic_solve_seconds;
+        list.push_back(std::move(entry));
+      }
+    return list;
+  }
+} // namespace stiction

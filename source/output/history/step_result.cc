@@ -1,0 +1,61 @@
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
+#include <stiction/output/history/step_result.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+
+namespace stiction
+{
+  namespace
+  {
+    void add_node(BoundaryStep &boundary, const ContactNode &node,
+                  const NodeStatus status, const Eigen::Vector3d &lambda,
+                  const Eigen::Vector3d &gradient)
+    {
+      const Eigen::Vector3d on_obstacle = node.force_to_cartesian(lambda);
+      const dealii::Tensor<1, 3> force(
+        {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
+      boundary.force += force;
+      boundary.moment += cross_product_3d(node.position, force);
+      boundary.normal_force += lambda(0);
+      boundary.center += lambda(0) * node.position;
+      boundary.open_area += status.normal == NormalStatus::open ? node.area : 0.;
+      boundary.slip_area += status.tangential == TangentialStatus::slip ? node.area : 0.;
+      boundary.stick_area +=
+        status.tangential == TangentialStatus::stick ? node.area : 0.;
+      // the gradient is minus the slip
+      boundary.dissipated -= lambda.tail<2>().dot(gradient.tail<2>());
+    }
+  } // namespace
+
+  dealii::Tensor<1, 3> StepResult::force() const
+  {
+    dealii::Tensor<1, 3> sum;
+    for (const BoundaryStep &boundary : boundaries)
+      sum += boundary.force;
+    return sum;
+  }
+
+  std::vector<BoundaryStep> boundary_steps(const ContactSurface &surface,
+                                           const State &state,
+                                           const Certificate &certificate,
+                                           const std::vector<NodeStatus> &statuses)
+  {
+    std::vector<BoundaryStep> steps(surface.boundaries().size());
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      add_node(steps[surface.nodes()[i].boundary], surface.nodes()[i], statuses[i],
+               at_node(certificate.lambda(), i), at_node(certificate.gradient(), i));
+    for (std::size_t b = 0; b < steps.size(); ++b)
+      {
+        const ContactBoundary &boundary = surface.boundaries()[b];
+        steps[b].name                   = boundary.name();
+        steps[b].obstacle_displacement =
+          surface.obstacle_displacement(boundary.id(), state.distances);
+        if (steps[b].normal_force > 0.)
+          steps[b].center /= steps[b].normal_force;
+        steps[b].dissipated_total = steps[b].dissipated;
+      }
+    return steps;
+  }
+} // namespace stiction
