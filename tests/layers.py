@@ -36,6 +36,7 @@ LAYERS = (  # from the ground up
     "output/problem",
     "output/results",
     "simulation/parameters",
+    "simulation/checkpoint",
     "simulation",
     "",  # main.cc
 )

@@ -5,6 +5,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/simulation/checkpoint/mesh_history.h>
 #include <stiction/simulation/discretization.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,6 +21,7 @@ namespace stiction
 {
   class AdaptiveRefinement;
   class Body;
+  class CheckpointReader;
   class ContactSurface;
   class LinearElasticity;
   class Log;
@@ -36,7 +38,11 @@ namespace stiction
   {
   public:
     /// The parameters must outlive the problem.
-    ContactProblem(const Parameters &parameters, MPI_Comm communicator);
+    ///
+    /// @param restart the output directory of an earlier run, from whose checkpoint
+    ///   this one goes on; empty: from the start.
+    ContactProblem(const Parameters &parameters, MPI_Comm communicator,
+                   const std::string &restart = "");
     ~ContactProblem();
 
     /// Solves the problem, on refined meshes again if that is wanted, certifies
@@ -71,13 +77,6 @@ namespace stiction
     const SupportReactions &reactions() const { return *reactions_; }
 
   private:
-    /// What was found at a time.
-    struct StepEnd
-    {
-      double time;
-      State state;
-    };
-
     /// Solves the problem of the next time, on refined meshes again if that is
     /// wanted, and keeps the answer if it is certified; otherwise the step is cut.
     /// @return false if that would be too short, or the user wants no more.
@@ -86,6 +85,16 @@ namespace stiction
     void begin_step(const TimeSteps &times);
     /// Makes the state the end of a step.
     void end_step(double time);
+    /// Goes on from a checkpoint.
+    void go_on(TimeSteps &times);
+    /// Whether there are several steps, here or before.
+    bool has_steps() const;
+    /// Whether the run goes on in the directory in which it began. Collective.
+    bool goes_on_in_place() const;
+    /// Writes the checkpoint of the last step, unless there is one.
+    void save(const TimeSteps &times);
+    /// Says how to go on where steps are left.
+    void explain_restart(const TimeSteps &times) const;
     /// From the end of the last step, in the direction of the last two if that
     /// fits the problem of this time better.
     State first_guess(double time) const;
@@ -127,6 +136,12 @@ namespace stiction
     State state_;
     /// Ends of the last steps, the last one first; on the present mesh.
     std::deque<StepEnd> ends_;
+    MeshHistory mesh_history_;
+    /// What the run goes on from, if it is no new one.
+    std::unique_ptr<CheckpointReader> restart_;
+    /// Sums over all steps that results need; checkpoints keep them.
+    std::unique_ptr<nlohmann::json> totals_;
+    unsigned int n_steps_saved_ = 0; ///< those before the last checkpoint
     SolveStatus status_;
     std::unique_ptr<Certificate> certificate_;
 
