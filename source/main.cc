@@ -32,7 +32,7 @@ namespace
   struct CommandLine
   {
     std::string file;
-    std::optional<std::string> output, export_directory, problem;
+    std::optional<std::string> output, export_directory, problem, restart;
     std::vector<std::string> settings;
     bool validate = false, print_parameters = false, print_output_directory = false;
   };
@@ -51,6 +51,8 @@ namespace
     using namespace stiction;
     if (arguments.problem && arguments.problem->empty())
       throw InputError("--problem = '', must name a file or a directory.");
+    if (arguments.restart && arguments.restart->empty())
+      throw InputError("--restart = '', must name the output directory of a run.");
     if (arguments.file.empty() && !arguments.problem)
       throw InputError("FILE.prm is missing, 'stiction --help' shows how to "
                        "call the program and 'stiction --print-parameters' "
@@ -80,8 +82,8 @@ namespace
         const bool is_certified = program.dual_problem->run();
         return status(is_certified, program.dual_problem->status());
       }
-    program.problem =
-      std::make_unique<ContactProblem>(program.parameters, MPI_COMM_WORLD);
+    program.problem = std::make_unique<ContactProblem>(program.parameters, MPI_COMM_WORLD,
+                                                       arguments.restart.value_or(""));
     if (arguments.validate)
       {
         program.problem->validate();
@@ -136,6 +138,12 @@ int main(int argc, char *argv[])
     "file (*.mtx) or an exported directory instead of a body; FILE may be left "
     "out");
   app
+    .add_option("--restart", arguments.restart,
+                "Go on from the checkpoint in this output directory of a run with "
+                "'Time/Checkpoint every'; loads after it, times, method and output "
+                "may be others, and so may the number of ranks")
+    ->excludes(problem);
+  app
     .add_flag("--validate", arguments.validate,
               "Read and check everything, solve nothing")
     ->excludes(problem);
@@ -146,7 +154,8 @@ int main(int argc, char *argv[])
   app.set_version_flag("--version", "stiction " STICTION_VERSION);
   app.footer("Exit status: 0 certified, 1 bad input, 2 not converged, 3 "
              "interrupted.\nCtrl-C ends the run after its step, with all files "
-             "of what is reached then;\na second one ends it at once.");
+             "of what is reached then,\nand with checkpoints it can go on with --restart "
+             "from its last step;\na second one ends it at once.");
 
   const auto refuse = [&](const std::string &sentence) {
     stiction::ignore_interrupts();

@@ -37,6 +37,7 @@ LAYERS = (  # from the ground up
     "output/results",
     "output/history",
     "simulation/parameters",
+    "simulation/checkpoint",
     "simulation",
     "",  # main.cc
 )

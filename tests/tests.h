@@ -87,7 +87,9 @@ inline const std::vector<Method> &all_methods()
 // A problem that was solved silently, with what it needs to stay alive.
 struct Run
 {
-  Run(const std::string &file, Settings settings)
+  // @param restart the directory of a run that this one goes on from.
+  Run(const std::string &file, Settings settings, const std::string &restart = "",
+      MPI_Comm communicator = MPI_COMM_WORLD)
   {
     settings.emplace_back("Output/Directory=results");
     settings.emplace_back("Output/Print progress=false");
@@ -96,7 +98,8 @@ struct Run
     try
       {
         parameters.read(file, settings);
-        problem = std::make_unique<stiction::ContactProblem>(parameters, MPI_COMM_WORLD);
+        problem =
+          std::make_unique<stiction::ContactProblem>(parameters, communicator, restart);
         converged = problem->run();
       }
     catch (...)

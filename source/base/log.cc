@@ -30,12 +30,12 @@ namespace stiction
       so_far_ << text << '\n';
   }
 
-  void Log::open_file(const std::string &name)
+  void Log::open_file(const std::string &name, const bool appends)
   {
     if (!speaks_)
       return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    file_.open(name);
+    file_.open(name, appends ? std::ios::app : std::ios::out);
     file_ << so_far_.str() << std::flush;
     if (!file_)
       throw InputError(name + ": cannot be written, must be in a directory "

@@ -18,6 +18,8 @@
 #include <stiction/output/results/report.h>
 #include <stiction/qp/operators/dual_operator.h>
 #include <stiction/simulation/adaptive_refinement.h>
+#include <stiction/simulation/checkpoint/checkpoint.h>
+#include <stiction/simulation/checkpoint/checkpoint_files.h>
 #include <stiction/base/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/base/cores.h>
@@ -39,24 +41,30 @@
 
 namespace stiction
 {
+  using nlohmann::json;
+
   namespace
   {
     // Fewer are made in a second or two.
     constexpr double cells_worth_a_word = 2e5;
   } // namespace
 
-  ContactProblem::ContactProblem(const Parameters &parameters, MPI_Comm communicator)
+  ContactProblem::ContactProblem(const Parameters &parameters, MPI_Comm communicator,
+                                 const std::string &restart)
     : parameters_(parameters)
     , communicator_(communicator)
     , log_(std::make_unique<Log>(communicator))
     , history_(std::make_unique<ConvergenceHistory>(
         *log_, step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
         parameters.contact_solver.is_primal(), parameters.output.print_progress,
-        parameters.refinement.adaptive_steps > 0, parameters.time.has_steps()))
+        parameters.refinement.adaptive_steps > 0,
+        parameters.time.has_steps() || !restart.empty()))
   {
+    if (!restart.empty())
+      restart_ = std::make_unique<CheckpointReader>(restart, parameters, communicator);
     if (parameters.output.print_progress)
       phases_.announce(*log_);
-    if (parameters.time.has_steps())
+    if (has_steps())
       steps_ = std::make_unique<StepHistory>(parameters.output.directory, communicator);
   }
 
@@ -64,6 +72,8 @@ namespace stiction
 
   bool ContactProblem::run()
   {
+    TimeSteps times(parameters_.time.start, parameters_.time.times(),
+                    parameters_.time.smallest_step);
     {
       const auto total = phases_.scope("total");
       make_grid();
@@ -71,12 +81,12 @@ namespace stiction
       make_contact_surface();
       print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
       require_writable_output(parameters_.output, parameters_.source, communicator_);
-      TimeSteps times(parameters_.time.start, parameters_.time.times(),
-                      parameters_.time.smallest_step);
-      begin_balance();
+      go_on(times);
+      begin_balance(false);
       while (!times.is_finished() && take_step(times))
         {
         }
+      save(times);
       estimate_mesh();
       if (!status_.interrupted)
         measure_reference_costs();
@@ -84,6 +94,7 @@ namespace stiction
       export_problem();
     }
     report();
+    explain_restart(times);
     return status_.converged;
   }
 
@@ -183,6 +194,11 @@ namespace stiction
     assign_material_ids(*body_, parameters_.of_body());
     refine_contact_boundary(*body_, parameters_.geometry,
                             parameters_.contact.contact_boundary, parameters_.source);
+    if (restart_)
+      {
+        mesh_history_ = restart_->mesh();
+        mesh_history_.repeat_on(*body_);
+      }
     describe_body();
     describe_choices();
   }
@@ -274,9 +290,13 @@ namespace stiction
   {
     if (has_output_)
       return; // since an earlier mesh
-    has_output_ = true;
+    has_output_           = true;
+    const bool is_resumed = goes_on_in_place();
     open_output_directory(parameters_.output, parameters_.source, parameters_.used_file(),
-                          *log_, communicator_);
+                          *log_, communicator_, is_resumed);
+    if (!is_resumed)
+      do_on_first_rank(communicator_,
+                       [&]() { checkpoint_files::remove(parameters_.output.directory); });
     keep_iterate_when_interrupted();
   }
 

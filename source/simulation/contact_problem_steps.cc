@@ -1,4 +1,5 @@
-// How a problem is taken from time to time, and in each step from mesh to mesh.
+// How a problem is taken from time to time, in each step from mesh to mesh, and from
+// one run to the next.
 
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
@@ -12,15 +13,20 @@
 #include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/carried_state.h>
+#include <stiction/simulation/checkpoint/checkpoint.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/time_steps.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +48,9 @@ namespace stiction
       {
         times.accept();
         end_step(times);
+        const unsigned int every = parameters_.time.checkpoint_every;
+        if (every > 0 && times.n_taken() % every == 0)
+          save(times);
         return true;
       }
     if (status_.interrupted || !times.cut())
@@ -52,26 +61,26 @@ namespace stiction
     return true;
   }
 
-  void ContactProblem::begin_balance()
+  void ContactProblem::begin_balance(const bool is_carried)
   {
     if (!steps_)
       return;
     const auto &[elasticity, surface, solver] = *discretization_;
+    discretization_->set_time(parameters_.of_contact(),
+                              ends_.empty() ? parameters_.time.start : ends_.front().time,
+                              {});
     if (ends_.empty())
-      {
-        discretization_->set_time(parameters_.of_contact(), parameters_.time.start, {});
-        balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
-      }
+      balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
     else
-      balance_ =
-        std::make_unique<EnergyBalance>(*elasticity, *surface, ends_.front().state);
+      balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface,
+                                                 ends_.front().state, is_carried);
   }
 
   void ContactProblem::begin_step(const TimeSteps &times)
   {
     if (parameters_.refinement.adaptive_steps > 0)
       refinement_ = std::make_unique<AdaptiveRefinement>(parameters_);
-    if (!parameters_.time.has_steps())
+    if (!has_steps())
       return;
     history_->begin_time(times.time());
     effort_ = {};
@@ -210,6 +219,7 @@ namespace stiction
     state_ = {{}, {}, state_.distances, {}};
     {
       const auto phase = phases_.scope("mesh");
+      mesh_history_.add(is_cut, *body_);
       body_->refine(is_cut, carried ? carried->fields() : std::vector<LA::Vector *>());
       describe_body();
     }
@@ -223,7 +233,71 @@ namespace stiction
         ends_ = {
           {time, carried->on(*discretization_->elasticity, *discretization_->surface)}};
       }
-    begin_balance();
+    begin_balance(true);
     return true;
+  }
+
+  bool ContactProblem::has_steps() const
+  {
+    return parameters_.time.has_steps() || restart_;
+  }
+
+  bool ContactProblem::goes_on_in_place() const
+  {
+    std::error_code none; // a directory that is not there yet is another one
+    const bool is_same =
+      restart_ && std::filesystem::equivalent(restart_->output_directory(),
+                                              parameters_.output.directory, none);
+    return dealii::Utilities::MPI::broadcast(communicator_, is_same);
+  }
+
+  void ContactProblem::go_on(TimeSteps &times)
+  {
+    if (!restart_)
+      return;
+    Checkpoint checkpoint = restart_->read(*discretization_->elasticity);
+    times.go_on_from(checkpoint.steps);
+    const std::string last =
+      parameters_.source.given().count("Time/End") > 0 || !parameters_.time.has_steps()
+        ? "Time/End"
+        : "Time/Steps";
+    parameters_.source.require(
+      !times.is_finished(), last,
+      format("must go on after t = %.6g, which the checkpoint ", times.reached()) +
+        restart_->directory() + " has reached");
+    const auto n_pressed = checkpoint.ends.front().state.distances.size();
+    parameters_.source.require(
+      discretization_->surface->motion().n_pressed() == n_pressed,
+      "Boundary conditions/Obstacle force",
+      "must press on as many obstacles as in the checkpoint " + restart_->directory() +
+        ", " + std::to_string(n_pressed));
+    ends_               = std::move(checkpoint.ends);
+    const bool in_place = goes_on_in_place();
+    steps_->go_on_from(checkpoint.history, in_place);
+    if (in_place)
+      n_steps_saved_ = times.n_taken();
+    log_->line(format("Going on after step %u, t = %.6g, from ", times.n_taken(),
+                      times.reached()) +
+               restart_->directory());
+  }
+
+  void ContactProblem::save(const TimeSteps &times)
+  {
+    if (parameters_.time.checkpoint_every == 0 || times.n_taken() == n_steps_saved_)
+      return;
+    const auto phase = phases_.scope("output");
+    write_checkpoint(parameters_.output.directory,
+                     {times.progress(), steps_->progress(), ends_}, mesh_history_,
+                     *discretization_->elasticity, parameters_);
+    n_steps_saved_ = times.n_taken();
+  }
+
+  void ContactProblem::explain_restart(const TimeSteps &times) const
+  {
+    if (parameters_.time.checkpoint_every == 0 || times.is_finished() || ends_.empty())
+      return;
+    log_->line(
+      format("The checkpoint is of t = %.6g; go on with: stiction ", times.reached()) +
+      parameters_.source.file() + " --restart " + parameters_.output.directory);
   }
 } // namespace stiction

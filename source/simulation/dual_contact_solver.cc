@@ -72,6 +72,7 @@ namespace stiction
 
   void DualContactSolver::update()
   {
+    forget_method(); // a run that goes on from a checkpoint knows nothing of it
     Q_->set_right_hand_side(SchurComplement::right_hand_side_of(
       setting_.elasticity, setting_.surface, *stiffness_solver_));
   }

@@ -1,5 +1,8 @@
 #include <stiction/simulation/time_steps.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -41,5 +44,27 @@ namespace stiction
     longest_    = half;
     n_in_a_row_ = 0;
     return true;
+  }
+
+  nlohmann::json TimeSteps::progress() const
+  {
+    return {{"reached", reached_},
+            {"longest", longest_}, // null: infinite
+            {"taken", n_taken_},
+            {"in_a_row", n_in_a_row_}};
+  }
+
+  void TimeSteps::go_on_from(const nlohmann::json &progress)
+  {
+    reached_    = progress.at("reached").get<double>();
+    n_taken_    = progress.at("taken").get<unsigned int>();
+    n_in_a_row_ = progress.at("in_a_row").get<unsigned int>();
+    if (progress.at("longest").is_number())
+      longest_ = progress.at("longest").get<double>();
+    // rounding makes no step of its own
+    const double little = 1e-9 * (times_.back() - reached_);
+    next_ =
+      std::upper_bound(times_.begin(), times_.end(), reached_ + std::max(little, 0.)) -
+      times_.begin();
   }
 } // namespace stiction

@@ -27,7 +27,7 @@ namespace stiction
     /// for its input leaves the log of an earlier one alone.
     ///
     /// Throws InputError on rank 0 if the file cannot be written.
-    void open_file(const std::string &name);
+    void open_file(const std::string &name, bool appends = false);
 
     /// How long nothing was said, in seconds.
     double seconds_of_silence() const;

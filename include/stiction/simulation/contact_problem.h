@@ -6,6 +6,7 @@
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/output/history/step_result.h>
+#include <stiction/simulation/checkpoint/mesh_history.h>
 #include <stiction/simulation/discretization.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,6 +22,7 @@ namespace stiction
 {
   class AdaptiveRefinement;
   class Body;
+  class CheckpointReader;
   class ContactSurface;
   class LinearElasticity;
   class Log;
@@ -38,7 +40,11 @@ namespace stiction
   {
   public:
     /// The parameters must outlive the problem.
-    ContactProblem(const Parameters &parameters, MPI_Comm communicator);
+    ///
+    /// @param restart the output directory of an earlier run, from whose checkpoint
+    ///   this one goes on; empty: from the start.
+    ContactProblem(const Parameters &parameters, MPI_Comm communicator,
+                   const std::string &restart = "");
     ~ContactProblem();
 
     /// Solves the problem, on refined meshes again if that is wanted, certifies
@@ -73,25 +79,30 @@ namespace stiction
     const SupportReactions &reactions() const { return *reactions_; }
 
   private:
-    /// What was found at a time.
-    struct StepEnd
-    {
-      double time;
-      State state;
-    };
-
     /// Solves the problem of the next time, on refined meshes again if that is
     /// wanted, and keeps the answer if it is certified; otherwise the step is cut.
     /// @return false if that would be too short, or the user wants no more.
     bool take_step(TimeSteps &times);
-    /// Of several steps: from the body as it is made, at the time of that, or on a
-    /// refined mesh from the end of the last step.
-    void begin_balance();
+    /// Of several steps: from the body as it is made, or from the end of the last step.
+    /// Leaves the problem at the time of that.
+    ///
+    /// @param is_carried whether this was carried to a refined mesh.
+    void begin_balance(bool is_carried);
     void solve_at(double time);
     void begin_step(const TimeSteps &times);
     /// Makes the state the end of a step, and writes its results if there are several.
     void end_step(const TimeSteps &times);
     void record_step(const TimeSteps &times, const EnergyBalance::Step &energy);
+    /// Goes on from a checkpoint.
+    void go_on(TimeSteps &times);
+    /// Whether there are several steps, here or before.
+    bool has_steps() const;
+    /// Whether the run goes on in the directory in which it began. Collective.
+    bool goes_on_in_place() const;
+    /// Writes the checkpoint of the last step, unless there is one.
+    void save(const TimeSteps &times);
+    /// Says how to go on where steps are left.
+    void explain_restart(const TimeSteps &times) const;
     /// From the end of the last step, in the direction of the last two if that
     /// fits the problem of this time better.
     State first_guess(double time) const;
@@ -149,6 +160,10 @@ namespace stiction
     State state_;
     /// Ends of the last steps, the last one first; on the present mesh.
     std::deque<StepEnd> ends_;
+    MeshHistory mesh_history_;
+    /// What the run goes on from, if it is no new one.
+    std::unique_ptr<CheckpointReader> restart_;
+    unsigned int n_steps_saved_ = 0; ///< those before the last checkpoint
     SolveStatus status_;
     std::unique_ptr<Certificate> certificate_;
 

@@ -1,6 +1,8 @@
 #ifndef stiction_simulation_time_steps_h
 #define stiction_simulation_time_steps_h
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -32,6 +34,12 @@ namespace stiction
     /// The step cannot be taken: the next try is half as long.
     /// @return false if that would be too short.
     bool cut();
+
+    /// All that decides the steps to come, beside the times asked for.
+    nlohmann::json progress() const;
+
+    /// Goes on where others were, with the times asked for here that come after.
+    void go_on_from(const nlohmann::json &progress);
 
   private:
     const std::vector<double> times_;

@@ -316,6 +316,14 @@ namespace stiction
     return values;
   }
 
+  std::map<std::string, std::string> ParameterFile::values() const
+  {
+    std::map<std::string, std::string> values;
+    for (const auto &[entry, place] : places_)
+      values[entry] = place.value;
+    return values;
+  }
+
   std::string ParameterFile::locate(const std::string &entry) const
   {
     return places_.at(entry).where + ": " + entry;

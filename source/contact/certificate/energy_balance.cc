@@ -71,9 +71,10 @@ namespace stiction
   }
 
   EnergyBalance::EnergyBalance(const LinearElasticity &elasticity,
-                               const ContactSurface &surface, const State &state)
+                               const ContactSurface &surface, const State &state,
+                               const bool is_carried)
     : last_(end_of(elasticity, surface, state))
-    , is_carried_(true)
+    , is_carried_(is_carried)
   {
   }
 

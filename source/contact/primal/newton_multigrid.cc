@@ -38,6 +38,7 @@ namespace stiction
 
   void NewtonMultigrid::update()
   {
+    multigrid_.forget(); // a run that goes on from a checkpoint knows nothing of it
     for (auto problem = problems_.rbegin(); problem != problems_.rend(); ++problem)
       (*problem)->update();
   }

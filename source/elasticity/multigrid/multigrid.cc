@@ -134,6 +134,21 @@ namespace stiction
 
   Multigrid::~Multigrid() = default;
 
+  void Multigrid::forget()
+  {
+    for (unsigned int l = 0; l < coarse_.size(); ++l)
+      if (is_factorized_[l])
+        {
+          is_factorized_[l] = false;
+          coarse_[l].reset();
+        }
+    const NodalSupports none(supported_nodes_.first_dofs(0).size());
+    if (coarse_[0])
+      coarse_[0]->set_supports(none);
+    else
+      coarse_[0] = make_coarse(0, none, false);
+  }
+
   std::unique_ptr<Multigrid::Coarse> Multigrid::make_coarse(const unsigned int level,
                                                             const NodalSupports &supports,
                                                             const bool is_direct) const

@@ -2,6 +2,7 @@
 #include <stiction/base/files.h>
 #include <stiction/base/log.h>
 #include <stiction/output/history/step_history.h>
+#include <stiction/output/history/step_json.h>
 
 #include <deal.II/base/data_out_base.h>
 
@@ -77,18 +78,6 @@ namespace stiction
       return row.line();
     }
 
-    json energy_to_json(const EnergyBalance::Step &energy)
-    {
-      return {{"work_loads", energy.loads},
-              {"work_supports", energy.supports},
-              {"work_obstacles", energy.obstacles},
-              {"elastic_energy", energy.elastic_energy},
-              {"elastic_energy_change", energy.elastic_change},
-              {"dissipated", energy.dissipation},
-              {"time_stepping", energy.time_stepping},
-              {"balance_error", energy.error ? json(*energy.error) : json(nullptr)}};
-    }
-
     std::string history_rows(const StepResult &step)
     {
       std::string rows;
@@ -123,18 +112,24 @@ namespace stiction
     for (std::size_t b = 0; b < step.boundaries.size() && !steps_.empty(); ++b)
       step.boundaries[b].dissipated_total += steps_.back().boundaries[b].dissipated_total;
     steps_.push_back(std::move(step));
-    append("history.csv", history_header, history_rows(steps_.back()));
-    append("energy.csv", energy_header, energy_row(steps_.back()));
+    append("history.csv", history_header, history_rows);
+    append("energy.csv", energy_header, energy_row);
+    has_begun_ = true;
   }
 
   void StepHistory::append(const std::string &file, const std::string &header,
-                           const std::string &rows) const
+                           const Rows rows) const
   {
     do_on_first_rank(communicator_, [&]() {
       const std::string name = directory_ + "/" + file;
-      const bool is_first    = steps_.size() == 1;
-      std::ofstream out(name, is_first ? std::ios::trunc : std::ios::app);
-      out << (is_first ? header : "") << rows;
+      if (!has_begun_)
+        return write_file(name, [&](std::ostream &out) {
+          out << header;
+          for (const StepResult &step : steps_)
+            out << rows(step);
+        });
+      std::ofstream out(name, std::ios::app);
+      out << rows(steps_.back());
       out.close();
       if (!out)
         throw InputError(name + ": cannot be written, must be in a directory with "
@@ -171,23 +166,31 @@ namespace stiction
     json list = json::array();
     for (const StepResult &step : steps_)
       {
-        const auto force = step.force();
-        json entry       = {{"step", step.number},
-                            {"t", step.time},
-                            {"certified", true},
-                            {"residual", step.residual},
-                            {"force_on_body", {force[0], force[1], force[2]}},
-                            {"energy", energy_to_json(step.energy)},
-                            {"newton_steps", step.effort.newton_steps},
-                            {"krylov_iterations", step.effort.krylov_iterations},
-                            {"dual_multiplications", step.effort.dual_multiplications},
-                            {"seconds", step.effort.seconds},
-                            {"elastic_solve_equivalents", nullptr}};
+        json entry                         = stiction::to_json(step);
+        entry["certified"]                 = true;
+        entry["force_on_body"]             = stiction::to_json(step.force());
+        entry["elastic_solve_equivalents"] = nullptr;
         if (elastic_solve_seconds > 0.)
           entry["elastic_solve_equivalents"] =
             step.effort.seconds / elastic_solve_seconds;
         list.push_back(std::move(entry));
       }
     return list;
+  }
+
+  json StepHistory::progress() const
+  {
+    json list = json::array();
+    for (const StepResult &step : steps_)
+      list.push_back(stiction::to_json(step));
+    return {{"steps", list}, {"series", series_}};
+  }
+
+  void StepHistory::go_on_from(const json &progress, const bool in_place)
+  {
+    for (const json &step : progress.at("steps"))
+      steps_.push_back(step_from_json(step));
+    if (in_place)
+      series_ = progress.at("series").get<decltype(series_)>();
   }
 } // namespace stiction

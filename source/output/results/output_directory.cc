@@ -65,7 +65,7 @@ namespace stiction
 
   void open_output_directory(const OutputParameters &output, const ParameterFile &source,
                              const std::string &used_parameters, Log &log,
-                             MPI_Comm communicator)
+                             MPI_Comm communicator, const bool goes_on)
   {
     const std::string &directory = output.directory;
     do_on_first_rank(communicator, [&]() {
@@ -78,8 +78,9 @@ namespace stiction
                                      "exists or can be made.");
           require_writable(name + "/.", entry);
         }
-      log.open_file(directory + "/log.txt"); // which overwrites it
-      remove_earlier_run(directory);
+      log.open_file(directory + "/log.txt", goes_on);
+      if (!goes_on)
+        remove_earlier_run(directory);
       write_file(directory + "/used_parameters.prm",
                  [&](std::ostream &out) { out << used_parameters; });
     });

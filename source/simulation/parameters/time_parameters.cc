@@ -54,6 +54,13 @@ namespace stiction
                   "two steps that are certified steps grow again. The times of 'Steps' "
                   "are always met. 0: steps are not cut.",
                   prm, Patterns::Double(0.));
+    add_parameter("Checkpoint every", checkpoint_every,
+                  "After so many steps, and after the last one, all from which the "
+                  "program can go on is written to 'checkpoint' in the output directory; "
+                  "the one before is kept as 'checkpoint.old'. 'stiction FILE.prm "
+                  "--restart DIRECTORY' goes on, on any number of ranks, also with other "
+                  "loads and times. 24 bytes an unknown on disk. 0: none is written.",
+                  prm, Patterns::Integer(0));
   }
 
   std::vector<double> TimeParameters::times() const

@@ -75,6 +75,9 @@ namespace stiction
     /// ("Section/Entry").
     std::map<std::string, std::string> given() const;
 
+    /// The values of all entries, defaults among them.
+    std::map<std::string, std::string> values() const;
+
   private:
     /// Gives an entry of a section or of a contact pair a value.
     void give(const std::string &where, const std::string &section,

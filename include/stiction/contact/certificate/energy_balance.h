@@ -69,9 +69,12 @@ namespace stiction
     /// @param surface at the time of that, for the gaps.
     EnergyBalance(const LinearElasticity &elasticity, const ContactSurface &surface);
 
-    /// Goes on, on another mesh, from a state that was carried there.
+    /// Goes on from the end of a step.
+    ///
+    /// @param surface at the time of that, for the gaps.
+    /// @param is_carried whether the state was carried to another mesh.
     EnergyBalance(const LinearElasticity &elasticity, const ContactSurface &surface,
-                  const State &state);
+                  const State &state, bool is_carried);
 
     /// Takes the end of a step. Collective.
     ///

@@ -19,6 +19,13 @@ namespace stiction
     Eigen::VectorXd distances; ///< δ of pressed obstacles, m, see ObstacleMotion
     SlipHistory history;
   };
+
+  /// What was found at a time.
+  struct StepEnd
+  {
+    double time;
+    State state;
+  };
 } // namespace stiction
 
 #endif

@@ -45,6 +45,9 @@ namespace stiction
     double vmult(unsigned int level, LA::VectorOf<float> &dst,
                  const LA::Vector &src) override;
 
+    /// Forgets which levels were factorised, and other supports, as if made anew.
+    void forget();
+
   private:
     class Level;
     struct Coarse;

@@ -43,13 +43,24 @@ namespace stiction
     /// @param elastic_solve_seconds 0: not measured.
     nlohmann::json to_json(double elastic_solve_seconds) const;
 
+    /// All of it, for another run that goes on.
+    nlohmann::json progress() const;
+
+    /// Goes on where another run was: its rows come first.
+    ///
+    /// @param in_place whether its files are in this directory, for the series.
+    void go_on_from(const nlohmann::json &progress, bool in_place);
+
   private:
-    void append(const std::string &file, const std::string &header,
-                const std::string &rows) const;
+    using Rows = std::string (*)(const StepResult &);
+
+    /// Appends the last step, in a file that this run has not begun all of them.
+    void append(const std::string &file, const std::string &header, Rows rows) const;
 
     const std::string directory_;
     const MPI_Comm communicator_;
     std::vector<StepResult> steps_;
+    bool has_begun_ = false; ///< its files
     /// By the names of files: times and what is shown there.
     std::map<std::string, std::vector<std::pair<double, std::string>>> series_;
   };

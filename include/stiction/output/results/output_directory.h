@@ -23,9 +23,12 @@ namespace stiction
   /// of an earlier run, which must not be read together with those of this one,
   /// and writes used_parameters.prm, whose text is given. Collective. Throws
   /// InputError, before anything is changed, if it cannot be written.
+  ///
+  /// @param goes_on whether the earlier run goes on: then nothing is removed, and
+  ///   log.txt goes on, too.
   void open_output_directory(const OutputParameters &output, const ParameterFile &source,
                              const std::string &used_parameters, Log &log,
-                             MPI_Comm communicator);
+                             MPI_Comm communicator, bool goes_on = false);
 
   /// Writes convergence.csv. Collective.
   void write_history(const ConvergenceHistory &history, const std::string &directory,

@@ -27,8 +27,9 @@ namespace stiction
     void check(const ParameterFile &source) const;
 
     double start = 0., end = 1.;
-    std::string steps    = "1";
-    double smallest_step = 0.;
+    std::string steps             = "1";
+    double smallest_step          = 0.;
+    unsigned int checkpoint_every = 0; ///< steps; 0: never
   };
 } // namespace stiction
 

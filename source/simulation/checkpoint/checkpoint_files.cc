@@ -1,0 +1,178 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/files.h>
+#include <stiction/simulation/checkpoint/checkpoint_files.h>
+#include <stiction/simulation/checkpoint/word_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace stiction::checkpoint_files
+{
+  namespace fs = std::filesystem;
+  using nlohmann::json;
+
+  namespace
+  {
+    // Raised whenever an older program could not read what this one writes.
+    constexpr int current_format = 1;
+
+    const std::string header_name = "/checkpoint.json";
+
+    std::string last_in(const std::string &directory)
+    {
+      return directory + "/checkpoint";
+    }
+
+    std::string old_in(const std::string &directory)
+    {
+      return directory + "/checkpoint.old";
+    }
+
+    std::string unfinished_in(const std::string &directory)
+    {
+      return directory + "/checkpoint.new";
+    }
+
+    // Waits until the disk has what was written to a file or done in a directory.
+    void flush(const std::string &name)
+    {
+      const int file = ::open(name.c_str(), O_RDONLY);
+      if (file < 0)
+        return;
+      ::fsync(file); // what cannot do it, a network, does without
+      ::close(file);
+    }
+
+    void require_done(const std::error_code &error, const std::string &name)
+    {
+      if (error)
+        throw InputError(name + ": cannot be written, must be in a directory with space "
+                                "and with the permission to write.");
+    }
+
+    // Throws InputError about a file that is not what was written.
+    void require_intact(const std::string &checkpoint, const json &header)
+    {
+      for (const auto &file : header.at("files").items())
+        {
+          const std::string name = checkpoint + "/" + file.key();
+          const auto digest      = word_file::digest(name);
+          if (json{digest.n_words, digest.checksum} != file.value())
+            throw InputError(name + ": is cut off or damaged, must be the file that was "
+                                    "written");
+        }
+    }
+
+    // Throws InputError without looking for another one.
+    json readable_header(const std::string &checkpoint)
+    {
+      try
+        {
+          std::ifstream in(checkpoint + header_name);
+          const json header = json::parse(in);
+          if (header.at("format") != current_format)
+            throw InputError(checkpoint + ": was written by " +
+                             header.at("program").get<std::string>() + " in format " +
+                             header["format"].dump() + ", must be of format " +
+                             std::to_string(current_format));
+          require_intact(checkpoint, header);
+          header.at("problem").at("entries");
+          return header;
+        }
+      catch (const json::exception &)
+        {
+          throw InputError(checkpoint + ": is damaged or no checkpoint, must be one that "
+                                        "'Time/Checkpoint every' had written");
+        }
+    }
+
+    bool is_readable(const std::string &checkpoint)
+    {
+      try
+        {
+          readable_header(checkpoint);
+          return true;
+        }
+      catch (const InputError &)
+        {
+          return false;
+        }
+    }
+  } // namespace
+
+  std::string begin(const std::string &directory, MPI_Comm communicator)
+  {
+    const std::string name = unfinished_in(directory);
+    do_on_first_rank(communicator, [&]() {
+      std::error_code error;
+      fs::remove_all(name, error);
+      fs::create_directory(name, error);
+      require_done(error, name);
+    });
+    return name;
+  }
+
+  void finish(const std::string &directory, json header)
+  {
+    const std::string unfinished = unfinished_in(directory);
+    header["format"]             = current_format;
+    header["program"]            = std::string("stiction ") + STICTION_VERSION;
+    write_file(unfinished + header_name, [&](std::ostream &out) {
+      out << header.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
+    });
+    flush(unfinished + header_name);
+    flush(unfinished);
+
+    std::error_code error;
+    if (fs::exists(last_in(directory), error))
+      {
+        fs::remove_all(old_in(directory), error);
+        fs::rename(last_in(directory), old_in(directory), error);
+      }
+    fs::rename(unfinished, last_in(directory), error);
+    require_done(error, last_in(directory));
+    flush(directory);
+  }
+
+  std::string find(const std::string &directory)
+  {
+    std::error_code error;
+    if (fs::exists(directory + header_name, error))
+      return directory;
+    // a run killed between two renames leaves the old one alone
+    for (const std::string &checkpoint : {last_in(directory), old_in(directory)})
+      if (fs::is_directory(checkpoint, error))
+        return checkpoint;
+    throw InputError("--restart " + directory +
+                     ": has no checkpoint, must be the output directory of a run with "
+                     "'Time/Checkpoint every' above 0.");
+  }
+
+  json header(const std::string &checkpoint)
+  {
+    try
+      {
+        return readable_header(checkpoint);
+      }
+    catch (const InputError &fault)
+      {
+        const std::string before = checkpoint + ".old";
+        throw InputError(fault.what() +
+                         (is_readable(before)
+                            ? "; the one before can be read: --restart " + before + "."
+                            : std::string(".")));
+      }
+  }
+
+  void remove(const std::string &directory)
+  {
+    std::error_code error; // what cannot be removed cannot be replaced either
+    for (const std::string &checkpoint :
+         {last_in(directory), old_in(directory), unfinished_in(directory)})
+      fs::remove_all(checkpoint, error);
+  }
+} // namespace stiction::checkpoint_files

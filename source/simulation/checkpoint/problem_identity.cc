@@ -1,0 +1,72 @@
+#include <stiction/base/errors.h>
+#include <stiction/simulation/checkpoint/problem_identity.h>
+#include <stiction/simulation/checkpoint/word_file.h>
+#include <stiction/simulation/parameters/parameters.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace stiction
+{
+  using nlohmann::json;
+
+  namespace
+  {
+    const std::string mesh_file = "Geometry/Mesh file";
+
+    bool is_of_problem(const std::string &entry)
+    {
+      static const std::set<std::string> single = {"Boundary conditions/Contact boundary",
+                                                   "Friction/Law",
+                                                   "Refinement/Adaptive steps"};
+      return entry.rfind("Geometry/", 0) == 0 || entry.rfind("Material/", 0) == 0 ||
+             single.count(entry) > 0;
+    }
+
+    // Without what may be written in several ways.
+    std::string without_blanks(std::string value)
+    {
+      value.erase(std::remove_if(value.begin(), value.end(),
+                                 [](const unsigned char c) { return std::isspace(c); }),
+                  value.end());
+      return value;
+    }
+  } // namespace
+
+  json problem_identity(const Parameters &parameters)
+  {
+    json identity;
+    for (const auto &[entry, value] : parameters.source.values())
+      if (is_of_problem(entry))
+        identity["entries"][entry] = value;
+    if (parameters.geometry.type == "file")
+      {
+        const auto digest     = word_file::digest(parameters.geometry.mesh_file);
+        identity["mesh_file"] = {digest.n_words, digest.checksum};
+      }
+    return identity;
+  }
+
+  void require_same_problem(const Parameters &parameters, const json &identity,
+                            const std::string &checkpoint)
+  {
+    const json here = problem_identity(parameters);
+    for (const auto &item : here.at("entries").items())
+      {
+        const auto now  = item.value().get<std::string>();
+        const auto then = identity.at("entries").value(item.key(), std::string());
+        if (item.key() != mesh_file && without_blanks(now) != without_blanks(then))
+          throw InputError(parameters.source.describe(item.key()) +
+                           ", must be what it was in the checkpoint " + checkpoint +
+                           ", '" + then + "'.");
+      }
+    if (here.value("mesh_file", json()) != identity.value("mesh_file", json()))
+      throw InputError(parameters.source.describe(mesh_file) +
+                       ", must have the content that it had in the checkpoint " +
+                       checkpoint + ", where its name was '" +
+                       identity.at("entries").value(mesh_file, std::string()) + "'.");
+  }
+} // namespace stiction
