@@ -14,9 +14,9 @@ namespace stiction
 {
   namespace
   {
-    // Terms below this part of the elastic energy are what the iteration leaves of a
-    // body at rest.
-    constexpr double nothing = 1e-12;
+    // Of a body that rests all terms are what rounding leaves, 1e-10 of its energy at
+    // most; a history of 100,000 steps has larger ones.
+    constexpr double least_part = 1e-6;
 
     // The tangential part of Cartesian vectors at all nodes, in free directions.
     Eigen::VectorXd tangential(const ContactSurface &surface, const Eigen::VectorXd &v)
@@ -173,7 +173,7 @@ namespace stiction
     const double largest =
       std::max({std::abs(step.loads), std::abs(step.supports), std::abs(step.obstacles),
                 std::abs(step.elastic_change), std::abs(step.dissipation),
-                std::abs(step.time_stepping), nothing * step.elastic_energy});
+                std::abs(step.time_stepping), least_part * step.elastic_energy});
     if (!is_carried_)
       step.error = largest > 0. ? std::abs(lacking) / largest : 0.;
     is_carried_ = false;

@@ -44,7 +44,8 @@ namespace stiction
   /// Cartesian components, in which what the turning changes of the slip counts to X,
   /// and so does the work at nodes that are contact nodes at one end alone.
   ///
-  /// The first step begins without displacement and forces, whatever the loads there.
+  /// The first step begins without displacement and forces, whatever the loads there:
+  /// the energy that an initial interference gives to the body is in its X.
   class EnergyBalance
   {
   public:
@@ -56,8 +57,9 @@ namespace stiction
       double dissipation    = 0.;
       double time_stepping  = 0.; ///< X
       double elastic_energy = 0.; ///< E at its end
-      /// What the balance lacks, relative to the largest term; nothing after a change
-      /// of the mesh, where the forces λ₀ were interpolated and are in no equilibrium.
+      /// What the balance lacks, relative to the largest term, or to 1e-6 E where all
+      /// are smaller; nothing after a change of the mesh, where the forces λ₀ were
+      /// interpolated and are in no equilibrium.
       std::optional<double> error;
 
       /// Adds up terms and takes the other's energy. The error is that of no step.
