@@ -54,7 +54,7 @@ namespace stiction
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<AugmentedOperator> augmented_; ///< of pressed obstacles
     std::unique_ptr<DualMethod> method_;           ///< of the last solve
-    qp::IterationCounts earlier_; ///< of methods on augmented operators before it
+    qp::IterationCounts earlier_;                  ///< of methods before it
   };
 } // namespace stiction
 
