@@ -40,6 +40,13 @@ namespace stiction
 
   bool ContactProblem::take_step(TimeSteps &times)
   {
+    // a step that begins at its solution has no iteration that would notice it
+    if (is_interrupted(communicator_))
+      {
+        status_.converged   = false;
+        status_.interrupted = true;
+        return false;
+      }
     begin_step(times);
     solve_at(times.time());
     while (refine_mesh())

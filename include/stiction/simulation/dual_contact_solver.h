@@ -54,8 +54,8 @@ namespace stiction
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<AugmentedOperator> augmented_; ///< of pressed obstacles
     std::unique_ptr<DualMethod> method_;           ///< of the last solve
-    qp::IterationCounts earlier_;         ///< of methods on augmented operators before it
-    double earlier_multiplications_ = 0.; ///< of these operators
+    qp::IterationCounts earlier_;                  ///< of methods before it
+    double earlier_multiplications_ = 0.;          ///< of augmented operators before
   };
 } // namespace stiction
 

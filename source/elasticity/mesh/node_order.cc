@@ -15,18 +15,14 @@ namespace stiction
   {
     using Cell = dealii::DoFHandler<3>::active_cell_iterator;
 
-    // The active cells of this rank along p4est's curve.
+    // The active cells of this rank along p4est's curve, which ids of cells follow:
+    // they begin with the number of p4est's tree.
     std::vector<Cell> cells_in_order(const Body &body)
     {
-      const auto &tree = body.triangulation().get_coarse_cell_to_p4est_tree_permutation();
-      using Place      = std::pair<global_dof_index, dealii::CellId>;
-      std::vector<std::pair<Place, Cell>> cells;
+      std::vector<std::pair<dealii::CellId, Cell>> cells;
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
-          {
-            const dealii::CellId id = cell->id();
-            cells.emplace_back(Place(tree[id.get_coarse_cell_id()], id), cell);
-          }
+          cells.emplace_back(cell->id(), cell);
       std::sort(cells.begin(), cells.end(),
                 [](const auto &a, const auto &b) { return a.first < b.first; });
       std::vector<Cell> in_order;

@@ -59,7 +59,8 @@ namespace stiction
                   "program can go on is written to 'checkpoint' in the output directory; "
                   "the one before is kept as 'checkpoint.old'. 'stiction FILE.prm "
                   "--restart DIRECTORY' goes on, on any number of ranks, also with other "
-                  "loads and times. 24 bytes an unknown on disk. 0: none is written.",
+                  "loads and times. Both together take 32 bytes an unknown on disk. 0: "
+                  "none is written.",
                   prm, Patterns::Integer(0));
   }
 

@@ -90,11 +90,11 @@ namespace stiction
     {
       LA::Vector u, internal_force, load, reaction;
       std::vector<dealii::types::global_dof_index> nodes; ///< by first unknowns
-      Eigen::VectorXd force;                              ///< Bᵀλ, on the obstacle
-      Eigen::VectorXd offset;                             ///< e in the free directions
-      Eigen::VectorXd gap;                                ///< r_ν n
-      Eigen::VectorXd relative;                           ///< U − u, see SlipHistory
-      Eigen::VectorXd sliding;                            ///< its tangential part
+      Eigen::VectorXd force    = {};                      ///< Bᵀλ, on the obstacle
+      Eigen::VectorXd offset   = {};                      ///< e in the free directions
+      Eigen::VectorXd gap      = {};                      ///< r_ν n
+      Eigen::VectorXd relative = {};                      ///< U − u, see SlipHistory
+      Eigen::VectorXd sliding  = {};                      ///< its tangential part
     };
 
     static End end_of(const LinearElasticity &elasticity, const ContactSurface &surface,
