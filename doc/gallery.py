@@ -44,6 +44,14 @@ PICTURES = {
     "the rim slips; small cells with hanging nodes where it touches.",
     "roller": "A roller pressed on rubber and turned: it drags the rubber along, "
     "the middle sticks, the rim slips.",
+    "ball_press_drag_return": "A ball pressed on rubber, dragged, brought back "
+    "beyond where it was and dragged again: the half of its contact that symmetry "
+    "leaves, the middle sticks and the ring around it slips.",
+    "punch_twist": "A round punch pressed on and twisted until all slips: "
+    "friction goes around the axis.",
+    "brick_loaded_unloaded": "The reference brick after its pull was taken away "
+    "again: what has slipped does not come back, the arrows are the friction that "
+    "remains.",
     "brake_pad": "A brake pad on a moving disc: friction tips it, and the coefficient "
     "falls with the pressure.",
     "two_materials": "A soft layer under a stiff one: the stress is in the "

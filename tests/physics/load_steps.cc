@@ -75,6 +75,33 @@ namespace
           << std::endl;
   }
 
+  // A sphere that is pressed on and dragged at once. In one step from t = 0.1 to 1 it
+  // takes a Newton step more than allowed, in two it does not.
+  void check_cut()
+  {
+    const Settings all =
+      brick + Settings{"Contact solver/Method=newton multigrid",
+                       "Contact solver/Tolerance=1e-11",
+                       "Boundary conditions/Prescribed displacement=bottom : 0; 0; 0",
+                       "Boundary conditions/Contact boundary=top",
+                       "Boundary conditions/Obstacle=sphere : 2; 1.5; 6 - 0.05*t; 5",
+                       "Boundary conditions/Obstacle displacement=0.01*t*t; 0; 0"};
+    const Settings once =
+      all + Settings{"Time/Steps=0.1, 1", "Contact solver/Maximum iterations=7"};
+    const Run cut(shipped("brick.prm"), once + Settings{"Time/Smallest step=0.4"}),
+      fails(shipped("brick.prm"), once),
+      asked_for(shipped("brick.prm"), all + Settings{"Time/Steps=0.1, 0.55, 1"}),
+      at_once(shipped("brick.prm"), all + Settings{"Time/Steps=0.1, 1"});
+    LA::Vector difference = cut.problem->state().u;
+    difference -= asked_for.problem->state().u;
+    out() << "a step that fails: " << yes(!fails.converged) << "; cut: certified "
+          << yes(cut.converged) << ", the steps asked for: forces to 1e-8 "
+          << yes(distance(cut, asked_for) < 1e-8) << ", displacements to 1e-8 "
+          << yes(difference.l2_norm() < 1e-8 * asked_for.problem->state().u.l2_norm())
+          << ", another path than the one step " << yes(distance(cut, at_once) > 1e-4)
+          << std::endl;
+  }
+
   // The memory of friction on its way to refined meshes: without it nothing would
   // slip at the end of this path, where the body is as it is made but pressed.
   void check_refinement(const std::string &method)
@@ -112,6 +139,7 @@ int main(int argc, char *argv[])
     if (method.name == "newton" || method.name == "newton multigrid" ||
         method.name == "gauss seidel")
       check(method);
+  check_cut();
   for (const std::string method : {"newton", "newton multigrid"})
     {
       check_refinement(method);

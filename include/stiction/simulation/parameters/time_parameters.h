@@ -19,8 +19,8 @@ namespace stiction
     /// The times asked for, in ascending order. Valid after check().
     std::vector<double> times() const;
 
-    /// Whether there is more than one step.
-    bool has_steps() const { return times().size() > 1; }
+    /// Whether there is more than one step, or may be, if one is cut.
+    bool has_steps() const { return times().size() > 1 || smallest_step > 0.; }
 
     /// Throws InputError where the entries cannot be read or contradict each
     /// other.
