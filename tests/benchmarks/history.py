@@ -29,6 +29,8 @@ BRICK = {
     "Geometry/Table 1 level": "0",
     "Geometry/Lengths": "4, 3, 1",
     "Geometry/Subdivisions": "4, 3, 1",
+    "Material/Young's modulus": "2.1e11",
+    "Material/Poisson ratio": "0.3",
     "Boundary conditions/Traction": "",
     "Boundary conditions/Contact boundary": "bottom",
     "Boundary conditions/Prescribed displacement": f"top : 1e-3*{DRAG}; 0; -1e-3*{PRESS}",
