@@ -82,9 +82,9 @@ def parse_options(arguments):
         help="another build of the program (build/stiction)",
     )
     options = parser.parse_args(arguments)
-    if options.steps < 5 or not 1 <= options.singles <= options.steps // 5:
+    if options.steps < 10 or not 1 <= options.singles <= options.steps // 5:
         raise BenchmarkError(
-            "--steps must be at least 5, --singles from 1 to a fifth of them"
+            "--steps must be at least 10, --singles from 1 to a fifth of them"
         )
     if not 0 <= options.finer <= 3:
         raise BenchmarkError("--finer must be from 0 to 3")
