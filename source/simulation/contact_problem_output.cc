@@ -58,7 +58,7 @@ namespace stiction
     compute_reactions();
     if (!steps_)
       write_fields("");
-    else if (!status_.converged)
+    else if (!status_.converged && !ends_between_steps_)
       write_fields("_uncertified");
     write_history(*history_, parameters_.output.directory, communicator_);
   }
@@ -170,6 +170,10 @@ namespace stiction
     RunResult result =
       result_of(status_, *certificate_, statuses, parameters_.contact_solver.tolerance,
                 parameters_.output, phases_, communicator_);
+    if (ends_between_steps_)
+      result.reason = format("the steps to t = %.6g are certified, those after it were "
+                             "not taken",
+                             ends_.front().time);
     discretization_->solver->add_to(result);
     result.solver.law                      = parameters_.friction.name();
     result.solver.elastic_solve_iterations = elastic_solve_iterations_;
@@ -186,7 +190,7 @@ namespace stiction
   {
     json list = steps_->to_json(
       elastic_solve_iterations_ > 0 ? phases_.seconds("elastic_solve") : 0.);
-    if (!status_.converged)
+    if (!status_.converged && !ends_between_steps_)
       list.push_back({{"t", discretization_->elasticity->time()},
                       {"certified", false},
                       {"residual", certificate_->worst_figure().second}});
@@ -206,14 +210,14 @@ namespace stiction
 
   std::string ContactProblem::files_to_open() const
   {
-    const std::string ending = !steps_                   ? ".pvtu"
-                               : steps_->steps().empty() ? "_uncertified.pvtu"
-                                                         : ".pvd";
+    const std::string ending = !steps_                ? ".pvtu"
+                               : !steps_->has_files() ? "_uncertified.pvtu"
+                                                      : ".pvd";
     const std::string start  = parameters_.output.directory + "/";
     return (parameters_.output.write_solution ? start + "solution" + ending + " and "
                                               : std::string()) +
            start + "contact" + ending + " in ParaView" +
-           (ending == ".pvd" && !status_.converged
+           (ending == ".pvd" && !status_.converged && !ends_between_steps_
               ? "; what is not certified is in " + start + "contact_uncertified.pvtu"
               : "") +
            ".";

@@ -34,17 +34,19 @@ namespace stiction
 {
   namespace
   {
-    // Of friction at the answer. Contractions up to 0.8 end before.
+    // The coefficients of friction are taken anew from the last answer so often: a
+    // residual that falls by 0.8 each time is below 1e-9 by then.
     constexpr unsigned int max_approximations = 100;
   } // namespace
 
   bool ContactProblem::take_step(TimeSteps &times)
   {
     // a step that begins at its solution has no iteration that would notice it
-    if (is_interrupted(communicator_))
+    if (certificate_ && is_interrupted(communicator_))
       {
         status_.converged   = false;
         status_.interrupted = true;
+        ends_between_steps_ = true;
         return false;
       }
     begin_step(times);
@@ -103,8 +105,21 @@ namespace stiction
     discretization_->set_time(parameters_.of_contact(), time, history);
     if (!ends_.empty())
       state_ = first_guess(time);
-    state_.history = on_nodes(history, *discretization_->surface);
-    solve_and_certify();
+    const SlipHistory here = on_nodes(history, *discretization_->surface);
+    const bool is_warm     = state_.lambda.size() > 0;
+    const auto solve_from  = [&](State guess) {
+      state_         = std::move(guess);
+      state_.history = here;
+      if (!ends_.empty())
+        state_.scales = ends_.front().state.scales;
+      solve_and_certify();
+    };
+    solve_from(state_);
+    if (status_.converged || status_.interrupted || !is_warm)
+      return;
+    if (parameters_.output.print_progress)
+      log_->line("The step is solved once more, without what was known of it.");
+    solve_from({{}, {}, state_.distances, {}});
   }
 
   void ContactProblem::solve_and_certify()
@@ -139,12 +154,16 @@ namespace stiction
         if (status_.converged || status_.interrupted || !is_solved)
           return measure_duality_gap();
         path = secant.next(path, path_there);
+        if (state_.history.path.size() > 0)
+          path = path.cwiseMax(state_.history.path);
+        else
+          path = path.cwiseMax(0.);
       }
     status_.reason =
       format("friction that depends on pressure or slip does not settle (the last "
-             "approximation changed the residual by a factor of %.2g): where it falls "
-             "faster with slip than the body springs back, the body jumps and there is "
-             "no answer nearby, let the formula fall more gently",
+             "approximation changed the residual by a factor of %.2g), let the formula "
+             "change more gently: where friction falls faster with slip than the body "
+             "springs back, the body jumps and there is no answer nearby",
              contraction);
   }
 
@@ -167,10 +186,14 @@ namespace stiction
     const auto &[elasticity, surface, solver] = *discretization_;
     const auto &[last_time, last]             = ends_.front();
     const auto &[earlier_time, earlier]       = ends_.back();
+    // a force that begins or ends to press makes an obstacle another one
+    if (last.distances.size() != surface->motion().n_pressed())
+      return {{}, {}, {}, {}};
     // where an obstacle made others contact nodes their forces are no guess
     if (on_nodes(last.history, *surface).nodes != last.history.nodes)
       return {{}, {}, last.distances, {}};
-    if (ends_.size() < 2 || earlier.history.nodes != last.history.nodes)
+    if (ends_.size() < 2 || earlier.history.nodes != last.history.nodes ||
+        earlier.distances.size() != last.distances.size())
       return last;
     const double ratio = (time - last_time) / (last_time - earlier_time);
     State further      = last;
@@ -189,6 +212,8 @@ namespace stiction
   {
     const auto &[elasticity, surface, solver] = *discretization_;
     state_.history                            = history_after(state_, *surface);
+    state_.scales.force  = std::max(state_.scales.force, certificate_->force_scale());
+    state_.scales.energy = std::max(state_.scales.energy, certificate_->energy_scale());
     ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));
     if (steps_)
@@ -237,8 +262,10 @@ namespace stiction
       {
         const double time = ends_.front().time;
         discretization_->set_time(parameters_.of_contact(), time, {});
-        ends_ = {
-          {time, carried->on(*discretization_->elasticity, *discretization_->surface)}};
+        State state =
+          carried->on(*discretization_->elasticity, *discretization_->surface);
+        state.scales = ends_.front().state.scales;
+        ends_        = {{time, std::move(state)}};
       }
     begin_balance(true);
     return true;
@@ -304,7 +331,8 @@ namespace stiction
     if (parameters_.time.checkpoint_every == 0 || times.is_finished() || ends_.empty())
       return;
     log_->line(
-      format("The checkpoint is of t = %.6g; go on with: stiction ", times.reached()) +
-      parameters_.source.file() + " --restart " + parameters_.output.directory);
+      format("The checkpoint is of t = %.6g; go on with the same command and --restart ",
+             times.reached()) +
+      parameters_.output.directory);
   }
 } // namespace stiction

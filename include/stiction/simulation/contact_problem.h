@@ -165,6 +165,7 @@ namespace stiction
     std::unique_ptr<CheckpointReader> restart_;
     unsigned int n_steps_saved_ = 0; ///< those before the last checkpoint
     SolveStatus status_;
+    bool ends_between_steps_ = false; ///< interrupted after a certified step
     std::unique_ptr<Certificate> certificate_;
 
     std::unique_ptr<StepHistory> steps_;     ///< if there are several

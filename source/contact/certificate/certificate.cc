@@ -21,6 +21,9 @@ namespace stiction
     // part of it.
     constexpr double rounding_of_gaps = 1e-12;
 
+    // Of the forces and energies of earlier steps: less is nothing.
+    constexpr double small_beside_earlier = 1e-6;
+
     // Sums over all nodes of the body.
     struct NodeSums
     {
@@ -98,7 +101,7 @@ namespace stiction
     , surface_(surface)
   {
     gradient_ = surface.motion().offset(state.distances) - surface.B().apply(state.u);
-    compute_body_figures(state.u);
+    compute_body_figures(state);
     compute_contact_figures();
   }
 
@@ -118,8 +121,9 @@ namespace stiction
     return sum;
   }
 
-  void Certificate::compute_body_figures(const LA::Vector &u)
+  void Certificate::compute_body_figures(const State &state)
   {
+    const LA::Vector &u      = state.u;
     LA::Vector contact_force = elasticity_.zero_vector();
     surface_.B().add_transpose(-1., lambda_, contact_force);
     const NodeSums sums         = sum_over_nodes(elasticity_, u, contact_force);
@@ -138,6 +142,8 @@ namespace stiction
         S    = sums.rounding / unit_roundoff;
         S_u0 = S * u_size;
       }
+    S                  = std::max(S, small_beside_earlier * state.scales.force);
+    S_u0               = std::max(S_u0, small_beside_earlier * state.scales.energy);
     const auto corners = elasticity_.body().bounding_box().get_boundary_points();
     const double size  = corners.first.distance(corners.second);
 
@@ -148,6 +154,7 @@ namespace stiction
       body_figures_.obstacle_force = surface_.motion().force_error(lambda_);
     rounding_      = sums.rounding / S;
     force_scale_   = S;
+    energy_scale_  = S_u0;
     strain_energy_ = sums.energy / 2.;
     load_work_     = sums.work;
 

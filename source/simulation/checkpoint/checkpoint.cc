@@ -111,6 +111,8 @@ namespace stiction
         file(numbered("contact", k), is_first ? contact : Words());
         header["ends"].push_back(
           {{"time", time},
+           {"force_scale", state.scales.force},
+           {"energy_scale", state.scales.energy},
            {"distances",
             std::vector<double>(state.distances.begin(), state.distances.end())}});
       }
@@ -189,6 +191,7 @@ namespace stiction
     const auto distances = end.at("distances").get<std::vector<double>>();
     read.state.distances = Eigen::Map<const Eigen::VectorXd>(
       distances.data(), static_cast<Eigen::Index>(distances.size()));
+    read.state.scales = {end.at("force_scale"), end.at("energy_scale")};
     return read;
   }
 } // namespace stiction

@@ -21,6 +21,13 @@ namespace stiction::checkpoint_files
     constexpr int current_format = 1;
 
     const std::string header_name = "/checkpoint.json";
+    const std::string digest_name = "/checkpoint.digest"; // of the header
+
+    std::string digest_of(const std::string &file)
+    {
+      const auto digest = word_file::digest(file);
+      return json{digest.n_words, digest.checksum}.dump();
+    }
 
     std::string last_in(const std::string &directory)
     {
@@ -74,20 +81,26 @@ namespace stiction::checkpoint_files
         {
           std::ifstream in(checkpoint + header_name);
           const json header = json::parse(in);
+          std::string digest;
+          std::getline(std::ifstream(checkpoint + digest_name), digest);
           if (header.at("format") != current_format)
             throw InputError(checkpoint + ": was written by " +
                              header.at("program").get<std::string>() + " in format " +
                              header["format"].dump() + ", must be of format " +
                              std::to_string(current_format));
           require_intact(checkpoint, header);
-          header.at("problem").at("entries");
-          return header;
+          if (digest == digest_of(checkpoint + header_name))
+            return header;
         }
-      catch (const json::exception &)
+      catch (const InputError &)
         {
-          throw InputError(checkpoint + ": is damaged or no checkpoint, must be one that "
-                                        "'Time/Checkpoint every' had written");
+          throw;
         }
+      catch (const std::exception &) // of what is no JSON, no file, or lacks something
+        {
+        }
+      throw InputError(checkpoint + ": is damaged or no checkpoint, must be one that "
+                                    "'Time/Checkpoint every' had written");
     }
 
     bool is_readable(const std::string &checkpoint)
@@ -124,7 +137,11 @@ namespace stiction::checkpoint_files
     write_file(unfinished + header_name, [&](std::ostream &out) {
       out << header.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
     });
+    write_file(unfinished + digest_name, [&](std::ostream &out) {
+      out << digest_of(unfinished + header_name) << '\n';
+    });
     flush(unfinished + header_name);
+    flush(unfinished + digest_name);
     flush(unfinished);
 
     std::error_code error;

@@ -32,6 +32,9 @@ namespace stiction
   /// face is stiffer than other parts of the body (contact_scaling()). With
   /// π = λ_i/(A_i p0) and w = r_i/u0, r = (d − n·u; −slip), γ = g_i/(A_i p0).
   ///
+  /// In a load history S and S u0 are at least a millionth of what they were in any
+  /// step before: what is left in a body that was let go is rounding.
+  ///
   /// rounding() is Σ ε‖diag(K_jj) u_j‖/S, ε = 2⁻⁵³: what rounding the
   /// displacement of each node alone changes the forces inside the body by.
   ///
@@ -75,6 +78,9 @@ namespace stiction
     /// S, N.
     double force_scale() const { return force_scale_; }
 
+    /// S u0, J.
+    double energy_scale() const { return energy_scale_; }
+
     /// uᵀKu/2 in J.
     double strain_energy() const { return strain_energy_; }
 
@@ -87,7 +93,7 @@ namespace stiction
     dealii::Tensor<1, 3> moment_on_body() const { return moment_on_body_; }
 
   private:
-    void compute_body_figures(const LA::Vector &u);
+    void compute_body_figures(const State &state);
 
     /// Adds up force and moment on the body. @return Σ‖λ_i‖, N.
     double add_contact_forces();
@@ -95,7 +101,7 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;
-    double force_scale_ = 1., strain_energy_ = 0., load_work_ = 0.;
+    double force_scale_ = 1., energy_scale_ = 0., strain_energy_ = 0., load_work_ = 0.;
     dealii::Tensor<1, 3> force_on_body_, moment_on_body_;
   };
 } // namespace stiction

@@ -18,6 +18,13 @@ namespace stiction
     Eigen::VectorXd lambda;    ///< contact forces, N, length 3m
     Eigen::VectorXd distances; ///< δ of pressed obstacles, m, see ObstacleMotion
     SlipHistory history;
+
+    /// The largest S and uᵀKu of the certificates of the steps before, N and J. Beside
+    /// them a body that was let go is judged, whose own forces are rounding.
+    struct Scales
+    {
+      double force = 0., energy = 0.;
+    } scales = {};
   };
 
   /// What was found at a time.

@@ -35,6 +35,9 @@ namespace stiction
 
     const std::vector<StepResult> &steps() const { return steps_; }
 
+    /// Whether files of a step were entered.
+    bool has_files() const { return !series_.empty(); }
+
     /// Of all steps together.
     EnergyBalance::Step energy() const;
 

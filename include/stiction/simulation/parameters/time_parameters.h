@@ -19,8 +19,12 @@ namespace stiction
     /// The times asked for, in ascending order. Valid after check().
     std::vector<double> times() const;
 
-    /// Whether there is more than one step, or may be, if one is cut.
-    bool has_steps() const { return times().size() > 1 || smallest_step > 0.; }
+    /// Whether there is more than one step, or may be, if one is cut or the run goes on
+    /// from a checkpoint.
+    bool has_steps() const
+    {
+      return times().size() > 1 || smallest_step > 0. || checkpoint_every > 0;
+    }
 
     /// Throws InputError where the entries cannot be read or contradict each
     /// other.
