@@ -87,6 +87,7 @@ namespace stiction
         {
         }
       save(times);
+      measure_duality_gap();
       estimate_mesh();
       if (!status_.interrupted)
         measure_reference_costs();

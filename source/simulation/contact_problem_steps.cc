@@ -128,8 +128,7 @@ namespace stiction
     if (!surface.has_friction_of_state())
       {
         solve();
-        certify();
-        return measure_duality_gap();
+        return certify();
       }
     double error = std::numeric_limits<double>::infinity(), contraction = 0.;
     qp::ComponentwiseSecant secant;
@@ -152,7 +151,7 @@ namespace stiction
             format("Friction at the answer, approximation %u: residual %.2e", k, error) +
             (k > 1 ? format(", contraction %.2g", contraction) : ""));
         if (status_.converged || status_.interrupted || !is_solved)
-          return measure_duality_gap();
+          return;
         path = secant.next(path, path_there);
         if (state_.history.path.size() > 0)
           path = path.cwiseMax(state_.history.path);
