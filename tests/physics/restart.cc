@@ -29,8 +29,8 @@ namespace
   // How far the answers are apart, relative; 0 if they are the same bits.
   double error(const Run &a, const Run &b)
   {
-    const LA::Vector &u          = b.problem->state().u;
-    LA::Vector        difference = a.problem->state().u;
+    const LA::Vector &u   = b.problem->state().u;
+    LA::Vector difference = a.problem->state().u;
     if (!a.converged || !b.converged || difference.size() != u.size())
       return 1e300;
     difference -= u;
