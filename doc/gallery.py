@@ -140,6 +140,9 @@ def write_page():
     for name, sentence in PICTURES.items():
         lines += [f"## {name}", "", sentence, "",
                   f"![{name}]({picture_of(name)})", ""]
+        curves = render.curves_beside(picture_of(name))
+        if os.path.exists(os.path.join(ROOT, "doc", curves)):
+            lines += [f"![history of {name}]({curves})", ""]
     lines += ["## The others", ""]
     lines += [f"- `parameters/{name}.prm`: as {other}" for name, other
               in ALIKE.items()]

@@ -21,11 +21,12 @@ node is open all the same (given friction), white dots that rounding would
 decide whether it is; arrows of friction start at their nodes, on fine meshes at
 some of them. The second one shows the pressure.
 
-Of a run of several steps this is the last one, and history.png beside it has
-the curves of history.csv: the forces on the body over t, and over displacements
-of obstacles that moved. With --frames DIRECTORY/frame_0001.png and so on are
-the pictures of all certified steps of which there are files, all with the same
-scales, for an animation.
+Of a run of several steps this is the last one, and history.png beside it
+(PICTURE_history.png, if the picture has another name) has the curves of
+history.csv: the forces on the body over t, and over displacements of obstacles
+that moved. With --frames DIRECTORY/frame_0001.png and so on are the pictures of
+all certified steps of which there are files, all with the same scales, for an
+animation.
 """
 
 import io
@@ -53,8 +54,14 @@ def render(directory, picture, sharpness=SHARPNESS):
     write(draw(run, sharpness), picture, sharpness)
     boundaries = history.read(directory)
     if boundaries:
-        write(history.draw(boundaries, run.units),
-              os.path.join(os.path.dirname(picture), "history.png"), sharpness)
+        write(history.draw(boundaries, run.units), curves_beside(picture), sharpness)
+
+
+def curves_beside(picture):
+    """The name of the curves of a history: history.png beside picture.png."""
+    folder, name = os.path.split(picture)
+    return os.path.join(folder, "history.png" if name == "picture.png" else
+                        os.path.splitext(name)[0] + "_history.png")
 
 
 def render_frames(directory, sharpness=SHARPNESS):

@@ -1,4 +1,4 @@
-"""The curves of a history: forces over time and over what moved the body."""
+"""The curves of a history: forces over time and over how obstacles moved."""
 
 import csv
 import os
@@ -14,6 +14,7 @@ AXES = "xyz"
 COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components
 LINES = ("-", "--", ":", "-.")  # of the contact boundaries
 NOTHING = 1e-9  # parts of the largest component that are rounding
+HARDLY = 1e-2  # parts of the largest displacement over which no curve is drawn
 WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches
 
 
@@ -44,43 +45,60 @@ def moved(rows):
     """The directions in which an obstacle moved during the history."""
     places = np.array([rows["obstacle_" + axis] for axis in AXES])
     ways = np.ptp(places, axis=1)
-    return [c for c in range(3) if ways[c] > NOTHING * np.abs(places).max()]
+    return [c for c in range(3) if ways[c] > HARDLY * np.abs(places).max()]
 
 
 def diagrams(boundaries):
-    """What is drawn: words of the abscissa, whether it is a length, and for
+    """What is drawn: words of the abscissa, its unit (None: of lengths), and for
     each boundary the abscissa and its rows."""
-    result = [("t", False, {name: (rows["t"], rows)
-                            for name, rows in boundaries.items()})]
+    result = [("t", "", {name: (rows["t"], rows)
+                         for name, rows in boundaries.items()})]
     for c, axis in enumerate(AXES):
         curves = {name: (rows["obstacle_" + axis], rows)
                   for name, rows in boundaries.items() if c in moved(rows)}
         if curves:
-            result.append((f"obstacle displacement along {axis}", True, curves))
+            result.append((f"obstacle displacement along {axis}", None, curves))
+    curves = {name: (rows["obstacle_angle"], rows)
+              for name, rows in boundaries.items() if np.ptp(rows["obstacle_angle"]) > 0}
+    if curves:
+        result.append(("obstacle turned by", "rad", curves))
     return result
 
 
-def draw_forces(axes, curves, units, words, is_length):
-    """The components of the force on the body that are not rounding."""
+def ordinates(words, curves):
+    """What is drawn over the abscissa: words, kind of unit, and the curves of
+    each boundary by label and colour."""
+    if words == "obstacle turned by":
+        return "torque on the body", "moment", {
+            name: {"": (COLORS[0], rows["torque"])}
+            for name, (_, rows) in curves.items()}
     forces = {name: np.array([rows["force_" + axis] for axis in AXES])
               for name, (_, rows) in curves.items()}
     largest = max(np.abs(force).max() for force in forces.values())
+    return "force on the body", "force", {
+        name: {AXES[c]: (COLORS[c], force[c]) for c in range(3)
+               if np.abs(force[c]).max() > NOTHING * largest}
+        for name, force in forces.items()}
+
+
+def draw_curves(axes, words, unit, curves, units):
+    """A diagram."""
+    what, kind, lines = ordinates(words, curves)
+    largest = max((np.abs(values).max() for those in lines.values()
+                   for _, values in those.values()), default=0)
     furthest = max(np.abs(place).max() for place, _ in curves.values())
     exponents = (exponent_of(furthest), exponent_of(largest))
     for (name, (place, _)), line in zip(curves.items(), LINES * len(curves)):
-        for c, axis in enumerate(AXES):
-            if np.abs(forces[name][c]).max() > NOTHING * largest:
-                axes.plot(place / 10.0**exponents[0],
-                          forces[name][c] / 10.0**exponents[1], line,
-                          color=COLORS[c], marker=".", markersize=4, linewidth=1.2,
-                          label=axis if len(curves) == 1
-                          else f"{axis}, {plain(name)}")
+        for axis, (color, values) in lines[name].items():
+            parts = [axis] * bool(axis) + [plain(name)] * (len(curves) > 1)
+            axes.plot(place / 10.0**exponents[0], values / 10.0**exponents[1], line,
+                      color=color, marker=".", markersize=4, linewidth=1.2,
+                      label=", ".join(parts) or None)
     axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
-    axes.set_xlabel(label(words, units["length"] if is_length else "",
+    axes.set_xlabel(label(words, units["length"] if unit is None else unit,
                           exponents[0]), size=NORMAL, color=TEXT)
-    axes.set_ylabel(label("force on the body", units["force"], exponents[1]),
-                    size=NORMAL, color=TEXT)
-    if axes.lines[:-1]:
+    axes.set_ylabel(label(what, units[kind], exponents[1]), size=NORMAL, color=TEXT)
+    if axes.get_legend_handles_labels()[0]:
         axes.legend(fontsize=SMALL, frameon=False, labelcolor=TEXT)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
@@ -94,7 +112,6 @@ def draw(boundaries, units):
     figure = Figure(figsize=(WIDTH * len(shown), HEIGHT), facecolor="white",
                     layout="constrained")
     FigureCanvasAgg(figure)
-    for axes, (words, is_length, curves) in zip(
-            figure.subplots(1, len(shown), squeeze=False)[0], shown):
-        draw_forces(axes, curves, units, words, is_length)
+    for axes, diagram in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown):
+        draw_curves(axes, *diagram, units)
     return figure

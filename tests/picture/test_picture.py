@@ -274,7 +274,7 @@ class Curves(unittest.TestCase):
     """The diagrams of a history."""
 
     HEADER = "t,boundary,force_x,force_y,force_z,center_x," \
-        "obstacle_x,obstacle_y,obstacle_z,dissipated_total\n"
+        "obstacle_x,obstacle_y,obstacle_z,obstacle_angle,torque,dissipated_total\n"
 
     def read(self, rows):
         """What a directory with these rows has."""
@@ -285,27 +285,30 @@ class Curves(unittest.TestCase):
             return history.read(directory)
 
     def test_diagrams(self):
-        boundaries = self.read('1,"a,b",0,0,0,,0,0,0,0\n1,c,1,0,2,1,0,0,0,0\n'
-                               '2,"a,b",1,0,-5,1,0.1,0,0,3\n2,c,1,0,2,1,0,0,0,0\n')
+        boundaries = self.read('1,"a,b",0,0,0,,0,0,0,0,0,0\n1,c,1,0,2,1,0,0,0,0,4,0\n'
+                               '2,"a,b",1,0,-5,1,0.1,0,0,0,0,3\n2,c,1,0,2,1,0,0,0,0.2,5,0\n')
         self.assertEqual(list(boundaries), ["a,b", "c"])
         self.assertTrue(np.isnan(boundaries["a,b"]["center_x"][0]))
-        figure = history.draw(boundaries, {"length": "mm", "force": "N"})
+        figure = history.draw(boundaries, {"length": "mm", "force": "N", "moment": "N mm"})
         figure.canvas.draw()
-        over_t, over_x = figure.axes
+        over_t, over_x, over_angle = figure.axes
         self.assertEqual(over_t.get_xlabel(), "t")
         self.assertIn("along x [mm]", over_x.get_xlabel())
         self.assertEqual([text.get_text() for text in over_x.get_legend().texts],
                          ["x", "z"])
         self.assertEqual(len(over_t.get_legend().texts), 4)
+        self.assertEqual(over_angle.get_xlabel(), "obstacle turned by [rad]")
+        self.assertIn("torque on the body [N mm]", over_angle.get_ylabel())
+        self.assertIsNone(over_angle.get_legend())
 
     def test_nothing_moves_and_no_force(self):
-        figure = history.draw(self.read("1,a,0,0,0,,0,0,0,0\n"),
-                              {"length": "", "force": ""})
+        figure = history.draw(self.read("1,a,0,0,0,,0,0,0,0,0,0\n"),
+                              {"length": "", "force": "", "moment": ""})
         figure.canvas.draw()
         self.assertEqual(len(figure.axes), 1)
 
     def test_line_that_was_being_written(self):
-        rows = self.read("1,a,0,0,1,,0,0,0,0\n2,a,0,0,1,,0")["a"]
+        rows = self.read("1,a,0,0,1,,0,0,0,0,0,0\n2,a,0,0,1,,0")["a"]
         self.assertEqual(list(rows["t"]), [1])
 
 

@@ -156,7 +156,7 @@ namespace stiction
         boundary.description_ =
           obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
           (boundary.displacement_.norm() > 0. ? ", displaced " + displacements[b] : "") +
-          (boundary.rotation_.norm() > 0. ? ", turned " + rotations[b] : "") +
+          (boundary.angle_ != 0. ? ", turned " + rotations[b] : "") +
           (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
           describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
         boundaries.push_back(std::move(boundary));
@@ -167,21 +167,25 @@ namespace stiction
   void ContactBoundary::set_rotation(const std::vector<double> &numbers)
   {
     const Tensor<1, 3> axis({numbers[3], numbers[4], numbers[5]});
-    const double angle = numbers[6];
-    if (angle == 0.)
-      return;
-    if (!(axis.norm() > 1e-30))
+    angle_ = numbers[6];
+    if (axis.norm() > 1e-30)
+      axis_ = axis / axis.norm();
+    else if (angle_ != 0.)
       throw InputError(source_->describe(rotation_entry) +
                        ", its axis must not be zero.");
     axis_point_ = Point<3>(numbers[0], numbers[1], numbers[2]);
-    rotation_   = angle * (axis / axis.norm());
+  }
+
+  double ContactBoundary::torque(const Point<3> &x, const Tensor<1, 3> &force) const
+  {
+    return axis_ * cross_product_3d(x - axis_point_, force);
   }
 
   Tensor<1, 3> ContactBoundary::turning(const Point<3> &x, const Tensor<1, 3> &n) const
   {
-    const Tensor<1, 3> U = cross_product_3d(rotation_, x - axis_point_);
+    const Tensor<1, 3> U = angle_ * cross_product_3d(axis_, x - axis_point_);
     if (!(std::abs(n * U) <=
-          sine_of_round * U.norm() + rounding * size_ * rotation_.norm()))
+          sine_of_round * U.norm() + rounding * size_ * std::abs(angle_)))
       throw InputError(source_->describe(rotation_entry) +
                        ", turns the obstacle of boundary '" + name_ +
                        "' about an axis about which it is not round at " + text_of(x) +

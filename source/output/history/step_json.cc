@@ -56,6 +56,8 @@ namespace stiction
         {"slip_area", boundary.slip_area},
         {"stick_area", boundary.stick_area},
         {"obstacle_displacement", stiction::to_json(boundary.obstacle_displacement)},
+        {"obstacle_angle", boundary.obstacle_angle},
+        {"torque", boundary.torque},
         {"dissipated", boundary.dissipated},
         {"dissipated_total", boundary.dissipated_total}};
     }
@@ -71,6 +73,8 @@ namespace stiction
               boundary.at("slip_area"),
               boundary.at("stick_area"),
               vector_from(boundary.at("obstacle_displacement")),
+              boundary.at("obstacle_angle"),
+              boundary.at("torque"),
               boundary.at("dissipated"),
               boundary.at("dissipated_total")};
     }

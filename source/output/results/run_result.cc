@@ -164,30 +164,23 @@ namespace stiction
       counts.undecided += status.is_undecided() ? 1 : 0;
     }
 
-    void add_forces(RunResult::Contact &contact, const ContactNode &node,
-                    const Eigen::Vector3d &lambda, const NodeStatus status)
+    // Returns the force of friction on the body.
+    dealii::Tensor<1, 3> add_forces(RunResult::Contact &contact, const ContactNode &node,
+                                    const Eigen::Vector3d &lambda,
+                                    const NodeStatus status)
     {
       const Eigen::Vector3d on_obstacle = node.force_to_cartesian(lambda);
       const dealii::Tensor<1, 3> force(
         {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
+      const dealii::Tensor<1, 3> friction = force + lambda(0) * node.normal;
       if (status.normal == NormalStatus::closed)
         contact.area += node.area;
       contact.normal_force += lambda(0);
       contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
       contact.force_on_body += force;
-      contact.tangential_force += force + lambda(0) * node.normal;
+      contact.tangential_force += friction;
       contact.moment += cross_product_3d(node.position, force);
-    }
-
-    // About the axis about which the obstacle turns.
-    void add_torque(RunResult::ContactPart &part, const ContactNode &node,
-                    const Eigen::Vector3d &lambda)
-    {
-      const dealii::Tensor<1, 3> &U = node.turning;
-      if (const double angle = part.obstacle_rotation.norm(); angle > 0.)
-        part.torque -=
-          lambda.tail<2>().dot(node.displacement_to_local({U[0], U[1], U[2]}).tail<2>()) /
-          angle;
+      return friction;
     }
 
     // Collective.
@@ -282,7 +275,7 @@ namespace stiction
         part.id   = boundary.id();
         part.obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
-        part.obstacle_rotation = boundary.rotation();
+        part.obstacle_rotation = boundary.angle() * boundary.axis();
         result.boundaries.push_back(part);
       }
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
@@ -292,9 +285,9 @@ namespace stiction
         RunResult::ContactPart &part = result.boundaries[node.boundary];
         ++part.nodes;
         count(part, statuses[i]);
-        add_forces(part, node, lambda, statuses[i]);
-        add_torque(part, node, lambda);
         add_forces(result.contact, node, lambda, statuses[i]);
+        part.torque += surface.boundaries()[node.boundary].torque(
+          node.position, add_forces(part, node, lambda, statuses[i]));
       }
 
     for (const auto &[id, support] : reactions.boundaries())

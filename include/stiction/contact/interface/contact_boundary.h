@@ -50,8 +50,14 @@ namespace stiction
     /// How far the obstacle is moved from where it is said to be, m.
     const dealii::Tensor<1, 3> &displacement() const { return displacement_; }
 
-    /// θ a, by which its surface has turned about the axis a, rad; zero: it does not.
-    const dealii::Tensor<1, 3> &rotation() const { return rotation_; }
+    /// The axis a, a unit vector, about which its surface turns; zero: about none.
+    const dealii::Tensor<1, 3> &axis() const { return axis_; }
+
+    /// θ, by which it has turned about that axis, rad.
+    double angle() const { return angle_; }
+
+    /// a·((x − p) × F) of a force F at x, p being a point of the axis, N m.
+    double torque(const dealii::Point<3> &x, const dealii::Tensor<1, 3> &force) const;
 
     /// By how much the surface of an obstacle that turns has moved along itself at its
     /// point x with the normal n: U = θ a × (x − p), m, p being a point of the axis.
@@ -105,8 +111,9 @@ namespace stiction
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
     std::unique_ptr<ParsedFunction> gap_;
     std::unique_ptr<FrictionData> friction_;
-    dealii::Tensor<1, 3> displacement_, rotation_, force_;
+    dealii::Tensor<1, 3> displacement_, force_, axis_;
     dealii::Point<3> axis_point_;
+    double angle_                = 0.; ///< rad
     double size_                 = 0.; ///< of the body, m
     const ParameterFile *source_ = nullptr;
   };

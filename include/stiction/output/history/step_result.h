@@ -26,6 +26,8 @@ namespace stiction
     /// Of the nodes that are open, that slip and that stick; no undecided ones.
     double open_area = 0., slip_area = 0., stick_area = 0.;
     dealii::Tensor<1, 3> obstacle_displacement;
+    /// About its axis, rad, and what friction does on the body about that, N m.
+    double obstacle_angle = 0., torque = 0.;
     /// By friction, in the step and since the start.
     double dissipated = 0., dissipated_total = 0.;
   };

@@ -90,7 +90,7 @@ namespace stiction
       std::string name;
       unsigned int id = 0, nodes = 0;
       dealii::Tensor<1, 3> obstacle_displacement, obstacle_rotation;
-      double torque = 0.; ///< what friction does on the body a radian; 0: no rotation
+      double torque = 0.; ///< of friction on the body about the axis of the obstacle
     };
 
     /// Force on the body and moment about the origin of what holds a boundary.
