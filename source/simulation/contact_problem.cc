@@ -212,12 +212,9 @@ namespace stiction
                         parameters_.material.largest_poisson_ratio()));
     if (parameters_.contact_solver.is_primal() &&
         parameters_.stiffness_solver.type == "automatic" && !parameters_.is_matrix_free())
-      {
-        const std::string why = parameters_.why_no_geometric_levels();
-        log_->line("Algebraic multigrid, which takes some 40 times as long for "
-                   "an unknown as geometric multigrid: that is not there with " +
-                   (why.empty() ? std::string("'Global refinement' 0") : why));
-      }
+      log_->line("Algebraic multigrid, which takes some 40 times as long for "
+                 "an unknown as geometric multigrid: that is not there with " +
+                 parameters_.why_no_geometric_levels());
   }
 
   void ContactProblem::describe_machine()

@@ -26,7 +26,7 @@ namespace stiction
     : options_(options)
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
     , dof_hierarchy_(hierarchy_, surface.first_dofs())
-    , multigrid_(elasticity, hierarchy_, dof_hierarchy_)
+    , multigrid_(elasticity, hierarchy_, dof_hierarchy_, levels_in_use)
     , problems_(hierarchy_.n_levels())
     , statistics_(hierarchy_.n_levels())
   {

@@ -2,6 +2,7 @@
 
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/multigrid/background_multigrid.h>
 #include <stiction/elasticity/multigrid/coarse_solver.h>
 #include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
 #include <stiction/elasticity/multigrid/mesh_hierarchy.h>
@@ -21,6 +22,9 @@ namespace stiction
     // The largest eigenvalue is a local matter, the same on all fine levels: it
     // is estimated up to this size.
     constexpr types::global_dof_index max_estimated = 300000;
+
+    // Above this order a level without a coarser one has grids behind it.
+    constexpr types::global_dof_index max_coarsest = 4000;
 
     // Up to this many unknowns a factorisation takes seconds, and a gigabyte or
     // two.
@@ -108,28 +112,33 @@ namespace stiction
   };
 
   Multigrid::Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
-                       const DofSubsetHierarchy &supported_nodes)
+                       const DofSubsetHierarchy &supported_nodes, const bool is_geometric)
     : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
     , elasticity_(elasticity)
     , hierarchy_(hierarchy)
     , supported_nodes_(supported_nodes)
-    , levels_(hierarchy.n_levels() - 1)
+    , levels_(hierarchy.n_levels())
     , coarse_(hierarchy.n_levels())
     , is_factorized_(hierarchy.n_levels(), false)
   {
+    const bool has_background = is_geometric &&
+                                elasticity.stiffness().matrix() == nullptr &&
+                                hierarchy.level(0).n_dofs() > max_coarsest;
+    if (has_background)
+      background_ =
+        std::make_unique<BackgroundMultigrid>(elasticity, hierarchy.level(0), unit_,
+                                              fixed_on(0), supported_nodes.first_dofs(0));
     float eigenvalue = 0.f;
-    for (unsigned int l = 1; l < hierarchy.n_levels(); ++l)
+    for (unsigned int l = has_background ? 0 : 1; l < hierarchy.n_levels(); ++l)
       {
-        levels_[l - 1] =
-          std::make_unique<Level>(elasticity, hierarchy.level(l), unit_, fixed_on(l),
-                                  supported_nodes.first_dofs(l));
-        if (l == 1 || hierarchy.level(l).n_dofs() <= max_estimated)
-          eigenvalue = levels_[l - 1]->estimate_largest_eigenvalue();
-        levels_[l - 1]->set_largest_eigenvalue(eigenvalue);
+        levels_[l] = std::make_unique<Level>(elasticity, hierarchy.level(l), unit_,
+                                             fixed_on(l), supported_nodes.first_dofs(l));
+        if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated)
+          eigenvalue = levels_[l]->estimate_largest_eigenvalue();
+        levels_[l]->set_largest_eigenvalue(eigenvalue);
       }
-    coarse_[0] =
-      make_coarse(0, NodalSupports(supported_nodes.first_dofs(0).size()), false);
+    set_coarsest(NodalSupports(supported_nodes.first_dofs(0).size()));
   }
 
   Multigrid::~Multigrid() = default;
@@ -142,11 +151,20 @@ namespace stiction
           is_factorized_[l] = false;
           coarse_[l].reset();
         }
-    const NodalSupports none(supported_nodes_.first_dofs(0).size());
-    if (coarse_[0])
-      coarse_[0]->set_supports(none);
+    set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
+  }
+
+  void Multigrid::set_coarsest(const NodalSupports &supports)
+  {
+    if (background_)
+      {
+        levels_[0]->set_supports(supports);
+        background_->set_supports(supports);
+      }
+    else if (coarse_[0])
+      coarse_[0]->set_supports(supports);
     else
-      coarse_[0] = make_coarse(0, none, false);
+      coarse_[0] = make_coarse(0, supports, false);
   }
 
   std::unique_ptr<Multigrid::Coarse> Multigrid::make_coarse(const unsigned int level,
@@ -195,7 +213,9 @@ namespace stiction
       coarse_solver->set_supports(supports);
     if (coarse_solver)
       return;
-    levels_[level - 1]->set_supports(supports);
+    if (level == 0)
+      return set_coarsest(supports);
+    levels_[level]->set_supports(supports);
 
     const auto &on_finer = supported_nodes_.on_finer_level(level - 1);
     NodalSupports coarse(on_finer.size());
@@ -224,7 +244,7 @@ namespace stiction
       }
     else
       {
-        Level &finest = *levels_[level - 1];
+        Level &finest = *levels_[level];
         copy(finest.b, src, 1. / scale);
         finest.project(finest.b);
         cycle(level);
@@ -235,11 +255,20 @@ namespace stiction
 
   void Multigrid::cycle(const unsigned int level)
   {
-    Level &fine = *levels_[level - 1];
+    Level &fine = *levels_[level];
     fine.smooth_from_zero(fine.x, fine.b);
+    fine.residual(fine.scratch(), fine.x, fine.b);
+    if (level == 0)
+      background_->correct(fine.x, fine.scratch());
+    else
+      correct(level, fine.x, fine.scratch());
+    fine.project(fine.x);
+    fine.smooth(fine.x, fine.b);
+  }
 
-    Level::Vector &r = fine.scratch();
-    fine.residual(r, fine.x, fine.b);
+  void Multigrid::correct(const unsigned int level, LA::VectorOf<float> &x,
+                          const LA::VectorOf<float> &r)
+  {
     const LevelTransfer &transfer = hierarchy_.transfer(level);
     if (coarse_[level - 1])
       {
@@ -248,17 +277,15 @@ namespace stiction
         copy(coarse.b, coarse.transferred);
         coarse.solve();
         copy(coarse.transferred, coarse.x, unit_);
-        transfer.prolongate_add(fine.x, coarse.transferred);
+        transfer.prolongate_add(x, coarse.transferred);
       }
     else
       {
-        Level &coarse = *levels_[level - 2];
+        Level &coarse = *levels_[level - 1];
         transfer.restrict_to(coarse.b, r);
         coarse.project(coarse.b);
         cycle(level - 1);
-        transfer.prolongate_add(fine.x, coarse.x);
+        transfer.prolongate_add(x, coarse.x);
       }
-    fine.project(fine.x);
-    fine.smooth(fine.x, fine.b);
   }
 } // namespace stiction

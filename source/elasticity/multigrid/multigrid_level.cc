@@ -1,3 +1,4 @@
+#include "chebyshev.h"
 #include "multigrid_level.h"
 
 #include <stiction/elasticity/mesh/mesh_level.h>
@@ -17,9 +18,6 @@ namespace stiction
   namespace
   {
     using Vector = LA::VectorOf<float>;
-
-    // Products of the unknowns in a smoothing.
-    constexpr unsigned int smoother_degree = 2;
 
     Eigen::Map<Eigen::Vector3f> at(Vector &v, const unsigned int node)
     {
@@ -134,9 +132,7 @@ namespace stiction
   template<Multigrid::Level::Known known>
   void Multigrid::Level::smoothing_step(Vector &x, const Vector &b, const unsigned int k)
   {
-    const auto j     = static_cast<float>(k);
-    const float keep = (2.f * j - 1.f) / (2.f * j + 3.f);
-    const float take = (8.f * j + 4.f) / ((2.f * j + 3.f) * largest_eigenvalue_);
+    const auto [keep, take] = ChebyshevStep(k, largest_eigenvalue_);
 
     for (Node &node : nodes_)
       {
@@ -190,7 +186,7 @@ namespace stiction
 
   void Multigrid::Level::smooth_on(Vector &x, const Vector &b)
   {
-    for (unsigned int k = 1; k < smoother_degree; ++k)
+    for (unsigned int k = 1; k < ChebyshevStep::degree; ++k)
       {
         K_.vmult(product_, x);
         smoothing_step<Known::everything>(x, b, k);

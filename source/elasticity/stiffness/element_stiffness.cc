@@ -2,6 +2,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cmath>
 
@@ -70,7 +72,7 @@ namespace stiction
       return all;
     }();
 
-    matrix_ = 0.;
+    Eigen::Matrix<double, 24, 24> products = Eigen::Matrix<double, 24, 24>::Zero();
     for (const Gradients &gradients : reference)
       {
         Tensor<2, 3> jacobian;
@@ -80,23 +82,28 @@ namespace stiction
               jacobian[a][d] += cell.vertices[v][a] * gradients[v][d];
         const Tensor<2, 3> inverse = invert(jacobian);
         const double weight        = determinant(jacobian) / 8.;
-
-        // a(φ_i e_a, φ_j e_b) = ∫ λ ∂aφ_i ∂bφ_j + G (∂bφ_i ∂aφ_j
-        //                         + δ_ab ∇φ_i·∇φ_j)
-        Gradients g;
+        Eigen::Matrix<double, 24, 1> g;
         for (unsigned int v = 0; v < 8; ++v)
-          g[v] = gradients[v] * inverse;
-        for (unsigned int i = 0; i < 8; ++i)
-          for (unsigned int j = 0; j < 8; ++j)
-            {
-              const double product = g[i] * g[j];
-              for (unsigned int a = 0; a < 3; ++a)
-                for (unsigned int b = 0; b < 3; ++b)
-                  matrix_(3 * i + a, 3 * j + b) +=
-                    weight *
-                    (cell.lame_lambda * g[i][a] * g[j][b] +
-                     cell.shear_modulus * (g[i][b] * g[j][a] + (a == b ? product : 0.)));
-            }
+          {
+            const Tensor<1, 3> gradient = gradients[v] * inverse;
+            for (unsigned int a = 0; a < 3; ++a)
+              g(3 * v + a) = gradient[a];
+          }
+        products += (weight * g) * g.transpose();
       }
+
+    // a(φ_i e_a, φ_j e_b) = ∫ λ ∂aφ_i ∂bφ_j + G (∂bφ_i ∂aφ_j + δ_ab ∇φ_i·∇φ_j)
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int j = 0; j < 8; ++j)
+        {
+          const Eigen::Matrix3d product = products.block<3, 3>(3 * i, 3 * j);
+          const Eigen::Matrix3d block =
+            cell.lame_lambda * product +
+            cell.shear_modulus *
+              (product.transpose() + product.trace() * Eigen::Matrix3d::Identity());
+          for (unsigned int a = 0; a < 3; ++a)
+            for (unsigned int b = 0; b < 3; ++b)
+              matrix_(3 * i + a, 3 * j + b) = block(a, b);
+        }
   }
 } // namespace stiction

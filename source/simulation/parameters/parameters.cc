@@ -59,7 +59,7 @@ namespace stiction
       return stiffness_solver.type;
     if (!contact_solver.is_primal())
       return "mumps";
-    return has_geometric_levels() && geometry.global_refinement > 0 ? "multigrid" : "amg";
+    return has_geometric_levels() ? "multigrid" : "amg";
   }
 
   bool Parameters::is_matrix_free() const
@@ -136,10 +136,6 @@ namespace stiction
                    "writes the matrix Q, so 'Dual operator/Form' must be 'assembled' "
                    "and 'Contact solver/Method' another one than 'newton multigrid'");
 
-    source.require(stiffness_solver.type != "multigrid" || geometry.global_refinement > 0,
-                   "Stiffness solver/Type",
-                   "needs a coarser mesh, so 'Geometry/Global refinement' must be at "
-                   "least 1, or the type 'amg'");
     source.require(stiffness_solver.type != "multigrid" || refinement.adaptive_steps == 0,
                    "Stiffness solver/Type",
                    "needs cells alike on each level, so 'Refinement/Adaptive steps' "

@@ -8,6 +8,7 @@
 
 namespace stiction
 {
+  class BackgroundMultigrid;
   class LinearElasticity;
   class MeshHierarchy;
   class DofSubsetHierarchy;
@@ -25,15 +26,17 @@ namespace stiction
   /// weighted with its own trilinear function, the lumped Galerkin matrix,
   /// within what is left free.
   ///
-  /// With a single level the coarse solver is all there is: algebraic multigrid
-  /// where there is no hierarchy.
+  /// A coarsest level too large to be factorised, such as a mesh from a file, has
+  /// grids behind it: see BackgroundMultigrid. Without them, or where K is assembled,
+  /// the end of the cycle is algebraic multigrid.
   class Multigrid : public StiffnessPreconditioner
   {
   public:
-    /// @param supported_nodes the nodes that supports may hold. All arguments
-    ///   must outlive the object. Collective.
+    /// @param supported_nodes the nodes that supports may hold.
+    /// @param is_geometric whether the coarsest level may have grids behind it.
+    ///   The other arguments must outlive the object. Collective.
     Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
-              const DofSubsetHierarchy &supported_nodes);
+              const DofSubsetHierarchy &supported_nodes, bool is_geometric = true);
     ~Multigrid() override;
 
     void set_supports(unsigned int level, const NodalSupports &supports) override;
@@ -56,18 +59,27 @@ namespace stiction
     std::unique_ptr<Coarse> make_coarse(unsigned int level, const NodalSupports &supports,
                                         bool is_direct) const;
 
+    /// The supports of the coarsest level.
+    void set_coarsest(const NodalSupports &supports);
+
     /// One at the unknowns of a level whose displacement is prescribed.
     LA::Vector fixed_on(unsigned int level) const;
 
     /// x of the level becomes one V-cycle for b of the level.
     void cycle(unsigned int level);
 
+    /// Adds to x of the level what the coarser one makes of the residual r.
+    void correct(unsigned int level, LA::VectorOf<float> &x,
+                 const LA::VectorOf<float> &r);
+
     /// A power of two near the size of the entries of K, N/m.
     const double unit_;
     const LinearElasticity &elasticity_;
     const MeshHierarchy &hierarchy_;
     const DofSubsetHierarchy &supported_nodes_;
-    std::vector<std::unique_ptr<Level>> levels_; ///< without the coarsest
+    /// Of all levels but those where a solver ends the cycle.
+    std::vector<std::unique_ptr<Level>> levels_;
+    std::unique_ptr<BackgroundMultigrid> background_; ///< of the coarsest level
     /// That of the coarsest level, and of those that are factorised.
     std::vector<std::unique_ptr<Coarse>> coarse_;
     std::vector<bool> is_factorized_; ///< from the next supports on

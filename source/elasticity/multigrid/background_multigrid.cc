@@ -1,0 +1,283 @@
+#include "background_grid.h"
+
+#include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/multigrid/background_grids.h>
+#include <stiction/elasticity/multigrid/background_multigrid.h>
+#include <stiction/elasticity/stiffness/element_stiffness.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <unordered_map>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Interpolation = BackgroundMultigrid::Interpolation;
+    using Nodes         = std::vector<std::array<double, 3>>;
+    using Cells         = std::vector<std::array<unsigned int, 8>>;
+
+    // The list, made of those of all ranks in their order.
+    template<typename Entry>
+    std::vector<Entry> of_all_ranks(const std::vector<Entry> &own, MPI_Comm communicator)
+    {
+      std::vector<Entry> all;
+      for (const std::vector<Entry> &theirs :
+           Utilities::MPI::all_gather(communicator, own))
+        all.insert(all.end(), theirs.begin(), theirs.end());
+      return all;
+    }
+
+    // From the nodes of the whole mesh, numbered as their unknowns, three each.
+    std::vector<Interpolation> make_grids(const MeshLevel &mesh)
+    {
+      Nodes nodes(mesh.n_owned_nodes());
+      Cells cells;
+      mesh.for_each_cell([&](const HexahedralCell &cell) {
+        cells.emplace_back();
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            cells.back()[v] =
+              static_cast<unsigned int>(mesh.first_dof(cell.nodes[v]) / 3);
+            if (cell.nodes[v] < nodes.size())
+              nodes[cell.nodes[v]] = cell.vertices[v];
+          }
+      });
+      return background_grids(of_all_ranks(nodes, mesh.communicator()),
+                              of_all_ranks(cells, mesh.communicator()));
+    }
+
+    Interpolation rows_of(const Interpolation &matrix,
+                          const std::vector<types::global_dof_index> &first_dofs)
+    {
+      std::vector<Eigen::Triplet<float>> entries;
+      for (std::size_t i = 0; i < first_dofs.size(); ++i)
+        for (Interpolation::InnerIterator entry(
+               matrix, static_cast<Eigen::Index>(first_dofs[i] / 3));
+             entry; ++entry)
+          entries.emplace_back(i, entry.col(), entry.value());
+      Interpolation rows(static_cast<Eigen::Index>(first_dofs.size()), matrix.cols());
+      rows.setFromTriplets(entries.begin(), entries.end());
+      return rows;
+    }
+
+    // The columns that are not empty.
+    std::vector<unsigned int> touched_by(const Interpolation &rows)
+    {
+      std::vector<unsigned int> columns;
+      for (Eigen::Index i = 0; i < rows.outerSize(); ++i)
+        for (Interpolation::InnerIterator entry(rows, i); entry; ++entry)
+          columns.push_back(static_cast<unsigned int>(entry.col()));
+      std::sort(columns.begin(), columns.end());
+      columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+      return columns;
+    }
+
+    // Those of the vertices that the touched ones are interpolated from.
+    std::vector<unsigned int> touched_by(const std::vector<unsigned int> &finer,
+                                         const Interpolation &to_finer)
+    {
+      return touched_by(rows_of(to_finer, [&]() {
+        std::vector<types::global_dof_index> rows;
+        for (const unsigned int i : finer)
+          rows.push_back(3 * types::global_dof_index(i));
+        return rows;
+      }()));
+    }
+
+    // A cell's stiffness as one of the vertices from which its nodes are interpolated.
+    class GalerkinCell
+    {
+    public:
+      explicit GalerkinCell(const Interpolation &interpolation)
+        : interpolation_(interpolation)
+      {
+      }
+
+      // The vertices, by number.
+      std::vector<unsigned int> vertices(const std::array<unsigned int, 8> &nodes) const
+      {
+        std::vector<unsigned int> all;
+        for (const unsigned int node : nodes)
+          for (Interpolation::InnerIterator entry(interpolation_, node); entry; ++entry)
+            all.push_back(static_cast<unsigned int>(entry.col()));
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+      }
+
+      // WᵀKW with K of 8 × 8 blocks of 3 × 3 numbers and W of 8 rows.
+      const BlockMatrix::Entries &operator()(const std::array<unsigned int, 8> &nodes,
+                                             const FullMatrix<double> &K)
+      {
+        entries_.vertices = vertices(nodes);
+        const auto m      = static_cast<Eigen::Index>(entries_.vertices.size());
+        weights_.setZero(8, m);
+        for (unsigned int v = 0; v < 8; ++v)
+          for (Interpolation::InnerIterator entry(interpolation_, nodes[v]); entry;
+               ++entry)
+            weights_(v, std::lower_bound(entries_.vertices.begin(),
+                                         entries_.vertices.end(), entry.col()) -
+                          entries_.vertices.begin()) = entry.value();
+        for (unsigned int i = 0; i < 8; ++i)
+          for (unsigned int j = 0; j < 8; ++j)
+            for (unsigned int b = 0; b < 3; ++b)
+              for (unsigned int a = 0; a < 3; ++a)
+                rows_(i, 9 * j + 3 * b + a) = static_cast<float>(K(3 * i + a, 3 * j + b));
+        half_.noalias() = weights_.transpose() * rows_;
+        entries_.blocks.resize(m, 9 * m);
+        for (Eigen::Index i = 0; i < m; ++i)
+          {
+            const Eigen::Map<const Rows9> row(half_.row(i).data(), 8, 9);
+            Eigen::Map<Rows9> blocks(entries_.blocks.row(i).data(), m, 9);
+            blocks.noalias() = weights_.transpose() * row;
+          }
+        return entries_;
+      }
+
+    private:
+      using Rows9 = Eigen::Matrix<float, Eigen::Dynamic, 9, Eigen::RowMajor>;
+
+      const Interpolation &interpolation_;
+      BlockMatrix::Entries entries_;
+      Eigen::Matrix<float, 8, Eigen::Dynamic, Eigen::RowMajor> weights_;
+      Eigen::Matrix<float, 8, 72, Eigen::RowMajor> rows_;
+      Eigen::Matrix<float, Eigen::Dynamic, 72, Eigen::RowMajor> half_;
+    };
+
+    void drop_fixed(FullMatrix<double> &K, const HexahedralCell &cell,
+                    const LA::Vector &fixed)
+    {
+      for (unsigned int k = 0; k < 24; ++k)
+        if (fixed.local_element(3 * cell.nodes[k / 3] + k % 3) != 0.)
+          for (unsigned int j = 0; j < 24; ++j)
+            K(k, j) = K(j, k) = 0.;
+    }
+  } // namespace
+
+  BackgroundMultigrid::BackgroundMultigrid(
+    const LinearElasticity &elasticity, const MeshLevel &mesh, const double unit,
+    const LA::Vector &fixed, const std::vector<types::global_dof_index> &first_dofs)
+    : unit_(unit)
+    , stiffness_of_supported_(first_dofs.size(), 0.)
+  {
+    const std::vector<Interpolation> grids = make_grids(mesh);
+    const auto node                        = [&](const unsigned int local) {
+      return static_cast<unsigned int>(mesh.first_dof(local) / 3);
+    };
+    std::unordered_map<unsigned int, std::size_t> in_list;
+    for (std::size_t i = 0; i < first_dofs.size(); ++i)
+      in_list[static_cast<unsigned int>(first_dofs[i] / 3)] = i;
+
+    GalerkinCell galerkin(grids.front());
+    std::vector<std::vector<unsigned int>> sets;
+    mesh.for_each_cell([&](const HexahedralCell &cell) {
+      std::array<unsigned int, 8> nodes;
+      std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(), node);
+      sets.push_back(galerkin.vertices(nodes));
+    });
+    BlockMatrix A(static_cast<std::size_t>(grids.front().cols()), sets);
+    sets.clear();
+    sets.shrink_to_fit();
+
+    LA::Vector with_ghosts = fixed;
+    with_ghosts.update_ghost_values();
+    ElementStiffness element_stiffness;
+    mesh.for_each_cell([&](HexahedralCell cell) {
+      elasticity.materials().assign(cell, unit);
+      FullMatrix<double> K = element_stiffness(cell);
+      std::array<unsigned int, 8> nodes;
+      for (unsigned int v = 0; v < 8; ++v)
+        {
+          nodes[v] = node(cell.nodes[v]);
+          if (const auto place = in_list.find(nodes[v]); place != in_list.end())
+            for (unsigned int c = 0; c < 3; ++c)
+              stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
+        }
+      drop_fixed(K, cell, with_ghosts);
+      A.add(galerkin(nodes, K));
+    });
+    Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),
+                        stiffness_of_supported_);
+
+    to_supported_ = rows_of(grids.front(), first_dofs);
+    to_mesh_      = grids.front().middleRows(
+           mesh.n_owned_nodes() > 0 ? static_cast<Eigen::Index>(node(0)) : 0,
+      static_cast<Eigen::Index>(mesh.n_owned_nodes()));
+    std::vector<unsigned int> touched = touched_by(to_supported_);
+    for (std::size_t g = 0; g < grids.size(); ++g)
+      {
+        if (g > 0)
+          {
+            A       = BlockMatrix(grids_.back()->share(), grids[g]);
+            touched = touched_by(touched, grids[g]);
+          }
+        grids_.push_back(std::make_unique<Grid>(
+          std::move(A), touched, g > 0 ? grids[g] : Interpolation(),
+          g + 1 == grids.size(), mesh.communicator()));
+      }
+  }
+
+  BackgroundMultigrid::~BackgroundMultigrid() = default;
+
+  void BackgroundMultigrid::set_supports(const NodalSupports &supports)
+  {
+    std::vector<Eigen::Matrix3f> finer(supports.size());
+    for (std::size_t i = 0; i < supports.size(); ++i)
+      finer[i] = (supports[i].spring / unit_ +
+                  stiffness_of_supported_[i] *
+                    (Eigen::Matrix3d::Identity() - supports[i].projection))
+                   .cast<float>();
+    const Interpolation *to_finer = &to_supported_;
+    std::vector<unsigned int> rows(supports.size());
+    std::iota(rows.begin(), rows.end(), 0u);
+    for (const auto &grid : grids_)
+      {
+        const std::vector<unsigned int> &touched = grid->touched();
+        Grid::Springs springs(touched.size(), Eigen::Matrix3f::Zero());
+        if (grid != grids_.front())
+          to_finer = &grid->to_finer();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          for (Interpolation::InnerIterator entry(*to_finer, rows[i]); entry; ++entry)
+            springs[std::lower_bound(touched.begin(), touched.end(), entry.col()) -
+                    touched.begin()] += entry.value() * finer[i];
+        grid->set_springs(springs);
+        finer = std::move(springs);
+        rows  = touched;
+      }
+  }
+
+  void BackgroundMultigrid::correct(LA::VectorOf<float> &x, const LA::VectorOf<float> &r)
+  {
+    Grid &first = *grids_.front();
+    const Eigen::Map<const BlockVector> residual(r.begin(), to_mesh_.rows(), 3);
+    Eigen::Map<BlockVector> corrected(x.begin(), to_mesh_.rows(), 3);
+    first.b.noalias() = to_mesh_.transpose() * residual;
+    first.sum_over_ranks(first.b);
+    cycle(0);
+    corrected.noalias() += to_mesh_ * first.x;
+  }
+
+  void BackgroundMultigrid::cycle(const std::size_t grid)
+  {
+    Grid &fine = *grids_[grid];
+    if (grid + 1 == grids_.size())
+      return fine.solve();
+    Grid &coarse                  = *grids_[grid + 1];
+    const Interpolation &transfer = coarse.to_finer();
+    fine.smooth_from_zero();
+    coarse.b.noalias() = transfer.transpose() * fine.residual();
+    cycle(grid + 1);
+    fine.x.noalias() += transfer * coarse.x;
+    fine.smooth();
+  }
+} // namespace stiction

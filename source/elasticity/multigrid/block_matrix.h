@@ -1,0 +1,59 @@
+#ifndef stiction_source_elasticity_multigrid_block_matrix_h
+#define stiction_source_elasticity_multigrid_block_matrix_h
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace stiction
+{
+  /// Three numbers a vertex, a row each.
+  using BlockVector = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+  /// A square sparse matrix of 3 × 3 blocks in single precision.
+  class BlockMatrix
+  {
+  public:
+    using Interpolation = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+    using Block         = Eigen::Matrix3f;
+
+    /// A dense matrix at some rows and columns, to be added.
+    struct Entries
+    {
+      std::vector<unsigned int> vertices;
+      /// Row i, column 9j + 3b + a: entry (a, b) of block (i, j).
+      Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> blocks;
+    };
+
+    /// Zero, with room where any of these sets of vertices meet.
+    BlockMatrix(std::size_t n, const std::vector<std::vector<unsigned int>> &sets);
+
+    /// Pᵀ A P.
+    BlockMatrix(const BlockMatrix &A, const Interpolation &P);
+
+    Eigen::Index n() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
+
+    void add(const Entries &entries);
+
+    /// y = A x.
+    void vmult(BlockVector &y, const BlockVector &x) const;
+
+    Block diagonal_block(Eigen::Index i) const;
+
+    /// Σ_j |A_ij| over the entries of the rows, but for those on the diagonal.
+    BlockVector off_diagonal_sums() const;
+
+    /// The matrix, row 3i + a being component a of vertex i.
+    Eigen::MatrixXf dense() const;
+
+  private:
+    std::vector<std::size_t> begin_;
+    std::vector<unsigned int> columns_; ///< sorted in each row
+    std::vector<float> blocks_;         ///< nine numbers each, by columns
+  };
+} // namespace stiction
+
+#endif
