@@ -38,7 +38,7 @@ namespace stiction
 
       Cube parent() const
       {
-        return {lattice + 1, {index[0] >> 1, index[1] >> 1, index[2] >> 1}};
+        return {lattice + 1, {{index[0] >> 1, index[1] >> 1, index[2] >> 1}}};
       }
 
       Place corner(const unsigned int v) const

@@ -138,8 +138,8 @@ namespace stiction
         for (Eigen::Index i = 0; i < m; ++i)
           {
             const Eigen::Map<const Rows9> row(half_.row(i).data(), 8, 9);
-            Eigen::Map<Rows9> blocks(entries_.blocks.row(i).data(), m, 9);
-            blocks.noalias() = weights_.transpose() * row;
+            Eigen::Map<Rows9> blocks(entries_.blocks.row(i).data(), i + 1, 9);
+            blocks.noalias() = weights_.leftCols(i + 1).transpose() * row;
           }
         return entries_;
       }

@@ -1,6 +1,7 @@
 #include "block_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace stiction
@@ -8,13 +9,15 @@ namespace stiction
   namespace
   {
     constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
-
-    Eigen::Map<const Eigen::Matrix3f> block_at(const std::vector<float> &blocks,
-                                               const std::size_t k)
-    {
-      return Eigen::Map<const Eigen::Matrix3f>(&blocks[9 * k]);
-    }
   } // namespace
+
+  template<typename Callback>
+  void BlockMatrix::for_each_block(const Callback &callback) const
+  {
+    for (unsigned int i = 0; i + 1 < begin_.size(); ++i)
+      for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+        callback(k, i, columns_[k]);
+  }
 
   BlockMatrix::BlockMatrix(const std::size_t n,
                            const std::vector<std::vector<unsigned int>> &sets)
@@ -29,14 +32,15 @@ namespace stiction
       {
         for (const unsigned int s : sets_at[i])
           for (const unsigned int j : sets[s])
-            if (row_of[j] != i)
+            if (j < i && row_of[j] != i)
               {
                 row_of[j] = i;
                 columns_.push_back(j);
               }
-        begin_[i + 1] = columns_.size();
+        columns_.push_back(i);
         std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(begin_[i]),
                   columns_.end());
+        begin_[i + 1] = columns_.size();
       }
     blocks_.assign(9 * columns_.size(), 0.f);
   }
@@ -44,27 +48,52 @@ namespace stiction
   BlockMatrix::BlockMatrix(const BlockMatrix &A, const Interpolation &P)
     : begin_(static_cast<std::size_t>(P.cols()) + 1, 0)
   {
+    // all blocks of the rows of A: the column, and the place of it or its transpose
+    struct Entry
+    {
+      unsigned int column;
+      bool is_transposed;
+      std::size_t place;
+    };
+    std::vector<std::vector<Entry>> rows(static_cast<std::size_t>(A.n()));
+    A.for_each_block(
+      [&](const std::size_t k, const unsigned int i, const unsigned int j) {
+        rows[i].push_back({j, false, k});
+        if (j != i)
+          rows[j].push_back({i, true, k});
+      });
+
     const Interpolation restriction = P.transpose();
     const auto n                    = static_cast<unsigned int>(P.cols());
-    std::vector<std::size_t> place(n); // of a column in the row that is made
-    std::vector<unsigned int> row_of(n, none);
+    std::vector<unsigned int> row_of(n, none); // the last row that has the column
+    std::vector<Block> row(n, Block::Zero());
     for (unsigned int i = 0; i < n; ++i)
       {
+        const auto reach = [&](const unsigned int j) {
+          if (row_of[j] != i)
+            {
+              row_of[j] = i;
+              row[j].setZero();
+              columns_.push_back(j);
+            }
+        };
         for (Interpolation::InnerIterator r(restriction, i); r; ++r)
-          for (std::size_t k = A.begin_[r.col()]; k < A.begin_[r.col() + 1]; ++k)
-            for (Interpolation::InnerIterator p(P, A.columns_[k]); p; ++p)
-              {
-                const auto j = static_cast<unsigned int>(p.col());
-                if (row_of[j] != i)
-                  {
-                    row_of[j] = i;
-                    place[j]  = columns_.size();
-                    columns_.push_back(j);
-                    blocks_.resize(9 * columns_.size(), 0.f);
-                  }
-                Eigen::Map<Eigen::Matrix3f>(&blocks_[9 * place[j]]) +=
-                  (r.value() * p.value()) * block_at(A.blocks_, k);
-              }
+          for (const Entry &entry : rows[r.col()])
+            for (Interpolation::InnerIterator p(P, entry.column); p; ++p)
+              if (const auto j = static_cast<unsigned int>(p.col()); j <= i)
+                {
+                  reach(j);
+                  const float weight = r.value() * p.value();
+                  if (entry.is_transposed)
+                    row[j] += weight * A.block(entry.place).transpose();
+                  else
+                    row[j] += weight * A.block(entry.place);
+                }
+        reach(i);
+        const auto first = columns_.begin() + static_cast<std::ptrdiff_t>(begin_[i]);
+        std::sort(first, columns_.end());
+        for (auto j = first; j != columns_.end(); ++j)
+          blocks_.insert(blocks_.end(), row[*j].data(), row[*j].data() + 9);
         begin_[i + 1] = columns_.size();
       }
   }
@@ -73,67 +102,75 @@ namespace stiction
   {
     for (std::size_t a = 0; a < entries.vertices.size(); ++a)
       {
-        const unsigned int row = entries.vertices[a];
-        const auto first = columns_.begin() + static_cast<std::ptrdiff_t>(begin_[row]);
-        const auto last = columns_.begin() + static_cast<std::ptrdiff_t>(begin_[row + 1]);
-        for (std::size_t b = 0; b < entries.vertices.size(); ++b)
+        std::size_t place = begin_[entries.vertices[a]];
+        const float *from =
+          entries.blocks.data() + static_cast<std::size_t>(entries.blocks.cols()) * a;
+        for (std::size_t b = 0; b <= a; ++b, ++place)
           {
-            const auto place = static_cast<std::size_t>(
-              std::lower_bound(first, last, entries.vertices[b]) - columns_.begin());
-            const float *const from =
-              entries.blocks.data() +
-              static_cast<std::size_t>(entries.blocks.cols()) * a + 9 * b;
+            while (columns_[place] != entries.vertices[b])
+              ++place;
+            float *const to = &blocks_[9 * place];
             for (unsigned int k = 0; k < 9; ++k)
-              blocks_[9 * place + k] += from[k];
+              to[k] += *from++;
           }
       }
   }
 
   void BlockMatrix::vmult(BlockVector &y, const BlockVector &x) const
   {
-    y.resize(n(), 3);
-    for (Eigen::Index i = 0; i < n(); ++i)
+    y.setZero(n(), 3);
+    for (std::size_t i = 0; i + 1 < begin_.size(); ++i)
       {
-        float sum[3] = {0.f, 0.f, 0.f};
-        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+        const float *const own    = x.data() + 3 * i;
+        std::array<float, 3> sums = {{0.f, 0.f, 0.f}};
+        const std::size_t last    = begin_[i + 1] - 1; // the block on the diagonal
+        for (std::size_t k = begin_[i]; k < last; ++k)
           {
             const float *const block = &blocks_[9 * k];
-            const float *const at    = x.data() + 3 * std::size_t(columns_[k]);
+            const std::size_t j      = 3 * std::size_t(columns_[k]);
+            const float *const other = x.data() + j;
+            float *const to          = y.data() + j;
             for (unsigned int a = 0; a < 3; ++a)
-              sum[a] += block[a] * at[0] + block[3 + a] * at[1] + block[6 + a] * at[2];
+              {
+                sums[a] +=
+                  block[a] * other[0] + block[3 + a] * other[1] + block[6 + a] * other[2];
+                to[a] += block[3 * a] * own[0] + block[3 * a + 1] * own[1] +
+                         block[3 * a + 2] * own[2];
+              }
           }
+        const float *const block = &blocks_[9 * last];
         for (unsigned int a = 0; a < 3; ++a)
-          y(i, a) = sum[a];
+          y.data()[3 * i + a] +=
+            sums[a] + block[a] * own[0] + block[3 + a] * own[1] + block[6 + a] * own[2];
       }
   }
 
   BlockMatrix::Block BlockMatrix::diagonal_block(const Eigen::Index i) const
   {
-    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-      if (columns_[k] == i)
-        return block_at(blocks_, k);
-    return Block::Zero();
+    return block(begin_[i + 1] - 1);
   }
 
   BlockVector BlockMatrix::off_diagonal_sums() const
   {
     BlockVector sums = BlockVector::Zero(n(), 3);
-    for (Eigen::Index i = 0; i < n(); ++i)
-      for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-        {
-          sums.row(i) += block_at(blocks_, k).cwiseAbs().rowwise().sum().transpose();
-          if (columns_[k] == i)
-            sums.row(i) -= block_at(blocks_, k).diagonal().cwiseAbs().transpose();
-        }
+    for_each_block([&](const std::size_t k, const unsigned int i, const unsigned int j) {
+      const Block sizes = block(k).cwiseAbs();
+      sums.row(i) += sizes.rowwise().sum().transpose();
+      if (j == i)
+        sums.row(i) -= sizes.diagonal().transpose();
+      else
+        sums.row(j) += sizes.colwise().sum();
+    });
     return sums;
   }
 
   Eigen::MatrixXf BlockMatrix::dense() const
   {
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(3 * n(), 3 * n());
-    for (Eigen::Index i = 0; i < n(); ++i)
-      for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-        matrix.block<3, 3>(3 * i, 3 * Eigen::Index(columns_[k])) = block_at(blocks_, k);
+    for_each_block([&](const std::size_t k, const Eigen::Index i, const Eigen::Index j) {
+      matrix.block<3, 3>(3 * i, 3 * j) = block(k);
+      matrix.block<3, 3>(3 * j, 3 * i) = block(k).transpose();
+    });
     return matrix;
   }
 } // namespace stiction

@@ -13,18 +13,19 @@ namespace stiction
   /// Three numbers a vertex, a row each.
   using BlockVector = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-  /// A square sparse matrix of 3 × 3 blocks in single precision.
+  /// A symmetric sparse matrix of 3 × 3 blocks in single precision. Blocks above the
+  /// diagonal are not kept: a product is as fast as what it reads.
   class BlockMatrix
   {
   public:
     using Interpolation = Eigen::SparseMatrix<float, Eigen::RowMajor>;
     using Block         = Eigen::Matrix3f;
 
-    /// A dense matrix at some rows and columns, to be added.
+    /// A dense symmetric matrix at some rows and columns, to be added.
     struct Entries
     {
-      std::vector<unsigned int> vertices;
-      /// Row i, column 9j + 3b + a: entry (a, b) of block (i, j).
+      std::vector<unsigned int> vertices; ///< by number
+      /// Row i, column 9j + 3b + a: entry (a, b) of block (i, j), for j ≤ i.
       Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> blocks;
     };
 
@@ -50,8 +51,17 @@ namespace stiction
     Eigen::MatrixXf dense() const;
 
   private:
+    /// Calls back with the place of each block, its row and its column.
+    template<typename Callback>
+    void for_each_block(const Callback &callback) const;
+
+    Eigen::Map<const Block> block(const std::size_t place) const
+    {
+      return Eigen::Map<const Block>(&blocks_[9 * place]);
+    }
+
     std::vector<std::size_t> begin_;
-    std::vector<unsigned int> columns_; ///< sorted in each row
+    std::vector<unsigned int> columns_; ///< sorted in each row, the last is the row
     std::vector<float> blocks_;         ///< nine numbers each, by columns
   };
 } // namespace stiction
