@@ -91,14 +91,14 @@ int main(int argc, char *argv[])
   std::mt19937 random(1);
   std::uniform_real_distribution<double> noise(-0.2, 0.2);
   Mesh perturbed;
-  perturbed.add_block({16, 12, 6}, [&](auto i, auto j, auto k) {
+  perturbed.add_block({{16, 12, 6}}, [&](auto i, auto j, auto k) {
     return std::array<double, 3>{
       {i + noise(random), j + noise(random), k + noise(random)}};
   });
   check("perturbed", perturbed);
 
   Mesh graded; // edges from 1 to 20
-  graded.add_block({24, 8, 8}, [](auto i, auto j, auto k) {
+  graded.add_block({{24, 8, 8}}, [](auto i, auto j, auto k) {
     const double x = 20. * (std::exp(0.125 * i) - 1.), size = 2.5 * std::exp(0.125 * i);
     return std::array<double, 3>{{0.4 * x, 0.4 * size * j, 0.4 * size * k}};
   });
@@ -108,11 +108,11 @@ int main(int argc, char *argv[])
   Mesh fork;
   const unsigned int length = 12;
   for (const double low : {0., 5.2})
-    fork.add_block({length, 4, 4}, [&](auto i, auto j, auto k) {
+    fork.add_block({{length, 4, 4}}, [&](auto i, auto j, auto k) {
       return std::array<double, 3>{{double(i), low + j, double(k)}};
     });
   const std::size_t n_of_arms = fork.nodes.size();
-  fork.add_block({4, 9, 4}, [](auto i, auto j, auto k) {
+  fork.add_block({{4, 9, 4}}, [](auto i, auto j, auto k) {
     return std::array<double, 3>{
       {-4. + i, j < 5 ? double(j) : 5.2 + (j - 5.), double(k)}};
   });
