@@ -1,6 +1,6 @@
 #include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/slip_bound.h>
-#include <stiction/qp/solvers/admm.h>
+#include <stiction/qp/solvers/alternating_directions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +36,16 @@ namespace stiction::qp
     }
   } // namespace
 
-  Admm::Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q,
-             const Eigen::VectorXd &nodal_compliance)
+  AlternatingDirections::AlternatingDirections(const Eigen::MatrixXd &matrix,
+                                               const SymmetricOperator &Q,
+                                               const Eigen::VectorXd &nodal_compliance)
     : matrix_(matrix)
     , Q_(Q)
     , pull_(nodal_compliance.replicate(3, 1))
   {
   }
 
-  void Admm::factorize(const double factor)
+  void AlternatingDirections::factorize(const double factor)
   {
     factor_                     = factor;
     Eigen::MatrixXd regularized = matrix_;
@@ -53,10 +54,11 @@ namespace stiction::qp
     ++n_factorizations_;
   }
 
-  SolverRun Admm::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                        const SlipBound &slip_bound, const Scaling &scaling,
-                        const double tolerance, const unsigned int max_iterations,
-                        const Observer &observer)
+  SolverRun AlternatingDirections::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                         const SlipBound &slip_bound,
+                                         const Scaling &scaling, const double tolerance,
+                                         const unsigned int max_iterations,
+                                         const Observer &observer)
   {
     const unsigned int factorizations_before = n_factorizations_;
     const auto residual_of_x                 = [&]() {
