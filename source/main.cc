@@ -29,6 +29,7 @@ namespace
     interrupted   = 3
   };
 
+  // What the program is called with.
   struct CommandLine
   {
     std::string file;
@@ -36,6 +37,49 @@ namespace
     std::vector<std::string> settings;
     bool validate = false, print_parameters = false, print_output_directory = false;
   };
+
+  void declare_options(CLI::App &app, CommandLine &arguments)
+  {
+    app.add_option("FILE", arguments.file, "Parameter file");
+    app
+      .add_option("--set", arguments.settings,
+                  "'Section/Entry=value', overrides the file; any number of times")
+      ->expected(1)
+      ->take_all();
+    app.add_option("--output", arguments.output, "Directory for all results");
+    app.add_option("--export", arguments.export_directory,
+                   "Also write the discrete problem (Q, h, friction) and its "
+                   "solution to this directory");
+    auto *const problem = app.add_option(
+      "--problem", arguments.problem,
+      "Solve the discrete problem of an FCLIB file (*.hdf5, *.h5), a Matrix Market "
+      "file (*.mtx) or an exported directory instead of a body; FILE may be left "
+      "out");
+    app
+      .add_option("--restart", arguments.restart,
+                  "Go on from the checkpoint in this output directory of a run with "
+                  "'Time/Checkpoint every'; loads after it, times, method and output "
+                  "may be others, and so may the number of ranks")
+      ->excludes(problem);
+    app
+      .add_flag("--validate", arguments.validate,
+                "Read and check everything, solve nothing")
+      ->excludes(problem);
+    app.add_flag("--print-parameters", arguments.print_parameters,
+                 "Print the complete commented default file");
+    app.add_flag("--print-output-directory", arguments.print_output_directory,
+                 "Print the directory for all results, solve nothing");
+    app.set_version_flag("--version", "stiction " STICTION_VERSION);
+    app.footer("Exit status: 0 certified, 1 bad input, 2 not converged, 3 "
+               "interrupted.\nCtrl-C ends the run after its step, with all files "
+               "of what is reached then,\nand with checkpoints it can go on with "
+               "--restart from its last step;\na second one ends it at once.");
+  }
+
+  bool is_first_rank()
+  {
+    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  }
 
   // What was made stays alive until main() ends: to destroy parallel objects
   // is collective, and an exception may have been thrown on one rank alone.
@@ -66,7 +110,7 @@ namespace
         "symmetric.");
     if (arguments.print_output_directory)
       {
-        if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        if (is_first_rank())
           std::cout << program.parameters.output.directory << std::endl;
         return certified;
       }
@@ -108,6 +152,28 @@ namespace
                  sentence.substr(sentence.size() - at_most / 2);
     return sentence;
   }
+
+  // All ranks end with the same sentence: the first one says it.
+  int refuse(const std::string &sentence)
+  {
+    stiction::ignore_interrupts();
+    if (is_first_rank())
+      std::cerr << "stiction: " << printable(sentence) << std::endl;
+    return input_error;
+  }
+
+  // Where one rank alone may have failed, the others must not wait for it. If
+  // all have failed, the first one speaks and ends them.
+  int end_all_ranks(const std::string &sentence)
+  {
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+      return refuse(sentence);
+    if (!is_first_rank())
+      std::this_thread::sleep_for(std::chrono::seconds(2));
+    std::cerr << "stiction: " << printable(sentence) << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, input_error);
+    return input_error;
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -115,67 +181,14 @@ int main(int argc, char *argv[])
   stiction::choose_blas_kernels();
   // the linear algebra is parallel over ranks; more threads would only fight
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool speaks = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
   CommandLine arguments;
   CLI::App app("Contact of an elastic body with friction, in three "
                "dimensions, with a certificate.",
                "stiction");
-  app.add_option("FILE", arguments.file, "Parameter file");
-  app
-    .add_option("--set", arguments.settings,
-                "'Section/Entry=value', overrides the file; any number of times")
-    ->expected(1)
-    ->take_all();
-  app.add_option("--output", arguments.output, "Directory for all results");
-  app.add_option("--export", arguments.export_directory,
-                 "Also write the discrete problem (Q, h, friction) and its "
-                 "solution to this directory");
-  auto *const problem = app.add_option(
-    "--problem", arguments.problem,
-    "Solve the discrete problem of an FCLIB file (*.hdf5, *.h5), a Matrix "
-    "Market "
-    "file (*.mtx) or an exported directory instead of a body; FILE may be left "
-    "out");
-  app
-    .add_option("--restart", arguments.restart,
-                "Go on from the checkpoint in this output directory of a run with "
-                "'Time/Checkpoint every'; loads after it, times, method and output "
-                "may be others, and so may the number of ranks")
-    ->excludes(problem);
-  app
-    .add_flag("--validate", arguments.validate,
-              "Read and check everything, solve nothing")
-    ->excludes(problem);
-  app.add_flag("--print-parameters", arguments.print_parameters,
-               "Print the complete commented default file");
-  app.add_flag("--print-output-directory", arguments.print_output_directory,
-               "Print the directory for all results, solve nothing");
-  app.set_version_flag("--version", "stiction " STICTION_VERSION);
-  app.footer("Exit status: 0 certified, 1 bad input, 2 not converged, 3 "
-             "interrupted.\nCtrl-C ends the run after its step, with all files "
-             "of what is reached then,\nand with checkpoints it can go on with --restart "
-             "from its last step;\na second one ends it at once.");
+  declare_options(app, arguments);
 
-  const auto refuse = [&](const std::string &sentence) {
-    stiction::ignore_interrupts();
-    if (speaks)
-      std::cerr << "stiction: " << printable(sentence) << std::endl;
-    return input_error;
-  };
-  // Where one rank alone may have failed, the others must not wait for it. If
-  // all have failed, the first one speaks and ends them.
-  const auto abort = [&](const std::string &sentence) {
-    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-      return refuse(sentence);
-    if (!speaks)
-      std::this_thread::sleep_for(std::chrono::seconds(2));
-    std::cerr << "stiction: " << printable(sentence) << std::endl;
-    MPI_Abort(MPI_COMM_WORLD, input_error);
-    return input_error;
-  };
-
-  stiction::watch_for_interrupts(speaks, interrupted);
+  stiction::watch_for_interrupts(is_first_rank(), interrupted);
   Program program;
 
   try
@@ -183,7 +196,7 @@ int main(int argc, char *argv[])
       app.parse(argc, argv);
       if (arguments.print_parameters)
         {
-          if (speaks)
+          if (is_first_rank())
             std::cout << stiction::Parameters::default_file();
           return certified;
         }
@@ -191,7 +204,7 @@ int main(int argc, char *argv[])
     }
   catch (const CLI::Success &wish) // --help, --version
     {
-      if (speaks)
+      if (is_first_rank())
         app.exit(wish);
       return certified;
     }
@@ -206,15 +219,16 @@ int main(int argc, char *argv[])
     }
   catch (const std::bad_alloc &)
     {
-      return abort(arguments.problem
-                     ? "not enough memory for this problem, its Q must fit into memory "
-                       "several times."
-                     : "not enough memory for this problem, use a coarser mesh, 'Dual "
-                       "operator/Form = by solves' or 'Contact solver/Method = newton "
-                       "multigrid'.");
+      return end_all_ranks(
+        arguments.problem
+          ? "not enough memory for this problem, its Q must fit into memory "
+            "several times."
+          : "not enough memory for this problem, use a coarser mesh, 'Dual "
+            "operator/Form = by solves' or 'Contact solver/Method = newton "
+            "multigrid'.");
     }
   catch (const std::exception &error)
     {
-      return abort(std::string("internal error: ") + error.what());
+      return end_all_ranks(std::string("internal error: ") + error.what());
     }
 }

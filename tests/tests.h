@@ -23,11 +23,10 @@
 // As the program does: before MPI is initialised.
 inline const bool has_chosen_blas = (stiction::choose_blas_kernels(), true);
 
-// The shipped parameter file of that name. SOURCE_DIR is the folder of the
-// test.
+// The shipped parameter file of that name.
 inline std::string shipped(const std::string &name)
 {
-  return SOURCE_DIR "/../../parameters/" + name;
+  return PARAMETERS "/" + name;
 }
 
 inline const char *yes(const bool condition)

@@ -31,9 +31,15 @@ namespace stiction
     if (!out || error)
       {
         std::filesystem::remove(unfinished, error);
-        throw InputError(name + ": cannot be written, must be in a directory with "
-                                "space and with the permission to write.");
+        require_written(false, name);
       }
+  }
+
+  void require_written(const bool is_written, const std::string &name)
+  {
+    if (!is_written)
+      throw InputError(name + ": cannot be written, must be in a directory with "
+                              "space and with the permission to write.");
   }
 
   void require_writable(const std::string &directory, const std::string &location)

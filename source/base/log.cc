@@ -1,4 +1,4 @@
-#include <stiction/base/errors.h>
+#include <stiction/base/files.h>
 #include <stiction/base/log.h>
 
 #include <deal.II/base/mpi.h>
@@ -37,9 +37,7 @@ namespace stiction
     const std::lock_guard<std::mutex> lock(mutex_);
     file_.open(name, appends ? std::ios::app : std::ios::out);
     file_ << so_far_.str() << std::flush;
-    if (!file_)
-      throw InputError(name + ": cannot be written, must be in a directory "
-                              "with space and with the permission to write.");
+    require_written(file_.good(), name);
   }
 
   double Log::seconds_of_silence() const

@@ -58,6 +58,26 @@ namespace stiction
       return scaling;
     }
 
+    // Makes the row of the step before that of this one.
+    void add(const DualMethod::Step &step, const Eigen::VectorXd &lambda,
+             const DualOperator &Q, ContactStep &row)
+    {
+      row.contraction = row.residual > 0. ? step.residual / row.residual : 0.;
+      ++row.step;
+      row.iterations += step.inner_iterations;
+      row.multiplications = Q.n_multiplications();
+      row.residual        = step.residual;
+      row.change          = step.change;
+      row.normal_force    = lambda.head(Q.n_nodes()).sum();
+    }
+
+    // No contact forces at all leave nothing to measure an overlap by: they are
+    // the answer if there is none, whatever the tolerance.
+    double accuracy(const Eigen::VectorXd &lambda, const double tolerance)
+    {
+      return lambda.isZero(0.) ? std::min(tolerance, rest_tolerance) : tolerance;
+    }
+
     // Of a method that comes no closer. @param advice what may.
     std::string why_no_closer(const DualMethodResult &result,
                               const ContactConditions &conditions,
@@ -98,32 +118,19 @@ namespace stiction
     unsigned int iterations = 0, idle = 0;
     qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
 
-    // No contact forces at all leave nothing to measure an overlap by: they are
-    // the answer if there is none, whatever the tolerance.
-    const auto accuracy = [&]() {
-      return lambda.isZero(0.) ? std::min(tolerance, rest_tolerance) : tolerance;
-    };
     // in both scales: they must be right in those of the problem, too
     const auto is_content = [&]() {
       return conditions->is_solved(tolerance) &&
              ContactConditions(lambda, conditions->gradient(), slip_bound.at(lambda),
                                scaling)
-               .converged(accuracy());
+               .converged(accuracy(lambda, tolerance));
     };
     while (!is_content())
       {
-        StoppingRule rule;
-        rule.residual         = target;
-        rule.change           = std::max(tolerance, target);
-        rule.max_iterations   = max_iterations - iterations;
+        const StoppingRule rule{target, std::max(tolerance, target),
+                                max_iterations - iterations};
         const auto after_step = [&](const DualMethod::Step &step) {
-          row.contraction = row.residual > 0. ? step.residual / row.residual : 0.;
-          ++row.step;
-          row.iterations += step.inner_iterations;
-          row.multiplications = Q.n_multiplications();
-          row.residual        = step.residual;
-          row.change          = step.change;
-          row.normal_force    = iterate.lambda.head(Q.n_nodes()).sum();
+          add(step, iterate.lambda, Q, row);
           pace.add(row.iterations, row.residual);
           observer(row);
         };
@@ -149,7 +156,8 @@ namespace stiction
         const double residual = conditions->contact_figures().kkt_residual;
         idle                  = residual < 0.9 * smallest ? 0 : idle + 1;
         smallest              = std::min(smallest, residual);
-        const double goal     = safety * accuracy() * share_of_kkt(*conditions);
+        const double goal =
+          safety * accuracy(lambda, tolerance) * share_of_kkt(*conditions);
         if (result.converged && target <= goal && !method.limitation().empty())
           status.reason = method.limitation();
         else if (iterations >= max_iterations)

@@ -14,6 +14,9 @@ namespace stiction
   void write_file(const std::string &name,
                   const std::function<void(std::ostream &)> &write);
 
+  /// Throws InputError that the file cannot be written, unless it was.
+  void require_written(bool is_written, const std::string &name);
+
   /// Throws InputError, beginning with @p location, unless the directory can
   /// be written to or be made. Makes nothing. Not collective.
   void require_writable(const std::string &directory, const std::string &location);

@@ -268,17 +268,21 @@ namespace stiction
                        "', an 'end' is missing.");
 
     for (const std::string &setting : settings)
-      {
-        where                    = "--set '" + setting + "'";
-        const std::size_t equals = setting.find('=');
-        const std::size_t slash  = setting.find('/');
-        if (equals == std::string::npos || slash > equals)
-          throw InputError(where + ": must read 'Section/Entry=value'.");
-        give(where, trim(setting.substr(0, slash)),
-             trim(setting.substr(slash + 1, equals - slash - 1)),
-             trim(setting.substr(equals + 1)), pairs, prm);
-      }
+      give(setting, pairs, prm);
     assign_lists(pairs, prm);
+  }
+
+  void ParameterFile::give(const std::string &setting, ContactPairs &pairs,
+                           ParameterHandler &prm)
+  {
+    const std::string where  = "--set '" + setting + "'";
+    const std::size_t equals = setting.find('=');
+    const std::size_t slash  = setting.find('/');
+    if (equals == std::string::npos || slash > equals)
+      throw InputError(where + ": must read 'Section/Entry=value'.");
+    give(where, trim(setting.substr(0, slash)),
+         trim(setting.substr(slash + 1, equals - slash - 1)),
+         trim(setting.substr(equals + 1)), pairs, prm);
   }
 
   void ParameterFile::give(const std::string &where, const std::string &section,

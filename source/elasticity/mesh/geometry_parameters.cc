@@ -72,6 +72,11 @@ namespace stiction
                   "'MaterialID', of quadrilaterals and of hexahedra. Faces "
                   "and cells that have none get the number 0. Unit: of length.",
                   prm, Patterns::Anything());
+    declare_refinement();
+  }
+
+  void GeometryParameters::declare_refinement()
+  {
     add_parameter("Global refinement", global_refinement,
                   "How many times every cell is cut into eight.", prm,
                   Patterns::Integer(0, 12));

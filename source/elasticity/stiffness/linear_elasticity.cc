@@ -7,13 +7,9 @@
 #include <stiction/elasticity/stiffness/assembled_stiffness.h>
 #include <stiction/elasticity/stiffness/cell_material.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
-#include <stiction/elasticity/stiffness/element_stiffness.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <stdexcept>
@@ -148,7 +144,8 @@ namespace stiction
   {
     if (stiffness_->matrix() == nullptr)
       {
-        assemble_simple_stiffness();
+        constrained_stiffness_ =
+          assemble_simple_stiffness(body_, *mesh_, *materials_, constraints_);
         return;
       }
     LA::Vector fixed = zero_vector();
@@ -157,32 +154,6 @@ namespace stiction
         fixed(dof) = 1.;
     constrained_stiffness_ =
       ConstrainedMatrix(*stiffness_->matrix(), fixed, {}).release();
-  }
-
-  void LinearElasticity::assemble_simple_stiffness()
-  {
-    const DoFHandler<3> &dof_handler = body_.dof_handler();
-    const IndexSet &owned            = body_.locally_owned_dofs();
-    const IndexSet &relevant         = body_.locally_relevant_dofs();
-    const MPI_Comm comm              = body_.communicator();
-
-    DynamicSparsityPattern pattern(relevant);
-    DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints_, true);
-    SparsityTools::distribute_sparsity_pattern(pattern, owned, comm, relevant);
-    constrained_stiffness_ = std::make_unique<LA::SparseMatrix>();
-    constrained_stiffness_->reinit(owned, owned, pattern, comm);
-
-    ElementStiffness element_stiffness;
-    std::vector<types::global_dof_index> indices(24);
-    mesh_->for_each_cell([&](HexahedralCell cell) {
-      materials_->assign(cell);
-      for (unsigned int v = 0; v < 8; ++v)
-        for (unsigned int c = 0; c < 3; ++c)
-          indices[3 * v + c] = mesh_->first_dof(cell.nodes[v]) + c;
-      constraints_.distribute_local_to_global(element_stiffness(cell), indices,
-                                              *constrained_stiffness_);
-    });
-    constrained_stiffness_->compress(VectorOperation::add);
   }
 
   void LinearElasticity::require_support() const

@@ -131,9 +131,7 @@ namespace stiction
       std::ofstream out(name, std::ios::app);
       out << rows(steps_.back());
       out.close();
-      if (!out)
-        throw InputError(name + ": cannot be written, must be in a directory with "
-                                "space and with the permission to write.");
+      require_written(out.good(), name);
     });
   }
 

@@ -162,13 +162,17 @@ namespace stiction
       std::vector<std::size_t> diagonal_lines;
     };
 
-    // A matrix of n_rows × n_columns; 0 × 0: square, of an order 3, 6, 9, ...
-    File read(const std::string &path, const Index n_rows, const Index n_columns,
-              const Allowed allowed, const std::string &meaning)
+    struct Size
+    {
+      Index rows = 0, columns = 0, n_entries = 0;
+    };
+
+    // @param n_rows, n_columns what they have to be; 0: square, of an order 3, 6, ...
+    Size read_size(Words &words, const Index n_rows, const Index n_columns,
+                   const std::string &meaning)
     {
       constexpr Index largest_size = 1 << 30;
 
-      Words words(path);
       words.require_next("the size of the matrix");
       const Index rows = words.integer(1, largest_size, "the number of rows");
       words.require_next("the number of columns");
@@ -185,16 +189,24 @@ namespace stiction
         words.refuse("the matrix is symmetric and " + size +
                      ", must be square or general");
 
-      const Index full = words.is_symmetric() ? rows * (rows + 1) / 2 : rows * columns;
-      Index n_entries  = full;
-      if (words.is_coordinate())
-        {
-          words.require_next("the number of entries");
-          n_entries = words.integer(is_Q ? rows : 0, largest_size * largest_size,
-                                    is_Q ? "the number of entries, with all "
-                                           "of the diagonal"
-                                         : "the number of entries");
-        }
+      if (!words.is_coordinate())
+        return {rows, columns,
+                words.is_symmetric() ? rows * (rows + 1) / 2 : rows * columns};
+      words.require_next("the number of entries");
+      return {rows, columns,
+              words.integer(is_Q ? rows : 0, largest_size * largest_size,
+                            is_Q ? "the number of entries, with all of the diagonal"
+                                 : "the number of entries")};
+    }
+
+    // A matrix of n_rows × n_columns; 0 × 0: square, of an order 3, 6, 9, ...
+    File read(const std::string &path, const Index n_rows, const Index n_columns,
+              const Allowed allowed, const std::string &meaning)
+    {
+      Words words(path);
+      const auto [rows, columns, n_entries] =
+        read_size(words, n_rows, n_columns, meaning);
+      const bool is_Q = n_rows == 0;
 
       // Nothing is allocated for what the file cannot hold: an entry is at
       // least a digit and a blank.
@@ -211,25 +223,24 @@ namespace stiction
       file.matrix = Eigen::MatrixXd::Zero(rows, columns);
       if (is_Q)
         file.diagonal_lines.resize(rows);
+      const auto require_next = [&, n = n_entries](const Index k) {
+        if (!words.next_word())
+          words.refuse_end(" after " + std::to_string(k) + " of " + std::to_string(n) +
+                           " entries, must hold all of them");
+      };
       Index i = 0, j = 0;
       for (Index k = 0; k < n_entries; ++k)
         {
-          const auto require_next = [&]() {
-            if (!words.next_word())
-              words.refuse_end(" after " + std::to_string(k) + " of " +
-                               std::to_string(n_entries) +
-                               " entries, must hold all of them");
-          };
-          require_next();
+          require_next(k);
           if (words.is_coordinate())
             {
               i = words.integer(1, rows, "a row") - 1;
-              require_next();
+              require_next(k);
               j = words.integer(1, words.is_symmetric() ? i + 1 : columns,
                                 words.is_symmetric() ? "a column up to the diagonal"
                                                      : "a column") -
                   1;
-              require_next();
+              require_next(k);
             }
           const double value = words.number(allowed);
           if (words.is_coordinate())

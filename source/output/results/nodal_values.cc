@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/files.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -33,9 +34,7 @@ namespace stiction
             out << header << '\n';
           write(out);
           out.close();
-          if (!out)
-            throw InputError(name + ": cannot be written, must be in a directory with "
-                                    "space and with the permission to write.");
+          require_written(out.good(), name);
         });
     }
 

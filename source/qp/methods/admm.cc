@@ -16,7 +16,7 @@ namespace stiction
 
   Admm::Admm(const DualOperator &Q)
     : block_(Q, DualBlock::all)
-    , admm_(matrix_of(Q), block_, Q.nodal_compliance())
+    , solver_(matrix_of(Q), block_, Q.nodal_compliance())
   {
   }
 
@@ -27,12 +27,12 @@ namespace stiction
     Eigen::VectorXd before = iterate.lambda;
     DualMethodResult result;
     const qp::SolverRun run =
-      admm_.solve(iterate.lambda, iterate.gradient, slip_bound, scaling, rule.residual,
-                  rule.max_iterations, [&](const double residual) {
-                    result.change = relative_change(iterate.lambda, before);
-                    before        = iterate.lambda;
-                    observer({1, residual, result.change});
-                  });
+      solver_.solve(iterate.lambda, iterate.gradient, slip_bound, scaling, rule.residual,
+                    rule.max_iterations, [&](const double residual) {
+                      result.change = relative_change(iterate.lambda, before);
+                      before        = iterate.lambda;
+                      observer({1, residual, result.change});
+                    });
     statistics_ += run;
     result.iterations = run.admm_iterations;
     result.residual   = run.residual;

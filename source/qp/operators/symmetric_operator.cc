@@ -1,4 +1,5 @@
 #include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/slip_bound.h>
 
 namespace stiction::qp
 {
@@ -7,6 +8,20 @@ namespace stiction::qp
     eigen_assert(src.size() == size());
     ++n_multiplications_;
     apply(dst, src);
+  }
+
+  void make_feasible(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                     const SymmetricOperator &A, const SlipBound &slip_bound)
+  {
+    Eigen::VectorXd projected = x;
+    project(projected, slip_bound);
+    const Eigen::VectorXd d = projected - x;
+    if (d.isZero(0.))
+      return;
+    Eigen::VectorXd Ad;
+    A.vmult(Ad, d);
+    x = projected;
+    gradient += Ad;
   }
 
   DenseOperator::DenseOperator(const Eigen::MatrixXd &matrix)

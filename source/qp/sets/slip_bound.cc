@@ -37,6 +37,16 @@ namespace stiction::qp
     return constant_ + coefficient_.cwiseProduct(lambda.head(n_nodes()).cwiseMax(0.));
   }
 
+  void project(Eigen::VectorXd &x, const SlipBound &slip_bound)
+  {
+    if (!x.allFinite())
+      return;
+    if (x.size() == 2 * slip_bound.n_nodes())
+      Discs(slip_bound.at(x)).project(x);
+    else
+      HalfLinesTimesDiscs(slip_bound.at(x)).project(x);
+  }
+
   double natural_residual(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
                           const SlipBound &slip_bound, const Scaling &scaling)
   {

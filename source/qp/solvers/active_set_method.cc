@@ -126,39 +126,7 @@ namespace stiction::qp
             continue;
           }
 
-        A_.vmult(Ap_, p_);
-        const double curvature      = p_.dot(Ap_);
-        const double slope          = gradient_.dot(p_);
-        const double alpha_feasible = set_.largest_feasible_step(x_, -p_);
-        const double alpha_cg       = slope / curvature;
-        if (!(curvature > 0.))
-          {
-            // Nothing is free, or A is singular and the energy falls along −p
-            // up to the boundary.
-            if (slope > 0. && std::isfinite(alpha_feasible))
-              {
-                go_to_boundary(alpha_feasible);
-                split();
-                p_ = free_;
-                ++statistics.expansion_steps;
-              }
-          }
-        else if (alpha_cg <= alpha_feasible)
-          {
-            x_ -= alpha_cg * p_;
-            gradient_ -= alpha_cg * Ap_;
-            set_.project(x_); // removes rounding only
-            split();
-            p_ = free_ - free_.dot(Ap_) / curvature * p_;
-            ++statistics.conjugate_gradient_steps;
-          }
-        else
-          {
-            expand(alpha_cg, alpha_feasible);
-            split();
-            p_ = free_;
-            ++statistics.expansion_steps;
-          }
+        improve(statistics);
         energy.after_step(x_, gradient_, 1.9 / fixed_step_);
         idle = x_ == before;
       }
@@ -166,6 +134,43 @@ namespace stiction::qp
     x        = x_;
     gradient = gradient_;
     return statistics;
+  }
+
+  void ActiveSetMethod::improve(SolverRun &statistics)
+  {
+    A_.vmult(Ap_, p_);
+    const double curvature      = p_.dot(Ap_);
+    const double slope          = gradient_.dot(p_);
+    const double alpha_feasible = set_.largest_feasible_step(x_, -p_);
+    const double alpha_cg       = slope / curvature;
+    if (!(curvature > 0.))
+      {
+        // Nothing is free, or A is singular and the energy falls along −p
+        // up to the boundary.
+        if (slope > 0. && std::isfinite(alpha_feasible))
+          {
+            go_to_boundary(alpha_feasible);
+            split();
+            p_ = free_;
+            ++statistics.expansion_steps;
+          }
+      }
+    else if (alpha_cg <= alpha_feasible)
+      {
+        x_ -= alpha_cg * p_;
+        gradient_ -= alpha_cg * Ap_;
+        set_.project(x_); // removes rounding only
+        split();
+        p_ = free_ - free_.dot(Ap_) / curvature * p_;
+        ++statistics.conjugate_gradient_steps;
+      }
+    else
+      {
+        expand(alpha_cg, alpha_feasible);
+        split();
+        p_ = free_;
+        ++statistics.expansion_steps;
+      }
   }
 
   void ActiveSetMethod::expand(const double alpha_cg, const double alpha_feasible)

@@ -1,6 +1,5 @@
 #include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/contact_linearization.h>
-#include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
 #include <stiction/qp/solvers/krylov_methods.h>
 #include <stiction/qp/solvers/semismooth_newton.h>
@@ -37,6 +36,13 @@ namespace stiction::qp
     // A point that is good enough has to be so in the feasible set, too; after
     // so many that were not there is no hope.
     constexpr unsigned int max_ends = 5;
+
+    // Where an iteration was.
+    struct Point
+    {
+      Eigen::VectorXd x, gradient;
+      double residual;
+    };
 
     // d = d0 + Z y by LU factors of the reduced matrix.
     Eigen::VectorXd direct_step(const ContactLinearization &conditions,
@@ -86,30 +92,12 @@ namespace stiction::qp
     const auto residual_of_x = [&]() {
       return natural_residual(x, gradient, slip_bound, scaling);
     };
-    const auto make_feasible = [&]() {
-      const Eigen::VectorXd bound = slip_bound.at(x);
-      Eigen::VectorXd projected   = x;
-      if (x.size() == 2 * bound.size())
-        Discs(bound).project(projected);
-      else
-        HalfLinesTimesDiscs(bound).project(projected);
-      const Eigen::VectorXd d = projected - x;
-      if (d.isZero(0.))
-        return;
-      Eigen::VectorXd Qd;
-      Q_.vmult(Qd, d);
-      x = projected;
-      gradient += Qd;
-    };
-
     SolverRun statistics;
     double reduction = first_reduction;
     std::deque<double> history;
-    statistics.residual           = residual_of_x();
-    const double first_residual   = statistics.residual;
-    double smallest               = statistics.residual;
-    const Eigen::VectorXd first_x = x, first_gradient = gradient;
-    Eigen::VectorXd best_x = x, best_gradient = gradient;
+    statistics.residual = residual_of_x();
+    const Point first{x, gradient, statistics.residual};
+    Point best              = first;
     unsigned int idle_steps = 0, n_ends = 0;
     while (true)
       {
@@ -117,7 +105,7 @@ namespace stiction::qp
           {
             // up to here x was feasible up to the tolerance only
             if (ends_feasible_)
-              make_feasible();
+              make_feasible(x, gradient, Q_, slip_bound);
             statistics.residual  = residual_of_x();
             statistics.converged = statistics.residual <= tolerance;
             if (statistics.converged)
@@ -151,28 +139,24 @@ namespace stiction::qp
             history.clear();
           }
 
-        idle_steps = statistics.residual < 0.9 * smallest ? 0 : idle_steps + 1;
-        if (statistics.residual < smallest)
-          {
-            smallest      = statistics.residual;
-            best_x        = x;
-            best_gradient = gradient;
-          }
+        idle_steps = statistics.residual < 0.9 * best.residual ? 0 : idle_steps + 1;
+        if (statistics.residual < best.residual)
+          best = {x, gradient, statistics.residual};
         statistics.stagnated = idle_steps >= max_idle_steps;
       }
     if (!statistics.converged)
       {
-        x        = best_x;
-        gradient = best_gradient;
-        make_feasible();
+        x        = best.x;
+        gradient = best.gradient;
+        make_feasible(x, gradient, Q_, slip_bound);
         statistics.residual = residual_of_x();
-        if (statistics.residual > first_residual)
+        if (statistics.residual > first.residual)
           {
             // where Q is ill-conditioned, the small step to the feasible set
             // may have changed the gradient much
-            x                   = first_x;
-            gradient            = first_gradient;
-            statistics.residual = first_residual;
+            x                   = first.x;
+            gradient            = first.gradient;
+            statistics.residual = first.residual;
           }
       }
     return statistics;

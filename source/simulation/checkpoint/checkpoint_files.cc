@@ -54,13 +54,6 @@ namespace stiction::checkpoint_files
       ::close(file);
     }
 
-    void require_done(const std::error_code &error, const std::string &name)
-    {
-      if (error)
-        throw InputError(name + ": cannot be written, must be in a directory with space "
-                                "and with the permission to write.");
-    }
-
     // Throws InputError about a file that is not what was written.
     void require_intact(const std::string &checkpoint, const json &header)
     {
@@ -124,7 +117,7 @@ namespace stiction::checkpoint_files
       std::error_code error;
       fs::remove_all(name, error);
       fs::create_directory(name, error);
-      require_done(error, name);
+      require_written(!error, name);
     });
     return name;
   }
@@ -151,7 +144,7 @@ namespace stiction::checkpoint_files
         fs::rename(last_in(directory), old_in(directory), error);
       }
     fs::rename(unfinished, last_in(directory), error);
-    require_done(error, last_in(directory));
+    require_written(!error, last_in(directory));
     flush(directory);
   }
 

@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/files.h>
 #include <stiction/simulation/checkpoint/word_file.h>
 
 #include <deal.II/base/mpi.h>
@@ -47,11 +48,8 @@ namespace stiction::word_file
     const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n    = dealii::Utilities::MPI::n_mpi_processes(communicator);
     for (unsigned int r = 0; r < n; ++r)
-      throw_on_all_ranks(communicator, [&]() {
-        if (r == rank && !append(name, words))
-          throw InputError(name + ": cannot be written, must be in a directory with "
-                                  "space and with the permission to write.");
-      });
+      throw_on_all_ranks(
+        communicator, [&]() { require_written(r != rank || append(name, words), name); });
     const std::uint64_t size = words.size();
     std::uint64_t first      = 0;
     MPI_Exscan(&size, &first, 1, MPI_UINT64_T, MPI_SUM, communicator);

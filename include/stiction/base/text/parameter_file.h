@@ -84,6 +84,10 @@ namespace stiction
               const std::string &name, const std::string &value, ContactPairs &pairs,
               dealii::ParameterHandler &prm);
 
+    /// Does so as --set has it, "Section/Entry=value".
+    void give(const std::string &setting, ContactPairs &pairs,
+              dealii::ParameterHandler &prm);
+
     /// Gives the lists of the contact boundaries what the contact pairs say. Throws
     /// InputError if the file says both.
     void assign_lists(const ContactPairs &pairs, dealii::ParameterHandler &prm);

@@ -70,6 +70,9 @@ namespace stiction
     std::string location = "Geometry";
 
   private:
+    /// What becomes of the coarse mesh.
+    void declare_refinement();
+
     void require_shape(const ParameterFile &source) const;
 
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table

@@ -4,6 +4,7 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <functional>
 #include <memory>
@@ -11,6 +12,8 @@
 namespace stiction
 {
   class Body;
+  class Materials;
+  class MeshLevel;
   struct CellMaterial;
 
   /// What a cell is made of.
@@ -22,6 +25,12 @@ namespace stiction
   /// empty but for a zero on the diagonal. Unit: N/m. Collective.
   std::unique_ptr<LA::SparseMatrix> assemble_stiffness(const Body &body,
                                                        const MaterialOfCell &material);
+
+  /// K of a body of trilinear cells and simple materials, the constraints eliminated
+  /// symmetrically. Unit: N/m. Collective.
+  std::unique_ptr<LA::SparseMatrix> assemble_simple_stiffness(
+    const Body &body, const MeshLevel &mesh, const Materials &materials,
+    const dealii::AffineConstraints<double> &constraints);
 } // namespace stiction
 
 #endif

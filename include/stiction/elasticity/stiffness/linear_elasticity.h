@@ -130,9 +130,6 @@ namespace stiction
     /// K with prescribed displacements eliminated.
     void constrain_stiffness();
 
-    /// That of a simple body.
-    void assemble_simple_stiffness();
-
     /// The right-hand side with prescribed displacements eliminated.
     void constrain_load();
 

@@ -3,7 +3,7 @@
 
 #include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/operators/dual_operator.h>
-#include <stiction/qp/solvers/admm.h>
+#include <stiction/qp/solvers/alternating_directions.h>
 
 namespace stiction
 {
@@ -27,7 +27,7 @@ namespace stiction
 
   private:
     DualOperatorBlock block_;
-    qp::Admm admm_;
+    qp::AlternatingDirections solver_;
     DualMethodStatistics statistics_;
   };
 } // namespace stiction

@@ -5,6 +5,8 @@
 
 namespace stiction::qp
 {
+  class SlipBound;
+
   /// A symmetric positive definite linear map, known only by its action.
   ///
   /// The quadratic programs of this layer see their Hessian through this
@@ -31,6 +33,11 @@ namespace stiction::qp
   private:
     mutable unsigned long n_multiplications_ = 0;
   };
+
+  /// Moves contact forces into the set of their slip bound (project()), and their
+  /// gradient Ax − b along; a product, unless they are in it.
+  void make_feasible(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                     const SymmetricOperator &A, const SlipBound &slip_bound);
 
   /// A dense symmetric matrix as an operator. The matrix is not copied and
   /// must outlive the operator.

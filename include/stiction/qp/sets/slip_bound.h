@@ -67,6 +67,10 @@ namespace stiction::qp
     bool is_coulomb_ = false;
   };
 
+  /// Replaces contact forces by the nearest ones within the slip bound that they
+  /// themselves ask for; entries as below. Forces that are no numbers stay.
+  void project(Eigen::VectorXd &x, const SlipBound &slip_bound);
+
   /// The natural residual (FeasibleSet::natural_residual()) of contact forces
   /// with the slip bound that they themselves ask for, entries (ν; t1; t2), or
   /// (t1; t2) for given friction on discs alone; NaN where an entry is none.

@@ -101,6 +101,10 @@ namespace stiction::qp
   private:
     Observer observer_;
 
+    /// A step that is no release: conjugate gradients, or an expansion where they
+    /// leave the set.
+    void improve(SolverRun &statistics);
+
     Eigen::VectorXd step_to_projection(double step,
                                        const Eigen::VectorXd &direction) const;
   };

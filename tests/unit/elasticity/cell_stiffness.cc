@@ -4,7 +4,7 @@
 
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 
-#include "qp_tests.h"
+#include "unit/qp/qp_tests.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,7 +1,6 @@
 #include <stiction/qp/operators/symmetric_operator.h>
-#include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
-#include <stiction/qp/solvers/admm.h>
+#include <stiction/qp/solvers/alternating_directions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +19,33 @@ namespace stiction::qp
     // the next, because it costs a factorisation.
     constexpr unsigned int first_wait     = 10;
     constexpr double adaptation_threshold = 2.;
+
+    // How much further x and z are apart than z moves. Relative, in the norms of
+    // energies. Displacements are measured by Qx, how far the forces bend the body,
+    // where the gradient is larger: it has the slip in it, which of a body that is
+    // drawn along may be any distance and says nothing of the forces.
+    double ratio_of_residuals(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+                              const Eigen::VectorXd &h, const Eigen::VectorXd &z,
+                              const Eigen::VectorXd &z_before, const Eigen::VectorXd &D)
+    {
+      const Eigen::VectorXd root = D.cwiseSqrt();
+      const double displacement  = std::min(gradient.cwiseQuotient(root).norm(),
+                                            (gradient + h).cwiseQuotient(root).norm());
+      return root.cwiseProduct(x - z).norm() / root.cwiseProduct(x).norm() *
+             displacement / root.cwiseProduct(z - z_before).norm();
+    }
   } // namespace
 
-  Admm::Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q,
-             const Eigen::VectorXd &nodal_compliance)
+  AlternatingDirections::AlternatingDirections(const Eigen::MatrixXd &matrix,
+                                               const SymmetricOperator &Q,
+                                               const Eigen::VectorXd &nodal_compliance)
     : matrix_(matrix)
     , Q_(Q)
     , pull_(nodal_compliance.replicate(3, 1))
   {
   }
 
-  void Admm::factorize(const double factor)
+  void AlternatingDirections::factorize(const double factor)
   {
     factor_                     = factor;
     Eigen::MatrixXd regularized = matrix_;
@@ -39,20 +54,15 @@ namespace stiction::qp
     ++n_factorizations_;
   }
 
-  SolverRun Admm::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
-                        const SlipBound &slip_bound, const Scaling &scaling,
-                        const double tolerance, const unsigned int max_iterations,
-                        const Observer &observer)
+  SolverRun AlternatingDirections::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
+                                         const SlipBound &slip_bound,
+                                         const Scaling &scaling, const double tolerance,
+                                         const unsigned int max_iterations,
+                                         const Observer &observer)
   {
     const unsigned int factorizations_before = n_factorizations_;
     const auto residual_of_x                 = [&]() {
       return natural_residual(x, gradient, slip_bound, scaling);
-    };
-    const auto project = [&](Eigen::VectorXd &v) {
-      if (!v.allFinite())
-        return;
-      const Eigen::VectorXd bound = slip_bound.at(v);
-      HalfLinesTimesDiscs(bound).project(v);
     };
 
     SolverRun statistics;
@@ -66,7 +76,7 @@ namespace stiction::qp
 
     // Where it was left: at a solution D u = −r.
     Eigen::VectorXd z = x;
-    project(z);
+    project(z, slip_bound);
     Eigen::VectorXd u = -gradient.cwiseQuotient(factor_ * pull_);
 
     unsigned int wait = first_wait, waited = 0;
@@ -76,16 +86,7 @@ namespace stiction::qp
         if (statistics.residual <= tolerance)
           {
             // x is feasible up to the tolerance only
-            Eigen::VectorXd d = x;
-            project(d);
-            d -= x;
-            if (!d.isZero(0.))
-              {
-                Eigen::VectorXd Qd;
-                Q_.vmult(Qd, d);
-                x += d;
-                gradient += Qd;
-              }
+            make_feasible(x, gradient, Q_, slip_bound);
             statistics.residual  = residual_of_x();
             statistics.converged = statistics.residual <= tolerance;
           }
@@ -100,35 +101,24 @@ namespace stiction::qp
         const Eigen::VectorXd relaxed  = relaxation * x + (1. - relaxation) * z;
         const Eigen::VectorXd z_before = z;
         z                              = relaxed + u;
-        project(z);
+        project(z, slip_bound);
         u += relaxed - z;
         ++statistics.admm_iterations;
 
         statistics.residual = residual_of_x();
         observer(statistics.residual);
 
-        if (++waited >= wait)
+        if (++waited < wait)
+          continue;
+        const double ratio = ratio_of_residuals(x, gradient, h, z, z_before, D);
+        if (std::isfinite(ratio) &&
+            (ratio > adaptation_threshold || ratio < 1. / adaptation_threshold))
           {
-            // Relative, in the norms of energies. Displacements are measured
-            // by Qx, how far the forces bend the body, where the gradient is
-            // larger: it has the slip in it, which of a body that is drawn
-            // along may be any distance and says nothing of the forces.
-            const Eigen::VectorXd root = D.cwiseSqrt();
-            const double displacement =
-              std::min(gradient.cwiseQuotient(root).norm(),
-                       (gradient + h).cwiseQuotient(root).norm());
-            const double ratio = root.cwiseProduct(x - z).norm() /
-                                 root.cwiseProduct(x).norm() * displacement /
-                                 root.cwiseProduct(z - z_before).norm();
-            if (std::isfinite(ratio) &&
-                (ratio > adaptation_threshold || ratio < 1. / adaptation_threshold))
-              {
-                const double change = std::sqrt(ratio);
-                factorize(factor_ * change);
-                wait *= 2;
-                waited = 0;
-                u /= change;
-              }
+            const double change = std::sqrt(ratio);
+            factorize(factor_ * change);
+            wait *= 2;
+            waited = 0;
+            u /= change;
           }
       }
     if (!statistics.converged && z.allFinite())

@@ -8,7 +8,7 @@
 #include <stiction/qp/sets/contact_linearization.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
-#include <stiction/qp/solvers/admm.h>
+#include <stiction/qp/solvers/alternating_directions.h>
 #include <stiction/qp/solvers/krylov_methods.h>
 #include <stiction/qp/solvers/nystrom_preconditioner.h>
 
@@ -135,7 +135,7 @@ int main()
         const VectorXd g    = random.vector(m, 0., 2.);
         const VectorXd best = reference_solution(A, b, m, g);
         const DenseOperator op(A);
-        Admm admm(A, op, VectorXd::Constant(m, A.trace() / (3. * m)));
+        AlternatingDirections admm(A, op, VectorXd::Constant(m, A.trace() / (3. * m)));
         VectorXd x = VectorXd::Zero(3 * m), r = -b;
         const auto stat =
           admm.solve(x, r, SlipBound::given(g), scaling, 1e-11, 3000, [](double) {});

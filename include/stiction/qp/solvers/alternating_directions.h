@@ -1,5 +1,5 @@
-#ifndef stiction_qp_solvers_admm_h
-#define stiction_qp_solvers_admm_h
+#ifndef stiction_qp_solvers_alternating_directions_h
+#define stiction_qp_solvers_alternating_directions_h
 
 #include <stiction/qp/solvers/solver_run.h>
 
@@ -24,7 +24,7 @@ namespace stiction::qp
   /// asks for a new Cholesky factor of Q + D. Over-relaxed by 1.7. With Coulomb
   /// friction the disc of a node has the radius F z_ν of the same iteration.
   /// Converges for given friction (Boyd et al. 2011) whatever the factor.
-  class Admm
+  class AlternatingDirections
   {
   public:
     /// Called after each iteration with the natural residual.
@@ -35,8 +35,8 @@ namespace stiction::qp
     ///   outlive the object.
     /// @param nodal_compliance how much a node gives way to its own force alone,
     ///   length m, m/N.
-    Admm(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q,
-         const Eigen::VectorXd &nodal_compliance);
+    AlternatingDirections(const Eigen::MatrixXd &matrix, const SymmetricOperator &Q,
+                          const Eigen::VectorXd &nodal_compliance);
 
     /// Moves x until its natural residual is at most tolerance. The returned x
     /// is feasible for its own slip bound.
