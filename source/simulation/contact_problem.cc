@@ -214,7 +214,7 @@ namespace stiction
         parameters_.stiffness_solver.type == "automatic" && !parameters_.is_matrix_free())
       log_->line("Algebraic multigrid, which takes some 40 times as long for "
                  "an unknown as geometric multigrid: that is not there with " +
-                 parameters_.why_no_geometric_levels());
+                 parameters_.why_no_geometric_multigrid());
   }
 
   void ContactProblem::describe_machine()

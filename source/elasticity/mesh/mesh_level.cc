@@ -6,6 +6,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace stiction
@@ -131,6 +132,25 @@ namespace stiction
   types::global_dof_index MeshLevel::first_dof(const unsigned int local_node) const
   {
     return partitioner_->local_to_global(3 * local_node);
+  }
+
+  std::vector<MeshLevel::HangingNode> MeshLevel::hanging_nodes() const
+  {
+    std::vector<HangingNode> nodes;
+    if (!is_active_ || body_.n_hanging_nodes() == 0)
+      return nodes;
+    std::set<types::global_dof_index> known;
+    for (const auto &cell : body_.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto dof : first_dofs(cell, is_active_))
+          if (body_.is_hanging(dof) && known.insert(dof).second)
+            {
+              nodes.push_back({local_node(dof), {}});
+              for (const auto &[other, weight] :
+                   *body_.hanging_nodes().get_constraint_entries(dof))
+                nodes.back().others.emplace_back(local_node(other), weight);
+            }
+    return nodes;
   }
 
   template<typename Number>

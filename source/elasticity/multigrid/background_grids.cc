@@ -19,7 +19,7 @@ namespace stiction
     constexpr std::size_t few_vertices = 130;
 
     // Cells so many times as large as the small ones get cubes of their own size.
-    constexpr double graded = 4.;
+    constexpr double graded = 1.9;
 
     // A cube of a lattice: those of lattice k have edges of 2^k of the smallest.
     struct Cube
@@ -108,12 +108,15 @@ namespace stiction
       }
     };
 
+    using Links = std::vector<std::pair<unsigned int, unsigned int>>;
+
     // What a grid is made of: pieces of the body, each with eight points (nodes of a
     // cell, vertices of a cube of the grid before) and the cube that it goes to.
     struct Pieces
     {
       std::vector<Cube> cubes;
       std::vector<std::array<unsigned int, 8>> points;
+      Links links; // pieces in which one cell of the mesh lies
     };
 
     // A grid: cubes with the part of the body in them, and their vertices.
@@ -121,25 +124,18 @@ namespace stiction
     {
       std::vector<Cube> cubes;
       std::vector<std::array<unsigned int, 8>> vertices;
+      Links links;                        // as of pieces, of the cubes
       std::vector<Place> places;          // of the vertices
       std::vector<unsigned int> of_piece; // the cube of each piece
       Lists pieces_at;                    // by point
     };
 
-    // The pieces in one cube that share points are one; so are the vertices with one
-    // place of the cubes that share a group of pieces.
-    //
-    // @param groups of pieces, each of which hangs together; null: those at a point.
-    Grid make_grid(const Pieces &pieces, const std::size_t n_points, const Lists *groups)
+    // The pieces in one cube that share points or a cell are one.
+    void join_pieces(const Pieces &pieces, Grid &grid)
     {
-      const std::size_t n = pieces.cubes.size();
-      Grid grid{{}, {}, {}, {}, Lists(n_points, 8 * n, [&](const std::size_t k) {
-                  return std::make_pair(pieces.points[k / 8][k % 8],
-                                        static_cast<unsigned int>(k / 8));
-                })};
+      UnionFind together(pieces.cubes.size());
       const Lists &at = grid.pieces_at;
-      UnionFind together(n);
-      for (std::size_t p = 0; p < n_points; ++p)
+      for (std::size_t p = 0; p + 1 < at.begin.size(); ++p)
         for (unsigned int a = at.begin[p]; a < at.begin[p + 1]; ++a)
           for (unsigned int b = at.begin[p]; b < a; ++b)
             if (pieces.cubes[at.entries[a]] == pieces.cubes[at.entries[b]])
@@ -147,44 +143,86 @@ namespace stiction
                 together.unite(at.entries[a], at.entries[b]);
                 break;
               }
+      for (const auto &[a, b] : pieces.links)
+        if (pieces.cubes[a] == pieces.cubes[b])
+          together.unite(a, b);
+
       unsigned int n_cubes = 0;
       grid.of_piece        = together.number(n_cubes);
       grid.cubes.resize(n_cubes);
-      for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t i = 0; i < pieces.cubes.size(); ++i)
         grid.cubes[grid.of_piece[i]] = pieces.cubes[i];
+      for (const auto &[a, b] : pieces.links)
+        if (const auto [low, high] = std::minmax(grid.of_piece[a], grid.of_piece[b]);
+            low != high)
+          grid.links.emplace_back(low, high);
+      std::sort(grid.links.begin(), grid.links.end());
+      grid.links.erase(std::unique(grid.links.begin(), grid.links.end()),
+                       grid.links.end());
+    }
 
-      if (groups == nullptr)
-        groups = &at;
-      UnionFind same(8 * std::size_t(n_cubes));
+    // Corners at one place of cubes that hang together are one vertex.
+    class Corners
+    {
+    public:
+      explicit Corners(const Grid &grid)
+        : grid_(grid)
+        , same_(8 * grid.cubes.size())
+      {
+      }
+
+      void unite(std::vector<unsigned int> &cubes)
+      {
+        std::sort(cubes.begin(), cubes.end());
+        cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
+        if (cubes.size() < 2)
+          return;
+        corners_.clear();
+        for (const unsigned int cube : cubes)
+          for (unsigned int v = 0; v < 8; ++v)
+            corners_.emplace_back(grid_.cubes[cube].corner(v), 8 * cube + v);
+        std::sort(corners_.begin(), corners_.end());
+        for (std::size_t k = 1; k < corners_.size(); ++k)
+          if (corners_[k].first == corners_[k - 1].first)
+            same_.unite(corners_[k].second, corners_[k - 1].second);
+      }
+
+      void number(Grid &grid)
+      {
+        unsigned int n_vertices                 = 0;
+        const std::vector<unsigned int> numbers = same_.number(n_vertices);
+        grid.places.resize(n_vertices);
+        grid.vertices.resize(grid.cubes.size());
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+          {
+            grid.vertices[k / 8][k % 8] = numbers[k];
+            grid.places[numbers[k]]     = grid.cubes[k / 8].corner(k % 8);
+          }
+      }
+
+    private:
+      const Grid &grid_;
+      UnionFind same_;
+      std::vector<std::pair<Place, unsigned int>> corners_;
+    };
+
+    Grid make_grid(const Pieces &pieces, const std::size_t n_points)
+    {
+      const std::size_t n = pieces.cubes.size();
+      Grid grid{{}, {}, {}, {}, {}, Lists(n_points, 8 * n, [&](const std::size_t k) {
+                  return std::make_pair(pieces.points[k / 8][k % 8],
+                                        static_cast<unsigned int>(k / 8));
+                })};
+      join_pieces(pieces, grid);
+
+      Corners corners(grid);
       std::vector<unsigned int> cubes;
-      std::vector<std::pair<Place, unsigned int>> corners;
-      for (std::size_t g = 0; g + 1 < groups->begin.size(); ++g)
+      for (const auto &[a, b] : grid.links)
         {
-          cubes.clear();
-          for (unsigned int k = groups->begin[g]; k < groups->begin[g + 1]; ++k)
-            cubes.push_back(grid.of_piece[groups->entries[k]]);
-          std::sort(cubes.begin(), cubes.end());
-          cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
-          if (cubes.size() < 2)
-            continue;
-          corners.clear();
-          for (const unsigned int cube : cubes)
-            for (unsigned int v = 0; v < 8; ++v)
-              corners.emplace_back(grid.cubes[cube].corner(v), 8 * cube + v);
-          std::sort(corners.begin(), corners.end());
-          for (std::size_t k = 1; k < corners.size(); ++k)
-            if (corners[k].first == corners[k - 1].first)
-              same.unite(corners[k].second, corners[k - 1].second);
+          cubes = {a, b};
+          corners.unite(cubes);
         }
-      unsigned int n_vertices                 = 0;
-      const std::vector<unsigned int> numbers = same.number(n_vertices);
-      grid.places.resize(n_vertices);
-      grid.vertices.resize(n_cubes);
-      for (std::size_t k = 0; k < numbers.size(); ++k)
-        {
-          grid.vertices[k / 8][k % 8] = numbers[k];
-          grid.places[numbers[k]]     = grid.cubes[k / 8].corner(k % 8);
-        }
+      corners.number(grid);
       return grid;
     }
 
@@ -327,26 +365,26 @@ namespace stiction
 
     // a cell is a piece of every cube in which it has a node
     Pieces pieces;
-    std::vector<std::pair<unsigned int, unsigned int>> of_cell;
-    for (std::size_t e = 0; e < cells.size(); ++e)
+    for (const auto &cell : cells)
       {
         std::array<Cube, 8> touched;
         for (unsigned int v = 0; v < 8; ++v)
-          touched[v] = cubes[cells[e][v]];
+          touched[v] = cubes[cell[v]];
         std::sort(touched.begin(), touched.end());
-        const auto end = std::unique(touched.begin(), touched.end());
+        const auto end   = std::unique(touched.begin(), touched.end());
+        const auto first = static_cast<unsigned int>(pieces.cubes.size());
         for (auto cube = touched.begin(); cube != end; ++cube)
           {
-            of_cell.emplace_back(e, pieces.cubes.size());
+            const auto piece = static_cast<unsigned int>(pieces.cubes.size());
+            for (unsigned int other = first; other < piece; ++other)
+              pieces.links.emplace_back(other, piece);
             pieces.cubes.push_back(*cube);
-            pieces.points.push_back(cells[e]);
+            pieces.points.push_back(cell);
           }
       }
-    const Lists cells_alone(cells.size(), of_cell.size(),
-                            [&](const std::size_t k) { return of_cell[k]; });
 
     std::vector<Interpolation> all;
-    Grid grid = make_grid(pieces, nodes.size(), &cells_alone);
+    Grid grid = make_grid(pieces, nodes.size());
     all.push_back(interpolate(
       grid, nodes.size(),
       [&](const std::size_t i) {
@@ -362,10 +400,11 @@ namespace stiction
       {
         const std::vector<Place> places = std::move(grid.places);
         pieces.points                   = std::move(grid.vertices);
+        pieces.links                    = std::move(grid.links);
         pieces.cubes.clear();
         for (const Cube &cube : grid.cubes)
           pieces.cubes.push_back(cube.parent());
-        Grid coarse = make_grid(pieces, places.size(), nullptr);
+        Grid coarse = make_grid(pieces, places.size());
         if (coarse.places.size() > 0.9 * static_cast<double>(places.size()))
           break;
         all.push_back(interpolate(

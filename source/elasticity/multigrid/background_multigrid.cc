@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 namespace stiction
@@ -162,6 +163,42 @@ namespace stiction
           for (unsigned int j = 0; j < 24; ++j)
             K(k, j) = K(j, k) = 0.;
     }
+    // A hanging node follows from the nodes it depends on, and is prescribed as far as
+    // all of these are.
+    void interpolate_hanging_nodes(const MeshLevel &mesh, Interpolation &interpolation,
+                                   LA::Vector &is_fixed)
+    {
+      const std::vector<MeshLevel::HangingNode> hanging = mesh.hanging_nodes();
+      if (hanging.empty())
+        return;
+      const auto row = [&](const unsigned int node) {
+        return static_cast<Eigen::Index>(mesh.first_dof(node) / 3);
+      };
+      std::set<Eigen::Index> rows;
+      std::vector<Eigen::Triplet<float>> entries;
+      for (const auto &[node, others] : hanging)
+        {
+          rows.insert(row(node));
+          for (const auto &[other, weight] : others)
+            for (Interpolation::InnerIterator entry(interpolation, row(other)); entry;
+                 ++entry)
+              entries.emplace_back(row(node), entry.col(),
+                                   static_cast<float>(weight) * entry.value());
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const bool are_fixed =
+                std::all_of(others.begin(), others.end(), [&](const auto &other) {
+                  return is_fixed.local_element(3 * other.first + c) != 0.;
+                });
+              is_fixed.local_element(3 * node + c) = are_fixed ? 1. : 0.;
+            }
+        }
+      for (Eigen::Index i = 0; i < interpolation.outerSize(); ++i)
+        if (rows.count(i) == 0)
+          for (Interpolation::InnerIterator entry(interpolation, i); entry; ++entry)
+            entries.emplace_back(i, entry.col(), entry.value());
+      interpolation.setFromTriplets(entries.begin(), entries.end());
+    }
   } // namespace
 
   BackgroundMultigrid::BackgroundMultigrid(
@@ -170,8 +207,11 @@ namespace stiction
     : unit_(unit)
     , stiffness_of_supported_(first_dofs.size(), 0.)
   {
-    const std::vector<Interpolation> grids = make_grids(mesh);
-    const auto node                        = [&](const unsigned int local) {
+    std::vector<Interpolation> grids = make_grids(mesh);
+    LA::Vector is_left_out           = fixed;
+    is_left_out.update_ghost_values();
+    interpolate_hanging_nodes(mesh, grids.front(), is_left_out);
+    const auto node = [&](const unsigned int local) {
       return static_cast<unsigned int>(mesh.first_dof(local) / 3);
     };
     std::unordered_map<unsigned int, std::size_t> in_list;
@@ -189,8 +229,6 @@ namespace stiction
     sets.clear();
     sets.shrink_to_fit();
 
-    LA::Vector with_ghosts = fixed;
-    with_ghosts.update_ghost_values();
     ElementStiffness element_stiffness;
     mesh.for_each_cell([&](HexahedralCell cell) {
       elasticity.materials().assign(cell, unit);
@@ -203,7 +241,7 @@ namespace stiction
             for (unsigned int c = 0; c < 3; ++c)
               stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
         }
-      drop_fixed(K, cell, with_ghosts);
+      drop_fixed(K, cell, is_left_out);
       A.add(galerkin(nodes, K));
     });
     Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),

@@ -64,9 +64,14 @@ namespace stiction
             level.partitioner()->is_ghost_entry(dof))
           support_of_[level.local_node(dof)] = i;
       }
-    if (elasticity.stiffness().matrix() != nullptr) // then there is one level
-      assembled_ = std::make_unique<ConstrainedMatrix>(*elasticity.stiffness().matrix(),
-                                                       fixed, supported_nodes);
+    const LA::SparseMatrix *K = elasticity.stiffness().matrix();
+    if (K == nullptr && elasticity.body().n_hanging_nodes() > 0)
+      {
+        own_stiffness_ = elasticity.assemble();
+        K              = own_stiffness_.get();
+      }
+    if (K != nullptr) // then there is one level
+      assembled_ = std::make_unique<ConstrainedMatrix>(*K, fixed, supported_nodes);
     else if (level_.n_dofs() > max_dense)
       make_pattern();
     set_supports(supports);

@@ -10,10 +10,8 @@ namespace stiction
     : mesh_(mesh)
   {
     const unsigned int n = body.triangulation().n_global_levels();
-    if (!levels_in_use || n == 1)
+    if (!levels_in_use || n == 1 || !body.has_geometric_levels())
       return;
-    if (!body.has_geometric_levels())
-      throw std::logic_error("the mesh has no levels of cells alike");
     // so that vectors of the mesh are vectors of its last level
     if (body.dof_handler().locally_owned_dofs() !=
         body.dof_handler().locally_owned_mg_dofs(n - 1))

@@ -13,8 +13,7 @@ namespace stiction
                   "conjugate gradients with geometric multigrid on the levels "
                   "of 'Geometry/Global refinement' and grids behind the coarsest, "
                   "without a matrix, for large bodies; amg: with algebraic multigrid "
-                  "on the matrix, also with local or adaptive "
-                  "refinement, elements of degree 2, orthotropic materials, "
+                  "on the matrix, also with elements of degree 2, orthotropic materials, "
                   "'Volume strain = cell mean'. automatic: multigrid, or amg where "
                   "there is none, for 'Contact solver/Method = newton "
                   "multigrid', otherwise mumps.",

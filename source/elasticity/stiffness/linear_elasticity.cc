@@ -130,14 +130,18 @@ namespace stiction
 
   void LinearElasticity::make_stiffness()
   {
-    if (body_.has_geometric_levels() && materials_->are_simple())
+    if (body_.dof_handler().get_fe().degree == 1 && materials_->are_simple())
       stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
     else
-      stiffness_ = std::make_unique<StiffnessOperator<double>>(
-        *mesh_, assemble_stiffness(body_, [&](const auto &cell) {
-          return CellMaterial{materials_->of(cell->material_id()).stiffness,
-                              materials_->have_mean_dilatation()};
-        }));
+      stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, assemble());
+  }
+
+  std::unique_ptr<LA::SparseMatrix> LinearElasticity::assemble() const
+  {
+    return assemble_stiffness(body_, [&](const auto &cell) {
+      return CellMaterial{materials_->of(cell->material_id()).stiffness,
+                          materials_->have_mean_dilatation()};
+    });
   }
 
   void LinearElasticity::constrain_stiffness()

@@ -1,11 +1,15 @@
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/element_stiffness.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <algorithm>
+#include <array>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 namespace stiction
@@ -43,7 +47,10 @@ namespace stiction
                                                const double unit)
     : level_(level)
     , cells_(make_cells<Number>(level, materials, unit))
+    , hanging_(level.hanging_nodes())
   {
+    if (!hanging_.empty())
+      find_hanging_blocks(materials, unit);
   }
 
   template<typename Number>
@@ -68,9 +75,75 @@ namespace stiction
         }
     src.update_ghost_values();
     dst = Number(0.);
-    cells_.add_product(dst.begin(), src.begin());
+    if (hanging_.empty())
+      cells_.add_product(dst.begin(), src.begin());
+    else
+      {
+        interpolated_.assign(src.begin(),
+                             src.begin() + 3 * std::size_t(level_.n_local_nodes()));
+        for (const auto &[node, others] : hanging_)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              Number &u = interpolated_[3 * std::size_t(node) + c] = Number(0.);
+              for (const auto &[other, weight] : others)
+                u +=
+                  static_cast<Number>(weight) * src.begin()[3 * std::size_t(other) + c];
+            }
+        cells_.add_product(dst.begin(), interpolated_.data());
+        for (const auto &[node, others] : hanging_)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              Number &force = dst.begin()[3 * std::size_t(node) + c];
+              for (const auto &[other, weight] : others)
+                dst.begin()[3 * std::size_t(other) + c] +=
+                  static_cast<Number>(weight) * force;
+              force = Number(0.);
+            }
+      }
     src.zero_out_ghost_values();
     dst.compress(dealii::VectorOperation::add);
+  }
+
+  template<typename Number>
+  void StiffnessOperator<Number>::find_hanging_blocks(const Materials &materials,
+                                                      const double unit)
+  {
+    std::unordered_map<unsigned int, const MeshLevel::HangingNode *> is_hanging;
+    for (const MeshLevel::HangingNode &hanging : hanging_)
+      is_hanging[hanging.node] = &hanging;
+    std::unordered_map<unsigned int, Eigen::Matrix3d> blocks;
+    ElementStiffness element_stiffness;
+    level_.for_each_cell([&](HexahedralCell cell) {
+      std::array<std::vector<std::pair<unsigned int, double>>, 8> nodes;
+      unsigned int n_hanging = 0;
+      for (unsigned int v = 0; v < 8; ++v)
+        {
+          const auto hanging = is_hanging.find(cell.nodes[v]);
+          n_hanging += hanging != is_hanging.end() ? 1 : 0;
+          nodes[v] = hanging != is_hanging.end()
+                       ? hanging->second->others
+                       : decltype(hanging->second->others){{cell.nodes[v], 1.}};
+        }
+      if (n_hanging == 0)
+        return;
+      materials.assign(cell, unit);
+      const dealii::FullMatrix<double> &K = element_stiffness(cell);
+      for (unsigned int i = 0; i < 8; ++i)
+        for (unsigned int j = 0; j < 8; ++j)
+          for (const auto &[a, weight_a] : nodes[i])
+            for (const auto &[b, weight_b] : nodes[j])
+              if (a == b && !(i == j && a == cell.nodes[i])) // which the cells add
+                {
+                  auto &block =
+                    blocks.try_emplace(a, Eigen::Matrix3d::Zero()).first->second;
+                  for (unsigned int r = 0; r < 3; ++r)
+                    for (unsigned int c = 0; c < 3; ++c)
+                      block(r, c) += weight_a * weight_b * K(3 * i + r, 3 * j + c);
+                }
+    });
+    hanging_blocks_.assign(blocks.begin(), blocks.end());
+    std::sort(hanging_blocks_.begin(), hanging_blocks_.end(),
+              [](const auto &a, const auto &b) { return a.first < b.first; });
   }
 
   template<typename Number>
@@ -80,6 +153,11 @@ namespace stiction
       return blocks_of_matrix<Number>(*matrix_);
     std::vector<Number> local(9 * static_cast<std::size_t>(level_.n_local_nodes()));
     cells_.add_diagonal_blocks(local.data());
+    for (const MeshLevel::HangingNode &hanging : hanging_)
+      std::fill_n(&local[9 * std::size_t(hanging.node)], 9, Number(0.));
+    for (const auto &[node, block] : hanging_blocks_)
+      for (unsigned int k = 0; k < 9; ++k)
+        local[9 * std::size_t(node) + k] += static_cast<Number>(block(k / 3, k % 3));
 
     // row by row through vectors, which know how to add up shares
     const std::size_t n_owned = level_.n_owned_nodes();

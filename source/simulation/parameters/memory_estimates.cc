@@ -15,7 +15,7 @@ namespace stiction
     // and eight nodes a cell.
     const bool is_quadratic = parameters.geometry.element_degree == 2;
     const double matrices   = parameters.is_matrix_free()         ? 2.2e3
-                              : parameters.has_geometric_levels() ? 6e3
+                              : parameters.has_geometric_multigrid() ? 6e3
                               : is_quadratic                      ? 1.3e5
                                                                   : 1e4;
     const double fields     = parameters.output.has_all_fields() ? 4.3e3 : 2.6e3;

@@ -36,7 +36,7 @@ namespace stiction
     used_file_ = out.str();
   }
 
-  std::string Parameters::why_no_geometric_levels() const
+  std::string Parameters::why_no_geometric_multigrid() const
   {
     std::string all;
     const auto add = [&](const bool holds, const std::string &reason) {
@@ -44,8 +44,6 @@ namespace stiction
         all += (all.empty() ? "" : ", ") + reason;
     };
     add(geometry.element_degree > 1, "'Element degree' 2");
-    add(geometry.contact_refinement > 0, "'Contact refinement'");
-    add(refinement.adaptive_steps > 0, "'Adaptive steps'");
     add(has_mean_dilatation(), "'Volume strain' cell mean");
     // the kind of a material stands after its name and a colon
     add(std::regex_search(material.materials, std::regex(":\\s*orthotropic\\s*;")),
@@ -59,7 +57,7 @@ namespace stiction
       return stiffness_solver.type;
     if (!contact_solver.is_primal())
       return "mumps";
-    return has_geometric_levels() ? "multigrid" : "amg";
+    return has_geometric_multigrid() ? "multigrid" : "amg";
   }
 
   bool Parameters::is_matrix_free() const
@@ -136,16 +134,11 @@ namespace stiction
                    "writes the matrix Q, so 'Dual operator/Form' must be 'assembled' "
                    "and 'Contact solver/Method' another one than 'newton multigrid'");
 
-    source.require(stiffness_solver.type != "multigrid" || refinement.adaptive_steps == 0,
-                   "Stiffness solver/Type",
-                   "needs cells alike on each level, so 'Refinement/Adaptive steps' "
-                   "must be 0, or the type 'amg'");
     source.require(
-      stiffness_solver.type != "multigrid" || has_geometric_levels(),
+      stiffness_solver.type != "multigrid" || has_geometric_multigrid(),
       "Stiffness solver/Type",
-      "needs trilinear cells of isotropic materials, alike on each level, so "
-      "'Geometry/Contact refinement' must be 0, 'Geometry/Element "
-      "degree' 1 and 'Material/Volume strain' pointwise (automatic is that up "
+      "needs trilinear cells of isotropic materials, so 'Geometry/Element degree' must "
+      "be 1 and 'Material/Volume strain' pointwise (automatic is that up "
       "to a Poisson ratio of 0.45), or the type 'amg'");
     source.require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
                    "Stiffness solver/Type",

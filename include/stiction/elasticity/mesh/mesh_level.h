@@ -9,6 +9,8 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace dealii
 {
@@ -71,6 +73,16 @@ namespace stiction
     /// with its material id but without Lamé's numbers, see
     /// Materials::assign().
     void for_each_cell(const std::function<void(const HexahedralCell &)> &callback) const;
+
+    /// A node whose displacement is Σ weight × that of others, by local nodes.
+    struct HangingNode
+    {
+      unsigned int node;
+      std::vector<std::pair<unsigned int, double>> others;
+    };
+
+    /// Those of the cells this rank owns.
+    std::vector<HangingNode> hanging_nodes() const;
 
   private:
     void make_partitioner();

@@ -78,6 +78,7 @@ namespace stiction
     std::unordered_map<unsigned int, std::size_t> support_of_;
     std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
+    std::unique_ptr<LA::SparseMatrix> own_stiffness_; ///< with hanging nodes
     std::unique_ptr<ConstrainedMatrix> assembled_;
     std::unique_ptr<HostVector> host_;
     std::unique_ptr<MumpsFactorization> direct_;

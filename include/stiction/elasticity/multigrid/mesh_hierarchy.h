@@ -12,7 +12,8 @@ namespace stiction
   class Body;
 
   /// The levels of a uniformly refined mesh, 0 the coarsest, and the transfers
-  /// between them. The mesh itself is the last level.
+  /// between them. The mesh itself is the last level, and the only one where it was
+  /// refined locally.
   class MeshHierarchy
   {
   public:

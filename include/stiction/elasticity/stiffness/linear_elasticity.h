@@ -83,6 +83,10 @@ namespace stiction
     /// was not assembled.
     const LA::SparseMatrix &constrained_stiffness() const;
 
+    /// K without any boundary condition, assembled; rows of hanging nodes are zero.
+    /// Collective.
+    std::unique_ptr<LA::SparseMatrix> assemble() const;
+
     /// The diagonal of K; zero at hanging nodes. Collective.
     LA::Vector stiffness_diagonal() const;
 

@@ -3,18 +3,22 @@
 
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
+
+#include <Eigen/Core>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace stiction
 {
   class Materials;
-  class MeshLevel;
 
   /// The product with the stiffness matrix K of a level of the mesh without any
-  /// boundary condition: cell by cell without a matrix, or, where cells are not
-  /// simple, with the assembled one.
+  /// boundary condition: cell by cell without a matrix, or, where elements or materials
+  /// are not simple, with the assembled one. With hanging nodes it is CᵀKC: what a
+  /// vector has there is ignored, and the product is zero there.
   template<typename Number>
   class StiffnessOperator
   {
@@ -45,8 +49,14 @@ namespace stiction
     std::vector<Number> diagonal_blocks() const;
 
   private:
+    /// What hanging nodes add to the diagonal blocks of the nodes they depend on.
+    void find_hanging_blocks(const Materials &materials, double unit);
+
     const MeshLevel &level_;
     CellStiffness<Number> cells_;
+    std::vector<MeshLevel::HangingNode> hanging_;
+    std::vector<std::pair<unsigned int, Eigen::Matrix3d>> hanging_blocks_;
+    mutable std::vector<Number> interpolated_; ///< src with values at hanging nodes
     std::unique_ptr<const LA::SparseMatrix> matrix_;
   };
 } // namespace stiction

@@ -61,14 +61,13 @@ namespace stiction
     /// Throws InputError if the method cannot solve a problem with this law.
     void check_method(bool is_coulomb) const;
 
-    /// Whether K can be known cell by cell, without a matrix, and there is
-    /// geometric multigrid: a mesh of trilinear cells of isotropic materials
-    /// that stays uniform.
-    bool has_geometric_levels() const { return why_no_geometric_levels().empty(); }
+    /// Whether K is known cell by cell, without a matrix, and there is geometric
+    /// multigrid: for trilinear cells of isotropic materials.
+    bool has_geometric_multigrid() const { return why_no_geometric_multigrid().empty(); }
 
     /// The entries because of which it is not, with their values, separated by
     /// commas.
-    std::string why_no_geometric_levels() const;
+    std::string why_no_geometric_multigrid() const;
 
     /// See MaterialParameters::has_mean_dilatation().
     bool has_mean_dilatation() const
