@@ -53,7 +53,8 @@ def has_checkpoint(directory):
 
 def content(directory):
     """All digits of the contact nodes at the end."""
-    with open(os.path.join(directory, "contact.csv"), encoding="ascii") as file:
+    name = os.path.join(directory, f"contact_{STEPS:04d}.csv")
+    with open(name, encoding="ascii") as file:
         return file.read()
 
 
@@ -89,7 +90,7 @@ def main():
             reached = max([reached] + [step - 1 for step in steps])
             if run.returncode == 0:
                 break
-        if run.returncode == 0 and content(straight) != content(killed):
+        if content(straight) != content(killed):
             sys.exit("the digits are not those of a run that was not killed")
         print(f"killed {k} times, the same digits at the end")
 
