@@ -176,21 +176,16 @@ namespace stiction
     axis_point_ = Point<3>(numbers[0], numbers[1], numbers[2]);
   }
 
-  double ContactBoundary::torque(const Point<3> &x, const Tensor<1, 3> &force) const
+  Tensor<1, 3> ContactBoundary::arm(const Point<3> &x, const Tensor<1, 3> &n) const
   {
-    return axis_ * cross_product_3d(x - axis_point_, force);
-  }
-
-  Tensor<1, 3> ContactBoundary::turning(const Point<3> &x, const Tensor<1, 3> &n) const
-  {
-    const Tensor<1, 3> U = angle_ * cross_product_3d(axis_, x - axis_point_);
-    if (!(std::abs(n * U) <=
-          sine_of_round * U.norm() + rounding * size_ * std::abs(angle_)))
+    const Tensor<1, 3> arm = cross_product_3d(axis_, x - axis_point_);
+    if (angle_ != 0. &&
+        !(std::abs(n * arm) <= sine_of_round * arm.norm() + rounding * size_))
       throw InputError(source_->describe(rotation_entry) +
                        ", turns the obstacle of boundary '" + name_ +
                        "' about an axis about which it is not round at " + text_of(x) +
                        ", must turn it about an axis of revolution.");
-    return U;
+    return arm;
   }
 
   bool ContactBoundary::place(ContactNode &node) const

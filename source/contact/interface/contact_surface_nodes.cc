@@ -98,8 +98,9 @@ namespace stiction
             continue;
           }
         const Tensor<1, 3> normal = node.normal;
-        node.turning =
-          boundaries_[node.boundary].turning(node.position + node.gap * normal, normal);
+        const ContactBoundary &of = boundaries_[node.boundary];
+        node.arm                  = of.arm(node.position + node.gap * normal, normal);
+        node.turning              = of.angle() * node.arm;
         if (!set_tangents(node))
           continue;
         node.gap_growth = normal;

@@ -9,16 +9,16 @@ namespace stiction
 {
   namespace
   {
-    void add_node(BoundaryStep &boundary, const ContactBoundary &of,
-                  const ContactNode &node, const NodeStatus status,
-                  const Eigen::Vector3d &lambda, const Eigen::Vector3d &gradient)
+    void add_node(BoundaryStep &boundary, const ContactNode &node,
+                  const NodeStatus status, const Eigen::Vector3d &lambda,
+                  const Eigen::Vector3d &gradient)
     {
       const Eigen::Vector3d on_obstacle = node.force_to_cartesian(lambda);
       const dealii::Tensor<1, 3> force(
         {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
       boundary.force += force;
       boundary.moment += cross_product_3d(node.position, force);
-      boundary.torque += of.torque(node.position, force + lambda(0) * node.normal);
+      boundary.torque += node.arm * (force + lambda(0) * node.normal);
       boundary.normal_force += lambda(0);
       boundary.center += lambda(0) * node.position;
       boundary.open_area += status.normal == NormalStatus::open ? node.area : 0.;
@@ -45,12 +45,8 @@ namespace stiction
   {
     std::vector<BoundaryStep> steps(surface.boundaries().size());
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-      {
-        const ContactNode &node = surface.nodes()[i];
-        add_node(steps[node.boundary], surface.boundaries()[node.boundary], node,
-                 statuses[i], at_node(certificate.lambda(), i),
-                 at_node(certificate.gradient(), i));
-      }
+      add_node(steps[surface.nodes()[i].boundary], surface.nodes()[i], statuses[i],
+               at_node(certificate.lambda(), i), at_node(certificate.gradient(), i));
     for (std::size_t b = 0; b < steps.size(); ++b)
       {
         const ContactBoundary &boundary = surface.boundaries()[b];

@@ -71,8 +71,11 @@ namespace stiction
     do_on_first_rank(communicator, [&]() {
       for (const auto &[name, entry] : directories(output, source))
         {
-          std::error_code error; // told below
+          std::error_code error;
           std::filesystem::create_directories(name, error);
+          if (error)
+            throw InputError(entry + ", cannot be written to, must be a directory that "
+                                     "exists or can be made.");
           require_writable(name + "/.", entry);
         }
       log.open_file(directory + "/log.txt", goes_on);

@@ -286,8 +286,7 @@ namespace stiction
         ++part.nodes;
         count(part, statuses[i]);
         add_forces(result.contact, node, lambda, statuses[i]);
-        part.torque += surface.boundaries()[node.boundary].torque(
-          node.position, add_forces(part, node, lambda, statuses[i]));
+        part.torque += node.arm * add_forces(part, node, lambda, statuses[i]);
       }
 
     for (const auto &[id, support] : reactions.boundaries())

@@ -56,16 +56,14 @@ namespace stiction
     /// θ, by which it has turned about that axis, rad.
     double angle() const { return angle_; }
 
-    /// a·((x − p) × F) of a force F at x, p being a point of the axis, N m.
-    double torque(const dealii::Point<3> &x, const dealii::Tensor<1, 3> &force) const;
-
-    /// By how much the surface of an obstacle that turns has moved along itself at its
-    /// point x with the normal n: U = θ a × (x − p), m, p being a point of the axis.
+    /// a × (x − p), p being a point of the axis, m: times θ it is by how much the
+    /// surface of an obstacle that turns has moved along itself at its point x with
+    /// the normal n.
     ///
-    /// Throws InputError if this is not along the surface, so that the obstacle is no
-    /// body of revolution about the axis.
-    dealii::Tensor<1, 3> turning(const dealii::Point<3> &x,
-                                 const dealii::Tensor<1, 3> &n) const;
+    /// Throws InputError if it turns and this is not along the surface, so that the
+    /// obstacle is no body of revolution about the axis.
+    dealii::Tensor<1, 3> arm(const dealii::Point<3> &x,
+                             const dealii::Tensor<1, 3> &n) const;
 
     /// The force in N that presses the obstacle on and along which it is free
     /// to move; zero: it is held.

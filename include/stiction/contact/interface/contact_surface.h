@@ -39,9 +39,9 @@ namespace stiction
     /// By how much the gap grows with displacements of the obstacle: n, and
     /// where a part of n is held, n over its cosine with what is left.
     dealii::Tensor<1, 3> gap_growth;
-    /// How far the surface of an obstacle that turns has moved past it, m: the point
-    /// that it faces.
-    dealii::Tensor<1, 3> turning;
+    /// How far the surface of an obstacle that turns moves past it a radian, m, and
+    /// has moved: the point that it faces. The torque of a force is arm·F.
+    dealii::Tensor<1, 3> arm, turning;
     /// Its prescribed components, 0 in the others, m.
     dealii::Tensor<1, 3> prescribed_displacement;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
