@@ -194,20 +194,45 @@ namespace stiction
   void MeshBuilder::make_volumes_positive()
   {
     for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-      try
-        {
-          std::vector<CellData<3>> cell = {mesh.cells[i]};
-          GridTools::invert_cells_with_negative_measure(points_, cell);
-          mesh.cells[i] = cell.front();
-        }
-      catch (const ExceptionBase &)
-        {
-          const std::string kind = kind_of_cell(mesh.cells[i].vertices.size());
-          text_.refuse(kind + ' ' + std::to_string(i + 1) +
-                       " up to here is inverted or degenerate, its corners must "
-                       "make a " +
-                       kind + " that is not folded");
-        }
+      {
+        CellData<3> &cell = mesh.cells[i];
+        if (cell.vertices.size() == 8 ? turn_hexahedron(cell) : turn(cell))
+          continue;
+        const std::string kind = kind_of_cell(cell.vertices.size());
+        text_.refuse(kind + ' ' + std::to_string(i + 1) +
+                     " up to here is inverted or degenerate, its corners must make a " +
+                     kind + " that is not folded");
+      }
+  }
+
+  bool MeshBuilder::turn_hexahedron(CellData<3> &cell) const
+  {
+    try
+      {
+        std::vector<CellData<3>> cells = {cell};
+        GridTools::invert_cells_with_negative_measure(points_, cells);
+        cell = cells.front();
+      }
+    catch (const ExceptionBase &)
+      {
+        return false;
+      }
+    return true;
+  }
+
+  // deal.II's function knows no prisms.
+  bool MeshBuilder::turn(CellData<3> &cell) const
+  {
+    auto &vertices = cell.vertices;
+    double size    = 0.;
+    for (const unsigned int v : vertices)
+      size = std::max(size, points_[v].distance(points_[vertices[0]]));
+    const double volume = GridTools::cell_measure<3>(points_, make_array_view(vertices));
+    if (volume < 0. && vertices.size() == 4)
+      std::swap(vertices[0], vertices[1]);
+    else if (volume < 0.)
+      std::swap_ranges(vertices.begin(), vertices.begin() + 3, vertices.begin() + 3);
+    return std::abs(volume) > 1e-14 * size * size * size;
   }
 
   MeshBuilder::Nodes in_gmsh_order(const MeshBuilder::Nodes &nodes,

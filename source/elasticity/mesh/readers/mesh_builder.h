@@ -77,6 +77,10 @@ namespace stiction
 
     void make_volumes_positive();
 
+    // Whether it has a volume, which is positive then.
+    bool turn_hexahedron(dealii::CellData<3> &cell) const;
+    bool turn(dealii::CellData<3> &cell) const;
+
     const TextScanner &text_;
     std::unordered_map<std::int64_t, unsigned int> positions_; // in points_
     std::vector<dealii::Point<3>> points_;
