@@ -75,7 +75,7 @@ PICTURES = {
     "the axis, the middle sticks.",
     "mesh_file": "A distorted block from a Gmsh file.",
     "bracket": "A bracket from CAD, of tetrahedra cut into hexahedra: a pin presses on "
-    "the lower part of the hole in its eye, which the maps show unrolled.",
+    "the upper part of the hole in its eye, which the maps show unrolled.",
     "methods/newton_multigrid": "The brick with 162,435 unknowns, solved in "
     "displacements.",
     "methods/qpq_as_printed": "The brick of the first row of Table 1.",
