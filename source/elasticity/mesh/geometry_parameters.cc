@@ -65,7 +65,7 @@ namespace stiction
                   "VTK (.vtk), as text. Cells are hexahedra with 8, 20 or "
                   "27 nodes, tetrahedra with 4 or 10, prisms with 6, 15 or 18; "
                   "tetrahedra are cut into four hexahedra each, prisms into "
-                  "three, or six beside tetrahedra. Cells of second order are cut "
+                  "three. Cells of second order are cut "
                   "along their curved shape, and have it with 'Element degree = 2'. "
                   "Boundaries and materials have the numbers and names of "
                   "Gmsh's physical groups; in .inp files those of *SURFACE "

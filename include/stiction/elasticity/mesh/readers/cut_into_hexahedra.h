@@ -12,8 +12,8 @@ namespace stiction
   /// A tetrahedron is cut into four, one at each vertex, with nodes in the middle of
   /// edges, faces and cell; a prism into three along its axis. Where an edge of a
   /// triangle is halved, so is what is opposite to it in a quadrilateral, and
-  /// opposite to that, and so on: a prism beside tetrahedra that share an edge along
-  /// its axis is cut into six, a hexahedron into two, four or eight.
+  /// opposite to that, and so on: a prism beside one with another axis is cut into
+  /// six, a hexahedron beside prisms into two, four or eight.
   ///
   /// Faces keep their boundaries and cells their materials. The hexahedra cut from
   /// curved cells of second order have the nodes inside (MeshData::inner_nodes) with
