@@ -74,6 +74,8 @@ PICTURES = {
     "cylinder": "A cylinder pressed down and twisted: friction turns around "
     "the axis, the middle sticks.",
     "mesh_file": "A distorted block from a Gmsh file.",
+    "bracket": "A bracket from CAD, of tetrahedra cut into hexahedra: a pin presses on "
+    "the upper part of the hole in its eye, which the maps show unrolled.",
     "methods/newton_multigrid": "The brick with 162,435 unknowns, solved in "
     "displacements.",
     "methods/qpq_as_printed": "The brick of the first row of Table 1.",

@@ -120,7 +120,10 @@ def unroll(panel, corners, normals):
     units = meshes.unit(normals)
     middles = corners.mean(axis=1)
     center = axis_place(middles, units)
-    pressed = (panel.pressure.mean(axis=1)[:, None] * normals).sum(axis=0)
+    # normals of a hole point to its axis
+    outward = np.sign(((middles - center) * normals).sum())
+    units = outward * units
+    pressed = outward * (panel.pressure.mean(axis=1)[:, None] * normals).sum(axis=0)
     front = snapped_sign(pressed if np.linalg.norm(pressed) > 0
                          else np.array([0, 0, -1.0]), axis)
     side = np.cross(axis, front)

@@ -59,4 +59,7 @@ STATUS=1 check 1 'stiction a.prm' a.prm --picture
 check 1 "run: -n must be followed by a number of ranks, not by ''" a.prm -n
 check 1 "run: there is no parameter file 'b.prm'" b.prm -n 2
 check 1 "run: '--output' is no command, './run --help' lists them" --output x
+mkdir -p parameters/meshes
+echo 'import sys; print("mesh of", *sys.argv[1:])' >parameters/meshes/step_to_msh.py
+check 0 'mesh of a.step a.msh --size 5' mesh a.step a.msh --size 5
 exit $((failures > 0))

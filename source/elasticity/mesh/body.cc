@@ -64,6 +64,7 @@ namespace stiction
     material_names_ = coarse.material_names();
     triangulation_.copy_triangulation(coarse.triangulation());
     quadratic_cells_ = coarse.quadratic_cells();
+    cut_elements_    = coarse.cut_elements();
     triangulation_.refine_global(geometry.global_refinement);
     shape_cells();
     throw_on_all_ranks(communicator(), [&]() {

@@ -100,6 +100,7 @@ namespace stiction
             const MeshData mesh = read_mesh_file(geometry.mesh_file, geometry.location);
             triangulation_.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
             quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
+            cut_elements_    = mesh.cut_elements;
             boundaries       = mesh.boundary_names;
             materials        = mesh.material_names;
           }
@@ -109,7 +110,8 @@ namespace stiction
         throw InputError(geometry.location +
                          ", makes no mesh: " + in_one_line(exception) + ".");
       }
-    require_valid_cells(triangulation_, quadratic_cells_, geometry.location);
+    require_valid_cells(triangulation_, quadratic_cells_,
+                        geometry.location + (cut_elements_.empty() ? "" : ", when cut"));
     set_names(boundaries, materials);
   }
 

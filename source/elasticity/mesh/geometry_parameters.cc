@@ -23,7 +23,7 @@ namespace stiction
       "Length. half ball: the lower half of a ball that touches z = 0 from "
       "above, with its centre at (0, 0, Radius), 0 curved, 1 flat: the face z "
       "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
-      "have the numbers it gives them. file: a mesh of hexahedra from 'Mesh "
+      "have the numbers it gives them. file: a mesh from 'Mesh "
       "file'. Refined curved boundaries follow the shape, those of a file "
       "stay as the file has them. May be left out where "
       "'Lengths' or 'Table 1 level' say that it is a brick.",
@@ -62,14 +62,16 @@ namespace stiction
                   "directory and, if it is not there, from the directory of "
                   "the parameter file: "
                   "Gmsh (.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy "
-                  "VTK (.vtk), as text. Cells must be hexahedra with 8, 20 or "
-                  "27 nodes; those of second order are cut along their curved "
-                  "shape, and have it with 'Element degree = 2'. "
+                  "VTK (.vtk), as text. Cells are hexahedra with 8, 20 or "
+                  "27 nodes, tetrahedra with 4 or 10, prisms with 6, 15 or 18; "
+                  "tetrahedra are cut into four hexahedra each, prisms into "
+                  "three. Cells of second order are cut "
+                  "along their curved shape, and have it with 'Element degree = 2'. "
                   "Boundaries and materials have the numbers and names of "
                   "Gmsh's physical groups; in .inp files those of *SURFACE "
                   "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
                   "they come; in .vtk files the numbers of the cell data "
-                  "'MaterialID', of quadrilaterals and of hexahedra. Faces "
+                  "'MaterialID', of faces and of cells. Faces "
                   "and cells that have none get the number 0. Unit: of length.",
                   prm, Patterns::Anything());
     declare_refinement();

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -116,6 +117,13 @@ namespace stiction
     /// The smallest box around the body, in m.
     const dealii::BoundingBox<3> &bounding_box() const { return bounding_box_; }
 
+    /// How many elements of a file were cut into hexahedra before these were
+    /// refined, by kinds: "tetrahedra". Empty if none were.
+    const std::map<std::string, std::size_t> &cut_elements() const
+    {
+      return cut_elements_;
+    }
+
     /// The boundaries of the mesh, with their names.
     const MeshNames &boundary_names() const { return boundary_names_; }
 
@@ -145,6 +153,7 @@ namespace stiction
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;
     QuadraticCells quadratic_cells_;
+    std::map<std::string, std::size_t> cut_elements_;
     std::string location_; // of the entry that says what the body is
     std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;

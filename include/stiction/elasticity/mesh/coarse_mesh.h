@@ -6,6 +6,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <cstddef>
+#include <map>
 #include <string>
 
 namespace stiction
@@ -31,6 +33,12 @@ namespace stiction
     /// Of a file with elements of second order, otherwise empty.
     const QuadraticCells &quadratic_cells() const { return quadratic_cells_; }
 
+    /// See Body::cut_elements().
+    const std::map<std::string, std::size_t> &cut_elements() const
+    {
+      return cut_elements_;
+    }
+
     const MeshNames &boundary_names() const { return boundary_names_; }
 
     const MeshNames &material_names() const { return material_names_; }
@@ -47,6 +55,7 @@ namespace stiction
 
     dealii::Triangulation<3> triangulation_;
     QuadraticCells quadratic_cells_;
+    std::map<std::string, std::size_t> cut_elements_;
     MeshNames boundary_names_, material_names_;
   };
 

@@ -20,17 +20,37 @@ namespace stiction
         [&](const std::string &beginning) { return text.rfind(beginning, 0) == 0; });
     }
 
-    // 0 if it is none. Other letters, as for reduced integration, say nothing
-    // of the shape.
-    unsigned int nodes_of_hexahedron(const std::string &type)
+    // The type that Gmsh has for it and how many nodes it has, which is what
+    // its name says; 0 if it is none. Other letters, as for reduced integration,
+    // say nothing of the shape.
+    std::pair<std::int64_t, unsigned int> type_of_cell(const std::string &type)
     {
-      for (const unsigned int n : {8, 20, 27})
+      static const std::map<unsigned int, std::int64_t> types = {
+        {4, 4}, {6, 6}, {8, 5}, {10, 11}, {15, 18}, {20, 17}, {27, 12}};
+      for (const auto &[n_nodes, gmsh_type] : types)
         {
-          const std::string name = "C3D" + std::to_string(n);
-          if (type == name || begins_with_any(type, {name + 'R', name + 'I', name + 'H'}))
-            return n;
+          const std::string name = "C3D" + std::to_string(n_nodes);
+          if (type == name ||
+              begins_with_any(type, {name + 'R', name + 'I', name + 'H', name + 'M'}))
+            return {gmsh_type, n_nodes};
         }
-      return 0;
+      return {0, 0};
+    }
+
+    // The faces S1, S2, ... of Abaqus' manual, by the numbers of deal.II's vertices.
+    const std::vector<std::vector<unsigned int>> &faces_of(const std::size_t n_vertices)
+    {
+      static const std::map<std::size_t, std::vector<std::vector<unsigned int>>> faces = {
+        {4, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}},
+        {6, {{0, 1, 2}, {3, 5, 4}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
+        {8,
+         {{0, 1, 5, 4},
+          {2, 6, 7, 3},
+          {0, 2, 3, 1},
+          {1, 3, 7, 5},
+          {5, 7, 6, 4},
+          {4, 6, 2, 0}}}};
+      return faces.at(n_vertices);
     }
 
     // deal.II's GridIn takes ids from the digits in names, element n to be the
@@ -63,7 +83,7 @@ namespace stiction
               read_data(line);
           }
         end_of_data();
-        if (mesh_.is_of_hexahedra())
+        if (mesh_.is_of_cells())
           {
             add_surfaces();
             name_materials();
@@ -153,34 +173,30 @@ namespace stiction
       void read_element(const std::vector<std::string> &items)
       {
         const std::string type = upper(options_["TYPE"]);
-        if (const unsigned int n_nodes = nodes_of_hexahedron(type))
+        if (const auto [gmsh_type, n_nodes] = type_of_cell(type); n_nodes > 0)
           {
             if (items.size() != n_nodes + 1)
-              text_.refuse("a hexahedron with its number and " + std::to_string(n_nodes) +
+              text_.refuse("an element with its number and " + std::to_string(n_nodes) +
                            " nodes should stand here");
             const std::int64_t number = text_.to_integer(items[0]);
-            if (!hexahedra_.emplace(number, mesh_.mesh.cells.size()).second)
+            if (!cells_.emplace(number, mesh_.mesh.cells.size()).second)
               text_.refuse("element " + items[0] + " stands twice, must stand once");
             MeshBuilder::Nodes nodes;
             for (unsigned int i = 1; i <= n_nodes; ++i)
               nodes.push_back(text_.to_integer(items[i]));
-            const std::int64_t gmsh_type = n_nodes == 8 ? 5 : n_nodes == 20 ? 17 : 12;
-            // nodes inside: the centre, then faces S1 to S6
+            // nodes inside of a hexahedron: the centre, then faces S1 to S6
             mesh_.add_element(gmsh_type, 0,
                               in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
             add_to_set(options_["ELSET"], number);
             if (!options_["ELSET"].empty())
               element_sets_.insert(upper(options_["ELSET"]));
           }
-        else if (begins_with_any(type, {"C3D4", "C3D10"}))
-          ++mesh_.mesh.other_elements["tetrahedra"];
-        else if (begins_with_any(type, {"C3D6", "C3D15", "SC6"}))
-          ++mesh_.mesh.other_elements["wedges"];
         else if (begins_with_any(type, {"C3D5", "C3D13"}))
           ++mesh_.mesh.other_elements["pyramids"];
         else if (begins_with_any(type, {"C3D"}))
           text_.refuse("has elements of type " + type +
-                       ", must be hexahedra (C3D8, C3D20 or C3D27)");
+                       ", must be tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or "
+                       "hexahedra (C3D8, C3D20, C3D27)");
         else if (!begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
           // those are no part of a body, written for its edges
           ++mesh_.mesh.other_elements["elements of type " + type];
@@ -229,26 +245,29 @@ namespace stiction
         if (face.size() != 2 || (face[0] != 'S' && face[0] != 's') || face[1] < '1' ||
             face[1] > '6')
           text_.refuse("'" + face.substr(0, 40) +
-                       "' is no face of a hexahedron, must be from S1 to S6");
+                       "' is no face of an element, must be from S1 to S6");
         return static_cast<unsigned int>(face[1] - '1');
       }
 
       void add_surfaces()
       {
-        // the faces S1 to S6 in Abaqus' manual, by deal.II's numbers of vertices
-        static const unsigned int face_vertices[6][4] = {{0, 1, 5, 4}, {2, 6, 7, 3},
-                                                         {0, 2, 3, 1}, {1, 3, 7, 5},
-                                                         {5, 7, 6, 4}, {4, 6, 2, 0}};
-        unsigned int id                               = 0;
+        unsigned int id = 0;
         for (const Surface &surface : surfaces_)
           {
             mesh_.add_name(surface.name, ++id, mesh_.mesh.boundary_names);
             for (const auto &part : surface.parts)
               for (const std::int64_t element : elements(part.first))
                 {
+                  const auto &of_cell = cell(element).vertices;
+                  const auto &faces   = faces_of(of_cell.size());
+                  if (part.second >= faces.size())
+                    text_.refuse("element " + std::to_string(element) + " is a " +
+                                 kind_of_cell(of_cell.size()) + " and has no face S" +
+                                 std::to_string(part.second + 1) +
+                                 ", must be from S1 to S" + std::to_string(faces.size()));
                   std::vector<unsigned int> vertices;
-                  for (const unsigned int v : face_vertices[part.second])
-                    vertices.push_back(hexahedron(element).vertices[v]);
+                  for (const unsigned int v : faces[part.second])
+                    vertices.push_back(of_cell[v]);
                   mesh_.add_face(id, vertices);
                 }
           }
@@ -268,7 +287,7 @@ namespace stiction
               mesh_.add_name(section.second, ++last, mesh_.mesh.material_names);
             for (const std::int64_t element : elements(section.first))
               {
-                unsigned int &material = hexahedron(element).material_id;
+                unsigned int &material = cell(element).material_id;
                 if (material != 0 && material != id.first->second)
                   text_.refuse("element " + std::to_string(element) +
                                " has two materials, must have one");
@@ -288,11 +307,11 @@ namespace stiction
         return {text_.to_integer(what)};
       }
 
-      dealii::CellData<3> &hexahedron(const std::int64_t element)
+      dealii::CellData<3> &cell(const std::int64_t element)
       {
-        const auto found = hexahedra_.find(element);
-        if (found == hexahedra_.end())
-          text_.refuse("there is no hexahedron " + std::to_string(element));
+        const auto found = cells_.find(element);
+        if (found == cells_.end())
+          text_.refuse("there is no element " + std::to_string(element));
         return mesh_.mesh.cells[found->second];
       }
 
@@ -306,7 +325,7 @@ namespace stiction
       TextScanner &text_;
       MeshBuilder mesh_;
       // by their numbers, where they are in the mesh
-      std::unordered_map<std::int64_t, std::size_t> hexahedra_;
+      std::unordered_map<std::int64_t, std::size_t> cells_;
 
       std::string keyword_, unfinished_;
       std::map<std::string, std::string> options_;

@@ -15,35 +15,33 @@ namespace stiction
 {
   using namespace dealii;
 
-  const std::pair<unsigned int, std::string> &MeshBuilder::element_kind(
-    const std::int64_t type) const
+  const MeshBuilder::Kind &MeshBuilder::element_kind(const std::int64_t type) const
   {
-    static const std::map<std::int64_t, std::pair<unsigned int, std::string>> kinds = {
-      {15, {1, ""}},
-      {1, {2, ""}},
-      {2, {3, "triangles"}},
-      {3, {4, "quadrilaterals"}},
-      {4, {4, "tetrahedra"}},
-      {5, {8, "hexahedra"}},
-      {6, {6, "wedges"}},
-      {7, {5, "pyramids"}},
-      // of second order
-      {8, {3, ""}},
-      {9, {6, "triangles"}},
-      {10, {9, "quadrilaterals"}},
-      {11, {10, "tetrahedra"}},
-      {12, {27, "hexahedra"}},
-      {13, {18, "wedges"}},
-      {14, {14, "pyramids"}},
-      {16, {8, "quadrilaterals"}},
-      {17, {20, "hexahedra"}},
-      {18, {15, "wedges"}},
-      {19, {13, "pyramids"}}};
-    const auto kind = kinds.find(type);
+    static const std::map<std::int64_t, Kind> kinds = {{15, {1, ""}},
+                                                       {1, {2, ""}},
+                                                       {2, {3, "triangles", 3}},
+                                                       {3, {4, "quadrilaterals", 4}},
+                                                       {4, {4, "tetrahedra", 4}},
+                                                       {5, {8, "hexahedra", 8}},
+                                                       {6, {6, "prisms", 6}},
+                                                       {7, {5, "pyramids"}},
+                                                       // of second order
+                                                       {8, {3, ""}},
+                                                       {9, {6, "triangles", 3}},
+                                                       {10, {9, "quadrilaterals", 4}},
+                                                       {11, {10, "tetrahedra", 4}},
+                                                       {12, {27, "hexahedra", 8}},
+                                                       {13, {18, "prisms", 6}},
+                                                       {14, {14, "pyramids"}},
+                                                       {16, {8, "quadrilaterals", 4}},
+                                                       {17, {20, "hexahedra", 8}},
+                                                       {18, {15, "prisms", 6}},
+                                                       {19, {13, "pyramids"}}};
+    const auto kind                                 = kinds.find(type);
     if (kind == kinds.end())
       text_.refuse("has elements of Gmsh's type " + std::to_string(type) +
-                   ", must be hexahedra of first or second order, 'gmsh -order "
-                   "2' writes elements of second order");
+                   ", must be tetrahedra, prisms or hexahedra of first or second "
+                   "order, 'gmsh -order 2' writes elements of second order");
     return kind->second;
   }
 
@@ -69,23 +67,25 @@ namespace stiction
           text_.refuse("there is no node " + std::to_string(node));
         positions.push_back(found->second);
       }
-    const auto &[n_nodes, kind] = element_kind(type);
-    if (nodes.size() != n_nodes)
+    const Kind &kind = element_kind(type);
+    if (nodes.size() != kind.n_nodes)
       text_.refuse("an element has " + std::to_string(nodes.size()) +
-                   " nodes, must have " + std::to_string(n_nodes));
+                   " nodes, must have " + std::to_string(kind.n_nodes));
 
-    if (kind == "hexahedra")
+    if (kind.name == "triangles" || kind.name == "quadrilaterals")
+      add_face(part, {positions.begin(), positions.begin() + kind.n_corners});
+    else if (kind.n_corners > 0)
       {
-        mesh.cells.emplace_back();
+        mesh.cells.emplace_back(kind.n_corners);
         mesh.cells.back().material_id = part;
-        for (const unsigned int v : GeometryInfo<3>::vertex_indices())
-          mesh.cells.back().vertices[GeometryInfo<3>::ucd_to_deal[v]] = positions[v];
-        add_inner_nodes(positions);
+        for (unsigned int v = 0; v < kind.n_corners; ++v)
+          mesh.cells.back()
+            .vertices[kind.n_corners == 8 ? GeometryInfo<3>::ucd_to_deal[v] : v] =
+            positions[v];
+        add_inner_nodes(kind, positions);
       }
-    else if (kind == "quadrilaterals")
-      add_face(part, {positions.begin(), positions.begin() + 4});
-    else if (!kind.empty())
-      ++mesh.other_elements[kind];
+    else if (!kind.name.empty())
+      ++mesh.other_elements[kind.name];
   }
 
   void MeshBuilder::add_face(const unsigned int id,
@@ -96,21 +96,25 @@ namespace stiction
     mesh.faces.boundary_quads.back().vertices    = vertices;
   }
 
-  void MeshBuilder::add_inner_nodes(const std::vector<unsigned int> &nodes)
+  void MeshBuilder::add_inner_nodes(const Kind &kind,
+                                    const std::vector<unsigned int> &nodes)
   {
-    // what nodes 8 to 26 are inside of
-    static const std::array<std::string, 19> corners_of = {
-      {"01", "03", "04", "12", "15", "23", "26", "37", "45", "47", "56", "67", "0123",
-       "0145", "0347", "1256", "2367", "4567", "01234567"}};
-    for (unsigned int i = 8; i < nodes.size(); ++i)
+    // what the nodes behind the corners are inside of, by kinds
+    static const std::map<unsigned int, std::vector<std::string>> corners_of = {
+      {4, {"01", "12", "02", "03", "23", "13"}},
+      {6, {"01", "02", "03", "12", "14", "25", "34", "35", "45", "0134", "0235", "1245"}},
+      {8,
+       {"01", "03", "04", "12", "15", "23", "26", "37", "45", "47", "56", "67", "0123",
+        "0145", "0347", "1256", "2367", "4567", "01234567"}}};
+    for (unsigned int i = kind.n_corners; i < nodes.size(); ++i)
       {
         std::vector<unsigned int> corners;
-        for (const char corner : corners_of[i - 8])
+        for (const char corner : corners_of.at(kind.n_corners)[i - kind.n_corners])
           corners.push_back(nodes[corner - '0']);
         std::sort(corners.begin(), corners.end());
         if (inner_nodes_.emplace(corners, nodes[i]).first->second != nodes[i])
-          text_.refuse("a hexahedron has another node " + std::to_string(i + 1) +
-                       " than a neighbour inside of the same " +
+          text_.refuse("a " + kind_of_cell(kind.n_corners) + " has another node " +
+                       std::to_string(i + 1) + " than a neighbour inside of the same " +
                        (corners.size() == 2 ? "edge" : "face") +
                        ", neighbours must have the same nodes");
       }
@@ -151,14 +155,14 @@ namespace stiction
                    " already, must be that of one");
   }
 
-  bool MeshBuilder::is_of_hexahedra() const
+  bool MeshBuilder::is_of_cells() const
   {
     return !mesh.cells.empty() && mesh.other_elements.empty();
   }
 
   MeshData MeshBuilder::finish()
   {
-    if (!is_of_hexahedra())
+    if (!is_of_cells())
       return mesh;
     make_volumes_positive();
 
@@ -190,28 +194,62 @@ namespace stiction
   void MeshBuilder::make_volumes_positive()
   {
     for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-      try
-        {
-          std::vector<CellData<3>> cell = {mesh.cells[i]};
-          GridTools::invert_cells_with_negative_measure(points_, cell);
-          mesh.cells[i] = cell.front();
-        }
-      catch (const ExceptionBase &)
-        {
-          text_.refuse("hexahedron " + std::to_string(i + 1) +
-                       " up to here is inverted or degenerate, its corners must "
-                       "make a hexahedron that is not folded");
-        }
+      {
+        CellData<3> &cell = mesh.cells[i];
+        if (cell.vertices.size() == 8 ? turn_hexahedron(cell) : turn(cell))
+          continue;
+        const std::string kind = kind_of_cell(cell.vertices.size());
+        text_.refuse(kind + ' ' + std::to_string(i + 1) +
+                     " up to here is inverted or degenerate, its corners must make a " +
+                     kind + " that is not folded");
+      }
+  }
+
+  bool MeshBuilder::turn_hexahedron(CellData<3> &cell) const
+  {
+    try
+      {
+        std::vector<CellData<3>> cells = {cell};
+        GridTools::invert_cells_with_negative_measure(points_, cells);
+        cell = cells.front();
+      }
+    catch (const ExceptionBase &)
+      {
+        return false;
+      }
+    return true;
+  }
+
+  // deal.II's function knows no prisms.
+  bool MeshBuilder::turn(CellData<3> &cell) const
+  {
+    auto &vertices = cell.vertices;
+    double size    = 0.;
+    for (const unsigned int v : vertices)
+      size = std::max(size, points_[v].distance(points_[vertices[0]]));
+    const double volume = GridTools::cell_measure<3>(points_, make_array_view(vertices));
+    if (volume < 0. && vertices.size() == 4)
+      std::swap(vertices[0], vertices[1]);
+    else if (volume < 0.)
+      std::swap_ranges(vertices.begin(), vertices.begin() + 3, vertices.begin() + 3);
+    return std::abs(volume) > 1e-14 * size * size * size;
   }
 
   MeshBuilder::Nodes in_gmsh_order(const MeshBuilder::Nodes &nodes,
                                    const std::array<unsigned int, 7> &faces_and_centre)
   {
-    if (nodes.size() != 20 && nodes.size() != 27)
+    std::vector<unsigned int> order;
+    if (nodes.size() == 10) // a tetrahedron
+      order = {0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
+    else if (nodes.size() == 15 || nodes.size() == 18) // a prism
+      order = {0, 1, 2, 3, 4, 5, 6, 8, 12, 7, 13, 14, 9, 11, 10, 15, 17, 16};
+    else if (nodes.size() == 20 || nodes.size() == 27)
+      {
+        order = {0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13, 14};
+        order.insert(order.end(), faces_and_centre.begin(), faces_and_centre.end());
+      }
+    else
       return nodes;
-    std::vector<unsigned int> order = {0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
-                                       16, 9, 17, 10, 18, 19, 12, 15, 13, 14};
-    order.insert(order.end(), faces_and_centre.begin(), faces_and_centre.end());
     MeshBuilder::Nodes ordered;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       ordered.push_back(nodes[order[i]]);

@@ -23,10 +23,17 @@ namespace stiction
     {
     }
 
-    /// How many nodes elements have of the type that Gmsh gives this number,
-    /// and what they are called, if they matter. Throws InputError if they are
-    /// not of first or second order.
-    const std::pair<unsigned int, std::string> &element_kind(std::int64_t type) const;
+    /// A kind of elements.
+    struct Kind
+    {
+      unsigned int n_nodes;
+      std::string name; ///< "tetrahedra", empty if they do not matter
+      unsigned int n_corners = 0;
+    };
+
+    /// Those of the type that Gmsh gives this number. Throws InputError if they
+    /// are not of first or second order.
+    const Kind &element_kind(std::int64_t type) const;
 
     /// Throws InputError if there is a node of this number already.
     void add_node(std::int64_t number, const dealii::Point<3> &point);
@@ -42,7 +49,7 @@ namespace stiction
     /// neighbour has another node inside of the same edge or face.
     void add_element(std::int64_t type, std::int64_t id, const Nodes &nodes);
 
-    /// A face of a hexahedron, by its vertices in mesh.cells.
+    /// A face of a cell, by its vertices in mesh.cells as they go around it.
     void add_face(unsigned int id, const std::vector<unsigned int> &vertices);
 
     /// Gives a boundary or a material a name. Throws InputError if a parameter
@@ -50,13 +57,13 @@ namespace stiction
     void add_name(const std::string &name, std::int64_t id,
                   std::map<std::string, unsigned int> &names) const;
 
-    /// Whether there are hexahedra and nothing that is no use.
-    bool is_of_hexahedra() const;
+    /// Whether there are cells and nothing that is no use.
+    bool is_of_cells() const;
 
-    /// The mesh, if it is of hexahedra with vertices, nodes inside and positive
+    /// The mesh, if it is of cells with vertices, nodes inside and positive
     /// volumes.
     ///
-    /// Throws InputError if a hexahedron has no volume in any order of nodes.
+    /// Throws InputError if a cell has no volume in any order of nodes.
     MeshData finish();
 
     /// Has no vertices and no nodes inside yet. Those of cells and faces are
@@ -66,9 +73,13 @@ namespace stiction
   private:
     unsigned int to_id(std::int64_t number) const;
 
-    void add_inner_nodes(const std::vector<unsigned int> &nodes);
+    void add_inner_nodes(const Kind &kind, const std::vector<unsigned int> &nodes);
 
     void make_volumes_positive();
+
+    // Whether it has a volume, which is positive then.
+    bool turn_hexahedron(dealii::CellData<3> &cell) const;
+    bool turn(dealii::CellData<3> &cell) const;
 
     const TextScanner &text_;
     std::unordered_map<std::int64_t, unsigned int> positions_; // in points_
@@ -77,11 +88,11 @@ namespace stiction
     std::map<std::vector<unsigned int>, unsigned int> inner_nodes_;
   };
 
-  /// Nodes of a hexahedron of second order, which Abaqus and VTK number alike
-  /// but for those inside of faces and the cell, in the order of Gmsh. Any
-  /// other number of nodes is left as it is.
+  /// Nodes of a cell of second order, which Abaqus and VTK number alike but for
+  /// those inside of a hexahedron and its faces, in the order of Gmsh. Any other
+  /// number of nodes is left as it is.
   ///
-  /// @param faces_and_centre where Gmsh's nodes 20 to 26 are.
+  /// @param faces_and_centre where Gmsh's nodes 20 to 26 of a hexahedron are.
   MeshBuilder::Nodes in_gmsh_order(const MeshBuilder::Nodes &nodes,
                                    const std::array<unsigned int, 7> &faces_and_centre);
 

@@ -1,10 +1,12 @@
 #include "mesh_builder.h"
+#include "product_cell.h"
 
 #include <stiction/base/errors.h>
+#include <stiction/elasticity/mesh/readers/cut_into_hexahedra.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
 
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/reference_cell.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -39,7 +41,7 @@ namespace stiction
                               : read_vtk(text);
     }
 
-    void require_hexahedra(const MeshData &mesh, const std::string &location)
+    void require_cells(const MeshData &mesh, const std::string &location)
     {
       std::string others;
       bool is_solid = !mesh.cells.empty();
@@ -47,32 +49,33 @@ namespace stiction
         {
           others +=
             (others.empty() ? "" : ", ") + std::to_string(kind.second) + " " + kind.first;
-          is_solid = is_solid || kind.first == "tetrahedra" || kind.first == "wedges" ||
-                     kind.first == "pyramids";
+          is_solid = is_solid || kind.first == "pyramids";
         }
       if (!is_solid && (!others.empty() || !mesh.faces.boundary_quads.empty()))
         throw InputError(location + ", has faces but no cells, must be a mesh "
                                     "of a solid body.");
       if (!is_solid)
         throw InputError(location + ", has no elements, must be a mesh of "
-                                    "hexahedra.");
+                                    "tetrahedra, prisms or hexahedra.");
       if (!others.empty())
         throw InputError(location + ", has " + others +
-                         ", must be of hexahedra alone: in Gmsh recombine "
-                         "('Mesh.RecombineAll = 1' with transfinite or "
-                         "extruded volumes) or subdivide "
-                         "('Mesh.SubdivisionAlgorithm = 2', all hexas).");
+                         ", must be of tetrahedra, prisms and hexahedra alone: mesh "
+                         "the body with tetrahedra, or extrude all of it; pyramids "
+                         "stand where quadrilaterals of recombined or transfinite "
+                         "surfaces meet tetrahedra.");
     }
 
-    // "hexahedron 7 with its centre at (1, 2, 3)", counted from 1 in the order
-    // of the file
+    // "hexahedron 7 with its centre at (1, 2, 3)", cells being counted from 1 in
+    // the order of the file
     std::string describe_cell(const MeshData &mesh, const std::size_t number)
     {
+      const auto &vertices = mesh.cells[number].vertices;
       Point<3> centre;
-      for (const unsigned int v : mesh.cells[number].vertices)
-        centre += mesh.vertices[v] / 8.;
+      for (const unsigned int v : vertices)
+        centre += mesh.vertices[v] / static_cast<double>(vertices.size());
       std::ostringstream out;
-      out << "hexahedron " << number + 1 << " with its centre at (" << centre << ')';
+      out << kind_of_cell(vertices.size()) << ' ' << number + 1 << " with its centre at ("
+          << centre << ')';
       return out.str();
     }
 
@@ -94,8 +97,9 @@ namespace stiction
         for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
           if (pieces_.find_set(i) != pieces_.find_set(std::size_t(0)))
             throw InputError(location_ + ", " + describe_cell(mesh_, i) +
-                             " is not connected by faces with hexahedron 1, "
-                             "must be one body, in which neighbours have the "
+                             " is not connected by faces with " +
+                             kind_of_cell(mesh_.cells[0].vertices.size()) +
+                             " 1, must be one body, in which neighbours have the "
                              "same nodes.");
       }
 
@@ -103,14 +107,32 @@ namespace stiction
       // mesh of them, nor do they make a body.
       void require_manifold()
       {
-        std::vector<Part> edges, vertices;
-        for (unsigned int e = 0; e < GeometryInfo<3>::lines_per_cell; ++e)
-          edges.push_back({{GeometryInfo<3>::line_to_cell_vertices(e, 0),
-                            GeometryInfo<3>::line_to_cell_vertices(e, 1)}});
-        for (const unsigned int v : GeometryInfo<3>::vertex_indices())
-          vertices.push_back({{v, v}});
-        require_connected_around(edges, "edge");
-        require_connected_around(vertices, "node");
+        require_connected_around(edges_of, "edge");
+        require_connected_around(vertices_of, "node");
+      }
+
+      // A quadrilateral of one cell against two triangles of others would be a
+      // crack.
+      void require_conforming()
+      {
+        std::map<Key, std::size_t> triangles;
+        for (const auto &[vertices, cells] : cells_)
+          if (vertices.size() == 3 && cells.n == 1)
+            triangles.emplace(vertices, cells.first);
+        for (const auto &[vertices, cells] : cells_)
+          for (unsigned int v = 0; vertices.size() == 4 && cells.n == 1 && v < 4; ++v)
+            {
+              Key three = vertices;
+              three.erase(three.begin() + v);
+              const auto other = triangles.find(three);
+              if (other != triangles.end())
+                throw InputError(location_ + ", a quadrilateral of " +
+                                 describe_cell(mesh_, cells.first) +
+                                 " lies against a triangle of " +
+                                 describe_cell(mesh_, other->second) +
+                                 ", must lie against a quadrilateral: mesh the body "
+                                 "with tetrahedra, or extrude all of it.");
+            }
       }
 
       // and marks what is inside, which is no boundary
@@ -121,10 +143,11 @@ namespace stiction
           {
             const Key key = sorted(face.vertices);
             if (cells_.count(key) == 0)
-              throw InputError(location_ + ", has a quadrilateral of boundary " +
-                               std::to_string(face.boundary_id) +
-                               " that is no face of a hexahedron, faces and "
-                               "hexahedra must have the same nodes.");
+              throw InputError(
+                location_ + ", has a " +
+                (key.size() == 3 ? "triangle" : "quadrilateral") + " of boundary " +
+                std::to_string(face.boundary_id) +
+                " that is no face of a cell, faces and cells must have the same nodes.");
             const auto known = ids.emplace(key, face.boundary_id);
             if (known.first->second != face.boundary_id)
               throw InputError(location_ + ", has a face of " +
@@ -149,6 +172,27 @@ namespace stiction
       using Part = std::array<unsigned int, 2>; // local: an edge or, twice
                                                 // the same, a vertex
 
+      static std::vector<Part> edges_of(const CellData<3> &cell)
+      {
+        CellData<3> local = cell;
+        for (unsigned int v = 0; v < cell.vertices.size(); ++v)
+          local.vertices[v] = v;
+        const ProductCell product(local);
+        std::vector<Part> edges;
+        for (unsigned int f = 0; f < product.factors().size(); ++f)
+          for (const auto &edge : product.edges_along(f))
+            edges.push_back({{edge[0], edge[1]}});
+        return edges;
+      }
+
+      static std::vector<Part> vertices_of(const CellData<3> &cell)
+      {
+        std::vector<Part> vertices;
+        for (unsigned int v = 0; v < cell.vertices.size(); ++v)
+          vertices.push_back({{v, v}});
+        return vertices;
+      }
+
       std::uint64_t key(const std::size_t cell, const Part &part) const
       {
         const auto &of_cell = mesh_.cells[cell].vertices;
@@ -158,34 +202,41 @@ namespace stiction
 
       // All cells with an edge or vertex in common must be reached from each
       // other through faces that have it, too.
-      void require_connected_around(const std::vector<Part> &parts,
-                                    const std::string &name)
+      template<typename Parts>
+      void require_connected_around(const Parts &parts_of, const std::string &name)
       {
-        const std::size_t n = parts.size();
+        std::map<std::size_t, std::vector<Part>> parts; // by numbers of vertices
+        for (const unsigned int n_vertices : {4, 6, 8})
+          parts[n_vertices] = parts_of(CellData<3>(n_vertices));
+        const auto parts_in = [&](const std::size_t cell) -> const std::vector<Part> & {
+          return parts.at(mesh_.cells[cell].vertices.size());
+        };
+        const std::size_t n = parts[8].size(); // the most
         boost::disjoint_sets_with_storage<> around(n * mesh_.cells.size());
-        for (const auto &face : cells_)
-          if (face.second.n == 2)
-            for (std::size_t p = 0; p < n; ++p)
+        for (const auto &[vertices, cells] : cells_)
+          if (cells.n == 2)
+            for (std::size_t p = 0; p < parts_in(cells.first).size(); ++p)
               {
-                const std::uint64_t common = key(face.second.first, parts[p]);
-                for (std::size_t q = 0; q < n; ++q)
-                  if (key(face.second.second, parts[q]) == common &&
-                      is_in(face.first, common))
-                    around.union_set(n * face.second.first + p,
-                                     n * face.second.second + q);
+                const std::uint64_t common = key(cells.first, parts_in(cells.first)[p]);
+                for (std::size_t q = 0; q < parts_in(cells.second).size(); ++q)
+                  if (key(cells.second, parts_in(cells.second)[q]) == common &&
+                      is_in(vertices, common))
+                    around.union_set(n * cells.first + p, n * cells.second + q);
               }
         std::unordered_map<std::uint64_t, std::size_t> first;
-        for (std::size_t i = 0; i < n * mesh_.cells.size(); ++i)
-          {
-            const std::size_t other =
-              first.emplace(key(i / n, parts[i % n]), i).first->second;
-            if (around.find_set(i) != around.find_set(other))
-              throw InputError(location_ + ", " + describe_cell(mesh_, other / n) +
-                               " and " + describe_cell(mesh_, i / n) +
-                               " meet at a single " + name +
-                               ", hexahedra that touch must be connected by "
-                               "faces around it.");
-          }
+        for (std::size_t cell = 0; cell < mesh_.cells.size(); ++cell)
+          for (std::size_t p = 0; p < parts_in(cell).size(); ++p)
+            {
+              const std::size_t i = n * cell + p;
+              const std::size_t other =
+                first.emplace(key(cell, parts_in(cell)[p]), i).first->second;
+              if (around.find_set(i) != around.find_set(other))
+                throw InputError(location_ + ", " + describe_cell(mesh_, other / n) +
+                                 " and " + describe_cell(mesh_, cell) +
+                                 " meet at a single " + name +
+                                 ", cells that touch must be connected by faces around "
+                                 "it.");
+            }
       }
 
       static bool is_in(const Key &face, const std::uint64_t part)
@@ -200,13 +251,14 @@ namespace stiction
         const Key vertices   = sorted(in_order);
         if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
           throw InputError(location_ + ", " + describe_cell(mesh_, number) +
-                           " has a node twice, must have eight nodes.");
+                           " has a node twice, its nodes must differ.");
 
-        for (const unsigned int f : GeometryInfo<3>::face_indices())
+        const auto kind = ReferenceCell::n_vertices_to_type(3, vertices.size());
+        for (const unsigned int f : kind.face_indices())
           {
             Key key;
-            for (unsigned int v = 0; v < 4; ++v)
-              key.push_back(in_order[GeometryInfo<3>::face_to_cell_vertices(f, v)]);
+            for (const unsigned int v : kind.face_reference_cell(f).vertex_indices())
+              key.push_back(in_order[kind.face_to_cell_vertices(f, v, 1)]);
             key                = sorted(key);
             Neighbours &shared = cells_[key];
             if (shared.n == 0)
@@ -219,7 +271,7 @@ namespace stiction
             if (++shared.n > 2)
               throw InputError(location_ + ", " + describe_cell(mesh_, number) +
                                " shares a face with two others, at most two "
-                               "hexahedra may have a face in common.");
+                               "cells may have a face in common.");
           }
         if (!cells_by_vertices_.insert(vertices).second)
           throw InputError(location_ + ", " + describe_cell(mesh_, number) +
@@ -243,11 +295,15 @@ namespace stiction
   MeshData read_mesh_file(const std::string &file, const std::string &location)
   {
     MeshData mesh = read_by_extension(file, location);
-    require_hexahedra(mesh, location);
-    Faces faces(mesh, location);
-    faces.require_one_piece();
-    faces.require_manifold();
-    faces.require_boundaries_fit();
+    require_cells(mesh, location);
+    {
+      Faces faces(mesh, location);
+      faces.require_conforming();
+      faces.require_one_piece();
+      faces.require_manifold();
+      faces.require_boundaries_fit();
+    }
+    cut_into_hexahedra(mesh);
     GridTools::consistently_order_cells(mesh.cells);
     return mesh;
   }

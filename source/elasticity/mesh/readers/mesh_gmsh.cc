@@ -178,7 +178,7 @@ namespace stiction
       void read_element(const std::int64_t type, const std::int64_t group)
       {
         mesh_.add_element(type, std::abs(group),
-                          text_.integers(mesh_.element_kind(type).first));
+                          text_.integers(mesh_.element_kind(type).n_nodes));
       }
 
       TextScanner &text_;

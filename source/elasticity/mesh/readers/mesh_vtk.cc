@@ -179,14 +179,14 @@ namespace stiction
           {
             // deal.II writes -1 for what has no number
             const std::int64_t id = ids_.empty() ? 0 : ids_[i];
-            if (types.count(types_[i]) == 1 && !(types_[i] == 9 && id == -1))
+            const bool is_face    = types_[i] == 5 || types_[i] == 9;
+            if (types.count(types_[i]) == 1 && !(is_face && id == -1))
               mesh_.add_element(types.at(types_[i]), id == -1 ? 0 : id,
                                 in_gmsh_order(cells_[i], {{24, 22, 20, 21, 23, 25, 26}}));
-            else if (types_[i] < 1 ||
-                     (types_[i] > 4 && types_[i] != 9 && types_[i] != 21))
+            else if (types_[i] < 1 || (types_[i] > 4 && !is_face && types_[i] != 21))
               text_.refuse("has cells of VTK's type " + std::to_string(types_[i]) +
-                           ", must be hexahedra of type 12, 25 or 29 with 8, "
-                           "20 or 27 points");
+                           ", must be tetrahedra of type 10 or 24, prisms of type "
+                           "13, 26 or 32, or hexahedra of type 12, 25 or 29");
           }
       }
 

@@ -13,22 +13,36 @@
 
 namespace stiction
 {
-  /// A mesh of hexahedra as a file has it, in the terms of deal.II.
+  /// A mesh as a file has it, in the terms of deal.II: tetrahedra, prisms and
+  /// hexahedra, told apart by how many vertices they have.
   struct MeshData
   {
     std::vector<dealii::Point<3>> vertices; ///< m
     /// In the order of the file.
     std::vector<dealii::CellData<3>> cells;
-    /// Quadrilaterals with a boundary id, inner ones too.
+    /// Triangles and quadrilaterals with a boundary id, inner ones too, with
+    /// vertices that go around.
     dealii::SubCellData faces;
     /// Those of elements of second order.
     QuadraticCells::InnerNodes inner_nodes;
     std::map<std::string, unsigned int> boundary_names;
     std::map<std::string, unsigned int> material_names;
 
-    /// How many elements there are of kinds that are no use: "tetrahedra".
+    /// How many elements there are of kinds that are no use: "pyramids".
     std::map<std::string, std::size_t> other_elements;
+
+    /// How many elements of the file were cut into the cells, by kinds:
+    /// "tetrahedra". Empty if the cells are those of the file.
+    std::map<std::string, std::size_t> cut_elements;
   };
+
+  /// What a cell is called.
+  ///
+  /// @param n_vertices 4, 6 or 8.
+  inline std::string kind_of_cell(const std::size_t n_vertices)
+  {
+    return n_vertices == 4 ? "tetrahedron" : n_vertices == 6 ? "prism" : "hexahedron";
+  }
 } // namespace stiction
 
 #endif
