@@ -14,10 +14,10 @@ namespace stiction
     // there are two matrices; one of degree 2 has 64 × 3 entries in the mean
     // and eight nodes a cell.
     const bool is_quadratic = parameters.geometry.element_degree == 2;
-    const double matrices   = parameters.is_matrix_free()         ? 2.2e3
+    const double matrices   = parameters.is_matrix_free()            ? 2.2e3
                               : parameters.has_geometric_multigrid() ? 6e3
-                              : is_quadratic                      ? 1.3e5
-                                                                  : 1e4;
+                              : is_quadratic                         ? 1.3e5
+                                                                     : 1e4;
     const double fields     = parameters.output.has_all_fields() ? 4.3e3 : 2.6e3;
     return n_cells *
            (matrices +

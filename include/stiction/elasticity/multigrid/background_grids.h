@@ -16,8 +16,8 @@ namespace stiction
   /// The parts of the body in one cube that hang together by cells of the mesh alone
   /// have their own trilinear functions, so that the lips of a crack and the arms of a
   /// fork move apart on every grid (Nesme, Kry, Jeřábková, Faure 2009). Where cells
-  /// differ by two or more in size, every node has cubes of twice the size of the cells around
-  /// it; functions of cubes of all sizes with the same place are one function.
+  /// differ by two or more in size, every node has cubes of twice the size of the cells
+  /// around it; functions of cubes of all sizes with the same place are one function.
   /// Linear functions are interpolated exactly in any case.
   ///
   /// Row i of the g-th matrix interpolates node i of the mesh (g = 0) or vertex i of the
