@@ -37,6 +37,9 @@ namespace stiction
     // The coefficients of friction are taken anew from the last answer so often: a
     // residual that falls by 0.8 each time is below 1e-9 by then.
     constexpr unsigned int max_approximations = 100;
+
+    // A guess is in balance if its equilibrium residual is below this.
+    constexpr double balanced = 1e-6;
   } // namespace
 
   bool ContactProblem::take_step(TimeSteps &times)
@@ -200,11 +203,15 @@ namespace stiction
     further.lambda += ratio * (last.lambda - earlier.lambda);
     further.distances += ratio * (last.distances - earlier.distances);
 
-    const auto error = [&elasticity = elasticity, &surface = surface](State state) {
+    // Forces beyond their bounds tell which nodes will slip or open, and are no error of
+    // the guess; loads or supports that turned leave nodes inside out of balance.
+    const auto imbalance = [&elasticity = elasticity, &surface = surface](State state) {
       elasticity->prescribe(state.u);
-      return Certificate(*elasticity, *surface, state).worst_figure().second;
+      return Certificate(*elasticity, *surface, state)
+        .body_figures()
+        .equilibrium_residual;
     };
-    return error(further) < error(last) ? further : last;
+    return imbalance(further) <= std::max(balanced, imbalance(last)) ? further : last;
   }
 
   void ContactProblem::end_step(const TimeSteps &times)
