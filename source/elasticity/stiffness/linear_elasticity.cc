@@ -146,7 +146,8 @@ namespace stiction
 
   void LinearElasticity::constrain_stiffness()
   {
-    if (stiffness_->matrix() == nullptr)
+    // with hanging nodes deal.II's diagonal entry of a prescribed unknown is not CᵀKC's
+    if (stiffness_->matrix() == nullptr && body_.n_hanging_nodes() == 0)
       {
         constrained_stiffness_ =
           assemble_simple_stiffness(body_, *mesh_, *materials_, constraints_);
@@ -156,8 +157,9 @@ namespace stiction
     for (const auto dof : body_.locally_owned_dofs())
       if (is_prescribed(dof))
         fixed(dof) = 1.;
+    const auto own = stiffness_->matrix() == nullptr ? assemble() : nullptr;
     constrained_stiffness_ =
-      ConstrainedMatrix(*stiffness_->matrix(), fixed, {}).release();
+      ConstrainedMatrix(own ? *own : *stiffness_->matrix(), fixed, {}).release();
   }
 
   void LinearElasticity::require_support() const
