@@ -119,8 +119,6 @@ namespace
           << ", iterations of an elastic solve at most " << most_elastic << ' '
           << yes(elastic <= most_elastic) << ", of contact at most " << most << ' '
           << yes(krylov_iterations(run) <= most) << std::endl;
-    std::cerr << name << ' ' << distance(run, algebraic) << ' ' << distance(run, dual)
-              << ' ' << elastic << ' ' << krylov_iterations(run) << '\n';
   }
 } // namespace
 
