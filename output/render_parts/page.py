@@ -62,6 +62,12 @@ def label(words, unit, exponent=0):
     return f"{words} [{unit}]" if unit else words
 
 
+def units_of(summary):
+    """The units of what a picture shows, empty where the summary names none."""
+    said = summary.get("units", {})
+    return {kind: said.get(kind, "") for kind in ("length", "force", "moment", "stress")}
+
+
 def number(value):
     """A number as it stands at an axis."""
     return f"{value + 0.0:.4g}".replace("-", "\N{MINUS SIGN}")

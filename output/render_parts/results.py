@@ -9,7 +9,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from . import Unusable, meshes
+from . import Unusable, meshes, page
 
 HEXAHEDRON, QUADRILATERAL = 12, 9
 
@@ -111,7 +111,6 @@ def read(directory, tag="", time=None):
                             "normal_status", "tangential_status", "area",
                             "boundary"])
     summary = read_summary(directory)
-    units = summary.get("units", {})
     n = len(solution.points)
     first, number = meshes.merge(np.vstack([solution.points, contact.points]))
     if (first >= n).any():
@@ -125,8 +124,7 @@ def read(directory, tag="", time=None):
             stress=body.stress[np.unique(body.faces)].max(),
             pressure=np.where(contact.normal_status == 3, 0,
                               contact.pressure).max()),
-        units={name: units.get(name, "") for name in
-               ("length", "force", "stress")},
+        units=page.units_of(summary),
         body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),
         obstacle=read_obstacle(directory, tag))

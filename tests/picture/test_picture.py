@@ -289,7 +289,8 @@ class Curves(unittest.TestCase):
                                '2,"a,b",1,0,-5,1,0.1,0,0,0,0,3\n2,c,1,0,2,1,0,0,0,0.2,5,0\n')
         self.assertEqual(list(boundaries), ["a,b", "c"])
         self.assertTrue(np.isnan(boundaries["a,b"]["center_x"][0]))
-        figure = history.draw(boundaries, {"length": "mm", "force": "N", "moment": "N mm"})
+        figure = history.draw(boundaries, page.units_of(
+            {"units": {"length": "mm", "force": "N", "moment": "N mm", "stress": "MPa"}}))
         figure.canvas.draw()
         over_t, over_x, over_angle = figure.axes
         self.assertEqual(over_t.get_xlabel(), "t")
@@ -303,9 +304,22 @@ class Curves(unittest.TestCase):
 
     def test_nothing_moves_and_no_force(self):
         figure = history.draw(self.read("1,a,0,0,0,,0,0,0,0,0,0\n"),
-                              {"length": "", "force": "", "moment": ""})
+                              page.units_of({}))
         figure.canvas.draw()
         self.assertEqual(len(figure.axes), 1)
+
+    def test_twist_by_a_punch_under_a_force(self):
+        """What it settles while it turns is hardly a part of its way: no curve over it."""
+        boundaries = self.read("1,a,0,0,-5,1,0,0,-0.1119,0,0,0\n"
+                               "2,a,0,0,-5,1,0,0,-0.1120,0.012,1.8,1\n"
+                               "3,a,0,0,-5,1,0,0,-0.1121,0.024,2.1,2\n")
+        for summary in ({}, {"units": {"length": "mm", "moment": "N mm"}}):
+            figure = history.draw(boundaries, page.units_of(summary))
+            figure.canvas.draw()
+            _, over_angle = figure.axes
+            curve, = [line for line in over_angle.lines if len(line.get_xdata()) == 3]
+            np.testing.assert_allclose(curve.get_xdata(), [0, 0.012, 0.024])
+            np.testing.assert_allclose(curve.get_ydata(), [0, 1.8, 2.1])
 
     def test_line_that_was_being_written(self):
         rows = self.read("1,a,0,0,1,,0,0,0,0,0,0\n2,a,0,0,1,,0")["a"]
