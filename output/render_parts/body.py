@@ -5,19 +5,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk.util.numpy_support import vtk_to_numpy
 
-from . import meshes
+from . import meshes, obstacles
+from .data import lines_of, set_up, surface_of
 
 OUTLINE, OBSTACLE, MESH = 0x555555, 0xA8A8A8, 0xFFFFFF
-CELLS = vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS
-
-
-def set_up(this, **settings):
-    """Call this.SetName(value) for every Name=value, return this."""
-    for name, value in settings.items():
-        getattr(this, "Set" + name)(value)
-    return this
 
 
 def rgb(color):
@@ -47,36 +40,6 @@ def view_basis(points):
     return np.array([right, np.cross(towards, right), towards])
 
 
-def cells_of(points, cells):
-    """VTK's points and cells, and which of the points they are."""
-    used, corners = np.unique(cells, return_inverse=True)
-    result = vtk.vtkCellArray()
-    result.SetData(cells.shape[1], numpy_to_vtk(
-        corners.astype(np.int64).reshape(-1), deep=True,
-        array_type=vtk.VTK_ID_TYPE))
-    return points_of(points[used]), result, used
-
-
-def points_of(points):
-    """VTK's points."""
-    return set_up(vtk.vtkPoints(), Data=numpy_to_vtk(
-        np.ascontiguousarray(points), deep=True))
-
-
-def surface_of(points, faces, scalars):
-    """VTK's surface of these faces, with a number at every point."""
-    places, polygons, used = cells_of(points, faces)
-    surface = set_up(vtk.vtkPolyData(), Points=places, Polys=polygons)
-    surface.GetPointData().SetScalars(numpy_to_vtk(scalars[used], deep=True))
-    return surface
-
-
-def lines_of(points, edges):
-    """VTK's lines between pairs of points."""
-    places, lines, _ = cells_of(points, edges)
-    return set_up(vtk.vtkPolyData(), Points=places, Lines=lines)
-
-
 def actor_of(data, color=OUTLINE, ambient=1.0, **settings):
     """Data in one colour, lit unless ambient is 1; settings: its property."""
     if isinstance(data, vtk.vtkAlgorithm):
@@ -102,67 +65,6 @@ def stress_actor(surface, highest, colors):
     return actor
 
 
-def drawn_obstacles(run, factor):
-    """The obstacles, their gaps as many times larger as the displacement.
-
-    So a point of the body that touches one does so in the picture. What is far
-    off then is left out.
-    """
-    append = vtk.vtkAppendPolyData()
-    for boundary in np.unique(run.contact.boundary):
-        part = set_up(vtk.vtkThreshold(), InputData=run.obstacle,
-                      LowerThreshold=boundary, UpperThreshold=boundary)
-        part.SetInputArrayToProcess(0, 0, 0, CELLS, "boundary")
-        surface = vtk.vtkGeometryFilter()
-        surface.SetInputConnection(part.GetOutputPort())
-        surface.Update()
-        if surface.GetOutput().GetNumberOfPoints():
-            faces = run.contact.faces[run.contact.boundary == boundary]
-            append.AddInputData(moved_away(surface.GetOutput(), run.body.points,
-                                           faces, factor))
-    clip = set_up(vtk.vtkClipPolyData(), InsideOut=True,
-                  Value=0.3 * np.ptp(run.body.points, axis=0).max())
-    clip.SetInputConnection(append.GetOutputPort())
-    clip.Update()
-    return clip.GetOutput()
-
-
-def moved_away(obstacle, points, faces, factor):
-    """An obstacle as many times as far from its contact boundary as it is.
-
-    A little further, so that it does not shine through where it is touched.
-    """
-    normals = meshes.node_normals(faces, meshes.vector_areas(points[faces]),
-                                  len(points))
-    nodes = np.unique(faces)
-    locator = set_up(vtk.vtkStaticPointLocator(), DataSet=set_up(
-        vtk.vtkPolyData(), Points=points_of(points[nodes])))
-    locator.BuildLocator()
-    places = vtk_to_numpy(obstacle.GetPoints().GetData()).astype(float)
-    nearest = nodes[[locator.FindClosestPoint(place) for place in places]]
-    normal = normals[nearest]
-    gap = ((places - points[nearest]) * normal).sum(axis=1)
-    little = 0.003 * np.ptp(points, axis=0).max()
-    moved = widened(places + ((factor - 1) * gap + little)[:, None] * normal)
-    result = vtk.vtkPolyData()
-    result.DeepCopy(obstacle)
-    result.SetPoints(points_of(moved))
-    result.GetPointData().SetScalars(numpy_to_vtk(factor * np.abs(gap),
-                                                  deep=True))
-    return result
-
-
-def widened(places):
-    """The points of a flat surface further apart, to be seen around the body.
-
-    A foundation ends where its contact boundary does.
-    """
-    off = places - places.mean(axis=0)
-    thickness = np.linalg.svd(off, compute_uv=False)[2]
-    is_flat = thickness <= 1e-3 * np.linalg.norm(off)
-    return places + 0.15 * off if is_flat else places
-
-
 def camera_of(basis, actors):
     """A parallel view without its size, and extents of the actors in it."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
@@ -183,7 +85,8 @@ def picture(run, colors, box):
     """Draw the body so that it fills a box, width and height in pixels.
 
     Returns the image, an array of rows from the top, and what was done: the
-    factor of exaggeration, the highest stress, the axes on the picture.
+    factor of exaggeration, the highest stress, the axes on the picture, and how
+    the obstacles were drawn, None where there are none.
     """
     body = run.body
     factor = exaggeration(body.points, run.scale.displacement)
@@ -197,15 +100,16 @@ def picture(run, colors, box):
               actor_of(edges, MESH, LineWidth=1, Opacity=faint),
               actor_of(lines_of(body.points, meshes.outline(
                   body.points, body.faces, basis[2])), LineWidth=2)]
+    how = None
     if run.obstacle is not None:
-        obstacle = drawn_obstacles(run, factor)
-        rim = set_up(vtk.vtkFeatureEdges(), InputData=obstacle)
+        how = obstacles.how(run, factor)
+        obstacle, rim = obstacles.drawn(run, factor)
         actors += [actor_of(obstacle, OBSTACLE, 0.6, Opacity=0.4),
                    actor_of(rim, OBSTACLE, LineWidth=2)]
     camera, extents = camera_of(basis, actors)
     image = rendered(actors, camera, extents, box)
     return SimpleNamespace(image=image, factor=factor, highest=highest,
-                           axes=basis[:2].T, obstacle=run.obstacle is not None)
+                           axes=basis[:2].T, obstacle=how)
 
 
 def rendered(actors, camera, extents, box):

@@ -255,9 +255,8 @@ def draw_body(page, run, body_picture, height):
     words = (f"displacement {number(body.factor)} times as large"
              if body.factor > 1 else "displacement true to scale")
     words += ", lines: before loading"
-    if body.obstacle:
-        words += ", grey: obstacle"
-        words += " with its gaps as large" * (body.factor > 1)
+    if body.obstacle is not None:
+        words += f", grey: obstacle{body.obstacle}"
     page.text(left, HEADER, "Deformed body", fontweight="bold")
     page.text(left, HEADER + 0.2, words, SMALL)
     rows, columns = body.image.shape[:2]

@@ -18,7 +18,7 @@ except ImportError as error:
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
                                 "..", "..", "output"))
 # pylint: disable=wrong-import-position
-from render_parts import history, meshes, page, panels
+from render_parts import bending, history, meshes, page, panels
 
 
 def hexahedra(cells, low=(0, 0, 0), high=(1, 1, 1)):
@@ -185,6 +185,85 @@ class Panels(unittest.TestCase):
         np.testing.assert_allclose(np.abs(areas[:, 2]), 0.25)
 
 
+class Obstacles(unittest.TestCase):
+    """What touches the body touches it in the picture."""
+
+    FACTOR, LITTLE = 20, 1e-9
+
+    def near(self, place, displacement, normal):
+        """Nearest points of a contact boundary."""
+        return SimpleNamespace(place=np.array(place, dtype=float),
+                               displacement=np.array(displacement, dtype=float),
+                               normal=np.array(normal, dtype=float))
+
+    def bent(self, near, gap, is_curved, is_flat):
+        """An obstacle with these gaps: how far from the drawn body it is drawn."""
+        gap = np.array(gap, dtype=float)[:, None]
+        places = near.place + near.displacement + gap * near.normal
+        moved, off = bending.bent(places, near, self.FACTOR, is_curved, is_flat,
+                                  self.LITTLE)
+        return moved - near.place - self.FACTOR * near.displacement, off
+
+    def test_a_foundation_touches_a_ball_and_keeps_its_true_gap(self):
+        angle = np.linspace(0, 1, 7)
+        normal = np.stack([np.sin(angle), 0 * angle, -np.cos(angle)], axis=1)
+        gap = 0.1 * angle**2
+        near = self.near(normal, -0.02 * angle[:, None] * [0.3, 0, 1], normal)
+        away, off = self.bent(near, gap, True, False)
+        np.testing.assert_allclose(away, gap[:, None] * normal, atol=1e-8)
+        np.testing.assert_allclose(off, gap)
+
+    def test_a_pin_that_cuts_chords_of_its_hole_does_not_in_the_picture(self):
+        near = self.near([[1, 0, 0]], [[0.1, 0, 0.2]], [[-1, 0, 0]])
+        away, _ = self.bent(near, [-0.03], True, False)
+        np.testing.assert_allclose(away, [[-self.LITTLE, 0, 0]], atol=1e-12)
+
+    def test_gaps_above_a_flat_boundary_are_as_large_as_the_displacement(self):
+        near = self.near([[0, 0, 0], [1, 0, 0]], [[0.03, 0, -0.01], [0.01, 0, -0.02]],
+                         [[0, 0, 1]] * 2)
+        away, off = self.bent(near, [0, 0.05], False, False)
+        np.testing.assert_allclose(away, [[0, 0, 0], [0, 0, self.FACTOR * 0.05]],
+                                   atol=1e-8)
+        np.testing.assert_allclose(off, [self.FACTOR * 0.01, self.FACTOR * 0.03])
+
+    def test_a_foundation_under_a_flat_boundary_stays_a_plane(self):
+        near = self.near([[0, 0, 0], [1, 0, 0]], [[0.03, 0, 0.01], [0.01, 0, 0]],
+                         [[0, 0, -1]] * 2)
+        places = np.array([[0, 0, 0], [1, 0, 0]], dtype=float)
+        moved, off = bending.bent(places, near, self.FACTOR, False, True, self.LITTLE)
+        np.testing.assert_allclose(moved, places, atol=1e-8)
+        np.testing.assert_allclose(off, 0, atol=1e-12)
+
+    def test_which_boundaries_are_flat(self):
+        points, faces = mesh_of(hexahedra((4, 3, 1), high=(4, 3, 1)))
+        turned = points @ np.linalg.qr(np.arange(9).reshape(3, 3) ** 2 + 1)[0]
+        for places in (points, turned):
+            areas = meshes.vector_areas(places[faces])
+            self.assertTrue(bending.has_flat_sides(areas))
+            self.assertTrue(bending.has_flat_sides(areas[:1]))
+        points, faces = cylinder_side(2, 3)
+        around = meshes.vector_areas(points[faces])
+        self.assertFalse(bending.has_flat_sides(around))
+        self.assertFalse(bending.has_flat_sides(np.vstack([[[0, 0, 1]], around])))
+
+    def test_which_obstacles_are_round(self):
+        def triangles(faces):
+            return faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)
+
+        points, faces = cylinder_side(2, 3, n=40)
+        self.assertTrue(bending.is_round(points, triangles(faces)))
+        points, faces = mesh_of(hexahedra((4, 3, 1), high=(4, 3, 1)))
+        self.assertFalse(bending.is_round(points, triangles(faces)))
+        apart = np.arange(faces.size).reshape(-1, 4)
+        self.assertFalse(bending.is_round(points[faces].reshape(-1, 3),
+                                          triangles(apart)))
+
+    def test_weights_in_triangles(self):
+        corners = np.array([[[0, 0, 1], [2, 0, 1], [0, 4, 1]], np.zeros((3, 3))])
+        weights = bending.weights_of(corners, np.array([[0.5, 1, 1], [0, 0, 0]]))
+        np.testing.assert_allclose(weights, [[0.5, 0.25, 0.25], [1 / 3] * 3])
+
+
 class Page(unittest.TestCase):
     """Nothing on the page is over anything else, whatever is shown."""
 
@@ -210,7 +289,7 @@ class Page(unittest.TestCase):
         shown = panels.panels_of(contact, points)
         figure = page.draw(run, shown, lambda width, height: SimpleNamespace(
             image=np.zeros((100, 150, 3)), factor=700, highest=1.2e8,
-            axes=np.array([[0.5, -0.4], [0.6, 0.3], [0, 0.9]]), obstacle=True))
+            axes=np.array([[0.5, -0.4], [0.6, 0.3], [0, 0.9]]), obstacle=" with its gaps as large"))
         figure.canvas.draw()
         found = figure.findobj(matplotlib.text.Text)
         boxes = [(text.get_text(), text.get_window_extent()) for text in found
