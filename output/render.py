@@ -19,7 +19,8 @@ only in a small part, this part. The first map shows the status: every node
 colours the part of the boundary nearest to it, so that no status is ever
 interpolated. The colour tells what friction does, white lines over it that the
 node is open all the same (given friction), white dots that rounding would
-decide whether it is; arrows of friction start at their nodes, on fine meshes at
+decide whether it is; of a run that is not certified, as the page says, the
+pressure is shown of undecided nodes as well, and which of them it presses; arrows of friction start at their nodes, on fine meshes at
 some of them. The second one shows the pressure.
 
 Of a run of several steps this is the last one, and history.png beside it
@@ -91,7 +92,7 @@ def draw(run, sharpness):
         return body.picture(run, page.STRESS(range(256)),
                             (width * dots, height * dots))
 
-    shown = panels.panels_of(run.contact, run.body.points)
+    shown = panels.panels_of(run.contact, run.body.points, run.certified)
     return page.draw(run, shown, body_picture)
 
 

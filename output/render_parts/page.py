@@ -43,6 +43,7 @@ KINDS = {contact_panels.OPEN: ("open", OPEN, None, None),
          contact_panels.MAYBE_STICK: ("open or closed, stick", STICK, "....",
                                       "white"),
          contact_panels.UNDECIDED: ("undecided", "white", "....", "#707070"),
+         contact_panels.PRESSED: ("undecided, pressed", CLOSED, "....", "white"),
          contact_panels.CLAMPED: ("clamped or facing away", "#C4C4C4", "////",
                                   "#707070")}
 STRESS, PRESSURE = colormaps["viridis"], colormaps["magma_r"]
@@ -212,7 +213,7 @@ def draw(run, panels, body_picture):
     largest = run.scale.pressure
     for slot, place in zip(slots, places):
         draw_slot(page, slot, place, names[slot.panel.boundary], run.units,
-                  largest)
+                  largest, run.certified)
     return page.figure
 
 
@@ -229,7 +230,7 @@ def names_of(run):
 def draw_header(page, run):
     """Title and the numbers that matter."""
     page.text(LEFT, 0.16, plain(run.name), LARGE, fontweight="bold")
-    if run.time is None and (run.summary.get("interrupted") or not run.summary["converged"]):
+    if not run.certified:
         page.text(RIGHT, 0.16, "NOT CERTIFIED", LARGE, fontweight="bold",
                   color=RED)
     if run.time is not None:
@@ -286,7 +287,7 @@ def draw_directions(page, directions, left, top):
                   ha="center", va="center")
 
 
-def draw_slot(page, slot, place, name, units, largest):
+def draw_slot(page, slot, place, name, units, largest, certified):
     """Title, legend and both maps of a contact panel, from a place on."""
     (left, top), (width, height) = place, slot.size
     title, seen = slot.title(name)
@@ -308,7 +309,8 @@ def draw_slot(page, slot, place, name, units, largest):
     draw_pressure(pressure, slot.panel, largest)
     frame(pressure, slot, units["length"], upwards=slot.stacked)
     page.color_bar(left + TICKS, top + slot.map_height + 0.02, COLUMN, PRESSURE,
-                   largest, "pressure", units["stress"])
+                   largest, "pressure" if certified else "pressure, not certified",
+                   units["stress"])
 
 
 def draw_legend(page, slot, left, top):

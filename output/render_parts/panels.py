@@ -12,17 +12,24 @@ from . import meshes
 
 # what a node is drawn as, by its normal and its tangential status
 (OPEN, CLOSED, SLIP, STICK, OPEN_SLIP, OPEN_STICK, MAYBE_SLIP, MAYBE_STICK,
- UNDECIDED, CLAMPED) = range(10)
+ UNDECIDED, PRESSED, CLAMPED) = range(11)
 KIND = {(0, 0): OPEN, (1, 0): CLOSED, (1, 1): SLIP, (1, 2): STICK,
         (0, 1): OPEN_SLIP, (0, 2): OPEN_STICK, (3, 1): MAYBE_SLIP,
         (3, 2): MAYBE_STICK, (-1, -1): CLAMPED}  # all others are undecided
 AXES = "xyz"
+NOTHING = 1e-6  # parts of the largest pressure that are none
 
 
-def panels_of(contact, points):
+def shown_pressure(contact, certified):
+    """The pressure without that of nodes which may as well be open, which is rounding
+    alone; of a run that is not certified all nodes may, and theirs is shown."""
+    return np.where((contact.normal_status == 3) & certified, 0, contact.pressure)
+
+
+def panels_of(contact, points, certified=True):
     """The panels of all contact boundaries.
 
-    contact: faces, seen from outside, and fields at their corners.
+    contact: faces, seen from outside, and fields at their corners; certified: the run.
     """
     corners = points[contact.faces]
     normals = meshes.vector_areas(corners)
@@ -33,9 +40,10 @@ def panels_of(contact, points):
                 name: values[faces] for name, values in vars(contact).items()
                 if name != "boundary"})
             panel.kind = kinds(panel.normal_status, panel.tangential_status)
-            # what may as well be open has a pressure of rounding alone
-            panel.pressure = np.where(panel.normal_status == 3, 0,
-                                      panel.pressure)
+            panel.pressure = shown_pressure(panel, certified)
+            # without a certificate; with one no node like this has a pressure
+            panel.kind[(panel.kind == UNDECIDED) & (panel.normal_status == 3) & (
+                panel.pressure > NOTHING * contact.pressure.max())] = PRESSED
             lay_flat(panel, corners[faces], normals[faces])
             panel.window = window_of(panel)
             result.append(panel)

@@ -9,7 +9,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from . import Unusable, meshes, page
+from . import Unusable, meshes, page, panels
 
 HEXAHEDRON, QUADRILATERAL = 12, 9
 
@@ -70,6 +70,11 @@ def read_summary(directory):
         raise Unusable(f"{file} cannot be read: {error}.") from error
 
 
+def is_certified(summary):
+    """Whether the run ended with what it was asked for."""
+    return summary["converged"] and not summary.get("interrupted", False)
+
+
 def steps_of(directory):
     """The certified steps of which there are files: t, and what the names of these
     have behind the word, "_0001", or nothing where there is one step."""
@@ -98,8 +103,9 @@ def read(directory, tag="", time=None):
     which the summary does not speak.
     body: points, outer faces, and displacement and stress at the points;
     contact: faces of the same points, and fields at their corners, (n, 4) or
-    (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; scale:
-    the largest displacement, stress and pressure, which everything is drawn with.
+    (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
+    what is shown, as steps with files are; scale: the largest displacement, stress and
+    pressure, which everything is drawn with.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -111,6 +117,7 @@ def read(directory, tag="", time=None):
                             "normal_status", "tangential_status", "area",
                             "boundary"])
     summary = read_summary(directory)
+    certified = time is not None or is_certified(summary)
     n = len(solution.points)
     first, number = meshes.merge(np.vstack([solution.points, contact.points]))
     if (first >= n).any():
@@ -119,11 +126,10 @@ def read(directory, tag="", time=None):
     body = body_of(solution, faces, first, number[:n])
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
-        time=time, scale=SimpleNamespace(
+        time=time, certified=certified, scale=SimpleNamespace(
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
-            pressure=np.where(contact.normal_status == 3, 0,
-                              contact.pressure).max()),
+            pressure=panels.shown_pressure(contact, certified).max()),
         units=page.units_of(summary),
         body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),

@@ -166,6 +166,16 @@ class Panels(unittest.TestCase):
             self.assertEqual(len(panels.quarters(panel, kind)), 48)
             self.assertEqual(panel.pressure.max(), 0 if status[0] == 3 else 2)
 
+    def test_a_run_that_is_not_certified_shows_its_pressure(self):
+        bottom = side(self.points, self.faces, 2, 0)
+        contact = contact_on(bottom, 4, (3, 3))
+        contact.pressure[self.points[bottom][:, :, 0] < 0.5] = 1e-9
+        self.assertEqual(panels.shown_pressure(contact, True).max(), 0)
+        panel, = panels.panels_of(contact, self.points, certified=False)
+        self.assertEqual(panel.pressure.max(), 2)
+        self.assertEqual(panels.counts(panel), {panels.UNDECIDED: 4,
+                                                panels.PRESSED: 16})
+
     def test_window_has_all_nodes_with_forces(self):
         bottom = side(self.points, self.faces, 2, 0)
         contact = contact_on(bottom, 4, (0, 0))
@@ -280,13 +290,13 @@ class Page(unittest.TestCase):
         units = {"length": "mm", "force": "N", "stress": "MPa"}
         boundaries = [{"name": f"side {i}", "id": i} for i in range(len(sides))]
         run = SimpleNamespace(name="a brick", contact=contact, units=units, time=time,
-                              scale=SimpleNamespace(pressure=contact.pressure.max()),
+                              certified=converged or time is not None, scale=SimpleNamespace(pressure=contact.pressure.max()),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
                                   "force_on_body": [1e8, -1e8, 1e-9],
                                   "open": 112, "closed": 2000, "slip": 1234,
                                   "stick": 0, "undecided": 321}})
-        shown = panels.panels_of(contact, points)
+        shown = panels.panels_of(contact, points, run.certified)
         figure = page.draw(run, shown, lambda width, height: SimpleNamespace(
             image=np.zeros((100, 150, 3)), factor=700, highest=1.2e8,
             axes=np.array([[0.5, -0.4], [0.6, 0.3], [0, 0.9]]), obstacle=" with its gaps as large"))
@@ -336,6 +346,7 @@ class Page(unittest.TestCase):
         words = self.check((2, 2, 2), [(2, 0), (0, 2), (1, 0)], (-1, -1, -1),
                            converged=False)
         self.assertIn("NOT CERTIFIED", words)
+        self.assertIn("pressure, not certified [MPa]", words)
         self.assertEqual(sum("Contact boundary" in line for line in words), 3)
 
     def test_frame(self):
@@ -343,6 +354,7 @@ class Page(unittest.TestCase):
                            time=0.25)
         self.assertIn("t = 0.25", words)
         self.assertNotIn("NOT CERTIFIED", words)
+        self.assertIn("pressure [MPa]", words)
 
     def test_no_friction(self):
         self.assertIn("no friction",
