@@ -155,6 +155,8 @@ class Slot:
         self.size = np.array([width, width / shown])
         self.choose_arrows()
         self.size *= min(1, (self.column - 2 * self.reach) / width)
+        if self.usual:
+            self.shorten_arrows()
         self.map_height = self.size[1] + 2 * self.reach + AXIS
         self.height = TITLE + self.legend + self.map_height + BAR + GAP
         if self.stacked:
@@ -171,11 +173,16 @@ class Slot:
         if self.usual <= 1e-6 * self.panel.pressure.max():
             self.usual = 0
             return
-        self.per_inch = max(self.usual / min(1.2 * distance, 0.4),
-                            sizes.max() / 0.6)
+        self.per_inch = max(self.usual / min(1.2 * distance, 0.4), sizes.max() / 0.6)
+        self.shorten_arrows()
         tips = (self.places - low) * scale + self.friction / self.per_inch
         reach = max(-tips.min(), (tips - self.size).max())
         self.reach = reach if reach > 0.05 else 0
+
+    def shorten_arrows(self):
+        """No arrow is higher or wider than the map."""
+        self.per_inch = max(self.per_inch,
+                            (np.abs(self.friction).max(axis=0) / self.size).max())
 
     def title(self, name):
         """What is seen."""

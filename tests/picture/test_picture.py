@@ -9,7 +9,7 @@ import unittest
 from types import SimpleNamespace
 
 try:
-    import matplotlib  # pylint: disable=unused-import
+    import matplotlib.quiver
     import numpy as np
 except ImportError as error:
     print(f"Skipped: {error}")
@@ -278,9 +278,9 @@ class Page(unittest.TestCase):
     """Nothing on the page is over anything else, whatever is shown."""
 
     def texts_of(self, lengths, sides, friction, converged=True, status=None,
-                 time=None):
+                 time=None, cells=(4, 4, 4)):
         """The boxes of all texts of the page of a brick with these sides."""
-        points, faces = mesh_of(hexahedra((4, 4, 4), high=lengths))
+        points, faces = mesh_of(hexahedra(cells, high=lengths))
         contact = joined(*[
             contact_on(side(points, faces, axis, place), i, friction=friction)
             for i, (axis, place) in enumerate(sides)])
@@ -304,7 +304,18 @@ class Page(unittest.TestCase):
         found = figure.findobj(matplotlib.text.Text)
         boxes = [(text.get_text(), text.get_window_extent()) for text in found
                  if text.get_text() and text.get_visible()]
+        self.check_arrows(figure)
         return figure, [(words, box) for words, box in boxes if box.width > 0]
+
+    def check_arrows(self, figure):
+        """No arrow is longer than the map is wide or high in its direction."""
+        for axes in figure.axes:
+            for quiver in axes.findobj(matplotlib.quiver.Quiver):
+                box = axes.get_window_extent()
+                longest = np.abs([quiver.U, quiver.V]).max(axis=1) * (
+                    figure.dpi / quiver.scale)
+                self.assertLessEqual(longest[0], 1.001 * box.width)
+                self.assertLessEqual(longest[1], 1.001 * box.height)
 
     def check(self, *arguments, **options):
         """No texts overlap, and all of them are on the page."""
@@ -341,6 +352,12 @@ class Page(unittest.TestCase):
                         (1, 1e-4, 1)):
             for friction in ((0, -1, 0), (0, 0, 0)):
                 self.check(lengths, [(2, 0)], friction)
+
+    def test_a_single_cell(self):
+        for lengths in ((1, 1, 1), (200, 10, 10), (10, 200, 10), (1, 1, 1e-3)):
+            for friction in ((1, 0, 0), (0, -1, 0), (-1, 1, 0)):
+                self.check(lengths, [(2, 0)], friction, cells=(1, 1, 1))
+        self.check((1, 1, 1), [(2, 0), (0, 1), (1, 0)], (1, 1, 1), cells=(1, 1, 1))
 
     def test_three_boundaries_not_certified(self):
         words = self.check((2, 2, 2), [(2, 0), (0, 2), (1, 0)], (-1, -1, -1),
