@@ -104,7 +104,9 @@ def picture(run, colors, box):
     if run.obstacle is not None:
         how = obstacles.how(run, factor)
         obstacle, rim = obstacles.drawn(run, factor)
-        actors += [actor_of(obstacle, OBSTACLE, 0.6, Opacity=0.4),
+        beside, covering = obstacles.split_by_sight(obstacle, run, deformed, basis[2])
+        actors += [actor_of(beside, OBSTACLE, 0.6, Opacity=0.4),
+                   actor_of(covering, OBSTACLE, 0.6, Opacity=0.1),
                    actor_of(rim, OBSTACLE, LineWidth=2)]
     camera, extents = camera_of(basis, actors)
     image = rendered(actors, camera, extents, box)

@@ -13,15 +13,58 @@ CELLS = vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS
 MOST_TRIANGLES = 10000  # of which smaller ones are made
 
 
+def curved(run):
+    """Which contact faces are of a curved boundary."""
+    areas = meshes.vector_areas(run.body.points[run.contact.faces])
+    result = np.zeros(len(areas), dtype=bool)
+    for boundary in np.unique(run.contact.boundary):
+        chosen = run.contact.boundary == boundary
+        result[chosen] = not bending.has_flat_sides(areas[chosen])
+    return result
+
+
 def how(run, factor):
     """What is to be said of how the obstacles are drawn."""
     if factor == 1:
         return ""
-    areas, boundary = (meshes.vector_areas(run.body.points[run.contact.faces]),
-                       run.contact.boundary)
-    are_flat = all(bending.has_flat_sides(areas[boundary == b])
-                   for b in np.unique(boundary))
-    return " with its gaps as large" if are_flat else " bent to touch"
+    return " bent to touch" if curved(run).any() else " with its gaps as large"
+
+
+def split_by_sight(obstacle, run, deformed, towards):
+    """What of the obstacles does not cover curved contact faces to who looks, and
+    what does. Above flat ones it has to be, or one would see nothing of it."""
+    covered = run.contact.faces[curved(run)]
+    if not len(covered) or not obstacle.GetNumberOfPolys():
+        return obstacle, vtk.vtkPolyData()
+    n_points = len(run.body.points)
+    is_covered = np.isin(meshes.face_keys(run.body.faces, n_points),
+                         meshes.face_keys(covered, n_points))
+    locator = set_up(vtk.vtkCellLocator(), DataSet=deformed)
+    locator.BuildLocator()
+    centers = set_up(vtk.vtkCellCenters(), InputData=obstacle)
+    centers.Update()
+    starts = vtk_to_numpy(centers.GetOutput().GetPoints().GetData()).astype(float)
+    way = 10 * np.linalg.norm(np.ptp(run.body.points, axis=0)) * towards
+    # from a little before the obstacle, which may be in the face that it touches
+    at, numbers = [0.0] * 3, (vtk.reference(0.0), vtk.reference(0), vtk.reference(0))
+    covers = [bool(locator.IntersectWithLine(
+        start + 0.002 * way, start - way, 0, numbers[0], at, [0.0] * 3, numbers[1], numbers[2]))
+        and is_covered[numbers[2].get()] for start in starts]
+    return [chosen_cells(obstacle, np.array(covers) == side) for side in (False, True)]
+
+
+def chosen_cells(surface, chosen):
+    """A surface of some of the polygons."""
+    marked = vtk.vtkPolyData()
+    marked.ShallowCopy(surface)
+    marked.GetCellData().SetScalars(numpy_to_vtk(chosen.astype(float), deep=True))
+    part = set_up(vtk.vtkThreshold(), InputData=marked, LowerThreshold=0.5,
+                  UpperThreshold=1.5)
+    part.SetInputArrayToProcess(0, 0, 0, CELLS, vtk.vtkDataSetAttributes.SCALARS)
+    result = vtk.vtkGeometryFilter()
+    result.SetInputConnection(part.GetOutputPort())
+    result.Update()
+    return result.GetOutput()
 
 
 def drawn(run, factor):

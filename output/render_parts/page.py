@@ -260,7 +260,7 @@ def draw_body(page, run, body_picture, height):
     left, width = LEFT, BODY
     room = height - TITLE - BAR - 0.3
     body = body_picture(width, room)
-    words = (f"displacement {number(body.factor)} times as large"
+    words = (f"displacement {body.factor:.0f} times as large"
              if body.factor > 1 else "displacement true to scale")
     words += ", lines: before loading"
     if body.obstacle is not None:

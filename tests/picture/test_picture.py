@@ -20,6 +20,11 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
 # pylint: disable=wrong-import-position
 from render_parts import bending, history, meshes, page, panels
 
+try:
+    from render_parts import data, obstacles
+except ImportError:
+    obstacles = None
+
 
 def hexahedra(cells, low=(0, 0, 0), high=(1, 1, 1)):
     """The corners of a grid of cells in a box, (n, 8, 3)."""
@@ -272,6 +277,37 @@ class Obstacles(unittest.TestCase):
         corners = np.array([[[0, 0, 1], [2, 0, 1], [0, 4, 1]], np.zeros((3, 3))])
         weights = bending.weights_of(corners, np.array([[0.5, 1, 1], [0, 0, 0]]))
         np.testing.assert_allclose(weights, [[0.5, 0.25, 0.25], [1 / 3] * 3])
+
+
+@unittest.skipIf(obstacles is None, "needs VTK")
+class Sight(unittest.TestCase):
+    """What is in front of a contact face, or bent to it."""
+
+    def setUp(self):
+        points, faces = cylinder_side(2, 3)
+        self.run_of = SimpleNamespace(
+            body=SimpleNamespace(points=points, faces=faces, stress=np.zeros(len(points)),
+                                 displacement=np.tile([-0.01, 0, 0], (len(points), 1))),
+            contact=contact_on(faces[points[faces][:, :, 0].mean(axis=1) > 1], 0))
+        corners = np.array([[2.5, y, z] for y in (-1, 1) for z in (1, 2)], dtype=float)
+        self.plane = data.surface_of(corners, np.array([[0, 2, 3, 1]]), np.zeros(4))
+
+    def test_an_obstacle_that_covers_the_contact_face(self):
+        body = self.run_of.body
+        deformed = data.surface_of(body.points, body.faces, body.stress)
+        for side, covering in ((1, 1), (-1, 0)):
+            parts = obstacles.split_by_sight(self.plane, self.run_of, deformed,
+                                             np.array([side, 0, 0]))
+            self.assertEqual([part.GetNumberOfPolys() for part in parts],
+                             [1 - covering, covering])
+
+    def test_a_plane_is_bent_to_what_is_nearest(self):
+        places = np.array([[2.5, 0, 1.5], [2, 0, 0.2]])
+        normals = np.tile([1.0, 0, 0], (len(self.run_of.body.points), 1))
+        near = obstacles.nearest(places, self.run_of.body, self.run_of.contact.faces,
+                                 normals)
+        np.testing.assert_allclose(near.place, [[2, 0, 1.5], [2, 0, 0.2]], atol=1e-6)
+        np.testing.assert_allclose(near.displacement, [[-0.01, 0, 0]] * 2)
 
 
 class Page(unittest.TestCase):
