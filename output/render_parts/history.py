@@ -8,7 +8,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from . import Unusable
-from .page import (NORMAL, SMALL, TEXT, exponent_of, label, number, plain)
+from .page import NORMAL, SMALL, TEXT
+from .words import exponent_of, label, number, plain
 
 AXES = "xyz"
 COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components

@@ -9,7 +9,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from . import Unusable, meshes, page, panels
+from . import Unusable, meshes, panels, words
 
 HEXAHEDRON, QUADRILATERAL = 12, 9
 
@@ -130,7 +130,7 @@ def read(directory, tag="", time=None):
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
             pressure=panels.shown_pressure(contact, certified).max()),
-        units=page.units_of(summary),
+        units=words.units_of(summary),
         body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),
         obstacle=read_obstacle(directory, tag))
