@@ -246,10 +246,10 @@ namespace stiction
     const std::string &directory = parameters_.output.directory;
     write_summary(summary, directory, communicator_);
 
-    // geometric multigrid works on uniform meshes alone
     print_report(*log_, result, parameters_.contact_solver.tolerance,
                  parameters_.performance.print_timing,
-                 parameters_.stiffness_solver.type == "multigrid"
+                 parameters_.stiffness_solver.type == "multigrid" &&
+                     parameters_.geometry.element_degree == 2
                    ? "'Geometry/Global refinement' lowers it"
                  : parameters_.refinement.adaptive_steps > 0
                    ? "more 'Refinement/Adaptive steps' lower it"

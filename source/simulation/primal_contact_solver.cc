@@ -50,8 +50,8 @@ namespace stiction
   StiffnessSolver &PrimalContactSolver::stiffness_solver()
   {
     stiffness_solver_ = std::make_unique<MultigridSolver>(
-      setting_.elasticity, newton_->free_preconditioner(), newton_->finest_level(),
-      duality_gap_accuracy);
+      setting_.elasticity, newton_->preconditioner(), newton_->finest_level(),
+      newton_->free_supports(), duality_gap_accuracy);
     return *stiffness_solver_;
   }
 

@@ -137,6 +137,17 @@ int main(int argc, char *argv[])
         problem("whole.msh") + Settings{"Material/Materials=lower : isotropic; 2e11; 0.3 "
                                         "| upper : isotropic; 2e10; 0.3"},
         18, 40);
+  check("mean dilatation",
+        problem("whole.msh") +
+          Settings{"Material/Poisson ratio=0.4", "Material/Volume strain=cell mean"},
+        30, 80);
+  check("orthotropic above isotropic",
+        problem("whole.msh") +
+          Settings{"Material/Materials=upper : orthotropic; 2e11; 1e11; 5e10; 0.3; 0.3; "
+                   "0.3; 5e10; 5e10; 3e10"},
+        18, 40);
+  check("quadratic elements",
+        problem("whole.msh") + Settings{"Geometry/Element degree=2"}, 15, 30);
   check("with a crack", problem("cracked.msh"), 21, 42);
   check("refined once", problem("whole.msh") + Settings{"Geometry/Global refinement=1"},
         13, 20);

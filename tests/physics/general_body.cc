@@ -6,7 +6,6 @@
 
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/element_stiffness.h>
-#include <stiction/elasticity/stiffness/general_element_stiffness.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -55,26 +54,35 @@ namespace
         dealii::DoFHandler<3> dof_handler(triangulation);
         dof_handler.distribute_dofs(fe);
         const dealii::MappingQ1<3> mapping;
-        GeneralElementStiffness stiffness(mapping, fe);
-        const auto begin = dof_handler.begin_active();
-        CellMaterial material{Material::isotropic(G * (3. * lame + 2. * G) / (lame + G),
-                                                  lame / (2. * (lame + G)))
-                                .stiffness,
-                              false};
+        ElementStiffness stiffness(mapping, fe);
+        const auto begin  = dof_handler.begin_active();
+        Material material = Material::isotropic(G * (3. * lame + 2. * G) / (lame + G),
+                                                lame / (2. * (lame + G)));
         const Eigen::MatrixXd K = to_eigen(stiffness(begin, material));
         out() << "degree " << degree << ": all but six motions strain the cell "
               << yes(rank(K) == K.rows() - 6);
         if (degree == 1)
           {
             HexahedralCell hexahedron{};
-            hexahedron.lame_lambda   = lame;
-            hexahedron.shear_modulus = G;
+            hexahedron.material = &material;
+            hexahedron.unit     = 1.;
             for (unsigned int v = 0; v < 8; ++v)
               for (unsigned int d = 0; d < 3; ++d)
                 hexahedron.vertices[v][d] = cell->vertex(v)[d];
-            ElementStiffness simple;
-            out() << ", same matrix as of the simple element "
-                  << yes((to_eigen(simple(hexahedron)) - K).norm() < 1e-13 * K.norm());
+            ElementStiffness trilinear;
+            const Eigen::MatrixXd same = to_eigen(trilinear(hexahedron));
+            hexahedron.lame_lambda     = lame;
+            hexahedron.shear_modulus   = G;
+            for (unsigned int v = 0; v < 8; ++v)
+              hexahedron.nodes[v] = v;
+            const CellStiffness<double> product({hexahedron});
+            Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(24, -1., 2.).array().square(),
+                            f = Eigen::VectorXd::Zero(24);
+            product.add_product(f.data(), u.data());
+            out() << ", same matrix from the vertices "
+                  << yes((same - K).norm() < 1e-13 * K.norm())
+                  << ", and of the product without one "
+                  << yes((K * u - f).norm() < 1e-13 * f.norm());
           }
 
         // u linear in space: its strain is constant, and so its own mean
@@ -88,11 +96,12 @@ namespace
             (H *
              dealii::Tensor<1, 3>(mapping.transform_unit_to_real_cell(
                begin, fe.unit_support_point(i))))[fe.system_to_component_index(i).first];
-        material.mean_dilatation   = true;
-        const Eigen::MatrixXd mean = to_eigen(stiffness(begin, material));
+        Material with_mean         = material;
+        with_mean.mean_dilatation  = true;
+        const Eigen::MatrixXd mean = to_eigen(stiffness(begin, with_mean));
         const auto unit            = dealii::unit_symmetric_tensor<3>();
-        CellMaterial fluid{lame * dealii::outer_product(unit, unit), false};
-        fluid.mean_dilatation = true;
+        Material fluid             = with_mean;
+        fluid.stiffness            = lame * dealii::outer_product(unit, unit);
         out() << "; mean dilatation: same force of a constant strain "
               << yes((mean * u - K * u).norm() < 1e-12 * (K * u).norm())
               << ", less stiff "

@@ -153,12 +153,11 @@ namespace stiction
     return lambda;
   }
 
-  StiffnessPreconditioner &NewtonMultigrid::free_preconditioner()
+  NodalSupports NewtonMultigrid::free_supports() const
   {
     NodalSupports supports;
     for (Eigen::Index i = 0; i < problems_.back()->n_nodes(); ++i)
       supports.push_back(problems_.back()->support(i));
-    multigrid_.set_supports(finest_level(), supports);
-    return multigrid_;
+    return supports;
   }
 } // namespace stiction

@@ -169,7 +169,14 @@ namespace stiction
   {
     is_uniform_ = !triangulation_.has_hanging_nodes();
     dof_handler_.distribute_dofs(fe_);
-    if (triangulation_.n_global_levels() > 1 && has_geometric_levels())
+    vertex_dof_handler_.reset();
+    if (fe_.degree > 1 && has_levels())
+      {
+        vertex_dof_handler_ = std::make_unique<DoFHandler<3>>(triangulation_);
+        vertex_dof_handler_->distribute_dofs(FESystem<3>(FE_Q<3>(1), 3));
+        vertex_dof_handler_->distribute_mg_dofs();
+      }
+    else if (has_levels() && triangulation_.n_global_levels() > 1)
       dof_handler_.distribute_mg_dofs(); // cheap next to the mesh
     DoFTools::extract_locally_relevant_dofs(dof_handler_, locally_relevant_dofs_);
     hanging_nodes_.reinit(locally_relevant_dofs_);

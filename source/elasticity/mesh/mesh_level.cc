@@ -41,6 +41,7 @@ namespace stiction
     : body_(body)
     , is_active_(true)
     , level_(0)
+    , dof_handler_(body.dof_handler())
   {
     make_partitioner();
   }
@@ -49,15 +50,15 @@ namespace stiction
     : body_(body)
     , is_active_(false)
     , level_(level)
+    , dof_handler_(body.vertex_dof_handler())
   {
     make_partitioner();
   }
 
   void MeshLevel::make_partitioner()
   {
-    const DoFHandler<3> &dof_handler = body_.dof_handler();
-    const IndexSet &owned            = is_active_ ? dof_handler.locally_owned_dofs()
-                                                  : dof_handler.locally_owned_mg_dofs(level_);
+    const IndexSet &owned = is_active_ ? dof_handler_.locally_owned_dofs()
+                                       : dof_handler_.locally_owned_mg_dofs(level_);
     std::vector<types::global_dof_index> ghosts;
     const auto add = [&](const auto &cell) {
       for (const auto dof : first_dofs(cell, is_active_))
@@ -75,9 +76,9 @@ namespace stiction
               add(sibling);
           }
     };
-    if (!body_.has_geometric_levels())
+    if (is_active_ && (!body_.has_levels() || !is_trilinear()))
       {
-        // hanging nodes reach across cells
+        // hanging nodes reach across cells, and nodes lie inside of their edges
         IndexSet others = body_.locally_relevant_dofs();
         others.subtract_set(owned);
         others.fill_index_vector(ghosts);
@@ -86,12 +87,12 @@ namespace stiction
       {
         if (is_active_)
           {
-            for (const auto &cell : dof_handler.active_cell_iterators())
+            for (const auto &cell : dof_handler_.active_cell_iterators())
               if (cell->is_locally_owned())
                 add_with_siblings(cell);
           }
         else
-          for (const auto &cell : dof_handler.mg_cell_iterators_on_level(level_))
+          for (const auto &cell : dof_handler_.mg_cell_iterators_on_level(level_))
             if (cell->is_locally_owned_on_level())
               add_with_siblings(cell);
       }
@@ -102,6 +103,11 @@ namespace stiction
     ghost_set.add_indices(ghosts.begin(), ghosts.end());
     partitioner_ = std::make_shared<const Utilities::MPI::Partitioner>(
       owned, ghost_set, body_.communicator());
+  }
+
+  bool MeshLevel::is_trilinear() const
+  {
+    return dof_handler_.get_fe().degree == 1;
   }
 
   MPI_Comm MeshLevel::communicator() const
@@ -140,7 +146,7 @@ namespace stiction
     if (!is_active_ || body_.n_hanging_nodes() == 0)
       return nodes;
     std::set<types::global_dof_index> known;
-    for (const auto &cell : body_.dof_handler().active_cell_iterators())
+    for (const auto &cell : dof_handler_.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const auto dof : first_dofs(cell, is_active_))
           if (body_.is_hanging(dof) && known.insert(dof).second)
@@ -177,15 +183,14 @@ namespace stiction
       hexahedron.material_id = cell->material_id();
       callback(hexahedron);
     };
-    const DoFHandler<3> &dof_handler = body_.dof_handler();
     if (is_active_)
       {
-        for (const auto &cell : dof_handler.active_cell_iterators())
+        for (const auto &cell : dof_handler_.active_cell_iterators())
           if (cell->is_locally_owned())
             visit(cell);
       }
     else
-      for (const auto &cell : dof_handler.mg_cell_iterators_on_level(level_))
+      for (const auto &cell : dof_handler_.mg_cell_iterators_on_level(level_))
         if (cell->is_locally_owned_on_level())
           visit(cell);
   }

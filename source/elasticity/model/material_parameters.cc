@@ -39,8 +39,7 @@ namespace stiction
       "pointwise: as the displacements have it; trilinear elements "
       "then lock as nu approaches 0.5, bodies and forces become many times too "
       "stiff. cell mean: the change of volume is the same all over a cell "
-      "(mean dilatation, B-bar), for nearly incompressible materials; with an "
-      "assembled stiffness matrix, without geometric multigrid. automatic: "
+      "(mean dilatation, B-bar), for nearly incompressible materials. automatic: "
       "cell mean for trilinear elements if an isotropic material has nu above "
       "0.45, otherwise pointwise.",
       prm, Patterns::Selection("automatic|pointwise|cell mean"));

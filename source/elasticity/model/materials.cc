@@ -262,6 +262,9 @@ namespace stiction
         without_density.clear();
       }
 
+    for (auto &material : by_id_)
+      material.second.mean_dilatation = have_mean_dilatation_;
+
     const MaterialList densities(parameters, "Material/Densities",
                                  parameters.material.densities, "'material : density'");
     densities.for_each(
@@ -284,16 +287,16 @@ namespace stiction
 
   bool Materials::are_simple() const
   {
-    return !have_mean_dilatation_ &&
-           std::all_of(by_id_.begin(), by_id_.end(),
-                       [](const auto &entry) { return entry.second.is_isotropic; });
+    return std::all_of(by_id_.begin(), by_id_.end(),
+                       [](const auto &entry) { return entry.second.is_simple(); });
   }
 
   void Materials::assign(HexahedralCell &cell, const double unit) const
   {
-    const Material &material = of(cell.material_id);
-    cell.lame_lambda         = material.lame_lambda / unit;
-    cell.shear_modulus       = material.shear_modulus / unit;
+    cell.material      = &of(cell.material_id);
+    cell.lame_lambda   = cell.material->lame_lambda / unit;
+    cell.shear_modulus = cell.material->shear_modulus / unit;
+    cell.unit          = unit;
   }
 
   double Materials::smallest_youngs_modulus() const

@@ -155,11 +155,11 @@ namespace stiction
       Eigen::Matrix<float, Eigen::Dynamic, 72, Eigen::RowMajor> half_;
     };
 
-    void drop_fixed(FullMatrix<double> &K, const HexahedralCell &cell,
+    void drop_fixed(FullMatrix<double> &K, const std::vector<unsigned int> &nodes,
                     const LA::Vector &fixed)
     {
       for (unsigned int k = 0; k < 24; ++k)
-        if (fixed.local_element(3 * cell.nodes[k / 3] + k % 3) != 0.)
+        if (fixed.local_element(3 * nodes[k / 3] + k % 3) != 0.)
           for (unsigned int j = 0; j < 24; ++j)
             K(k, j) = K(j, k) = 0.;
     }
@@ -229,21 +229,21 @@ namespace stiction
     sets.clear();
     sets.shrink_to_fit();
 
-    ElementStiffness element_stiffness;
-    mesh.for_each_cell([&](HexahedralCell cell) {
-      elasticity.materials().assign(cell, unit);
-      FullMatrix<double> K = element_stiffness(cell);
-      std::array<unsigned int, 8> nodes;
-      for (unsigned int v = 0; v < 8; ++v)
-        {
-          nodes[v] = node(cell.nodes[v]);
-          if (const auto place = in_list.find(nodes[v]); place != in_list.end())
-            for (unsigned int c = 0; c < 3; ++c)
-              stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
-        }
-      drop_fixed(K, cell, is_left_out);
-      A.add(galerkin(nodes, K));
-    });
+    FullMatrix<double> K;
+    for_each_element(
+      mesh, elasticity.materials(), unit, [&](const auto &cell, const auto &free) {
+        K = free;
+        std::array<unsigned int, 8> nodes;
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            nodes[v] = node(cell[v]);
+            if (const auto place = in_list.find(nodes[v]); place != in_list.end())
+              for (unsigned int c = 0; c < 3; ++c)
+                stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
+          }
+        drop_fixed(K, cell, is_left_out);
+        A.add(galerkin(nodes, K));
+      });
     Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),
                         stiffness_of_supported_);
 

@@ -36,12 +36,13 @@ namespace stiction
 
     using Indices = std::vector<types::global_dof_index>;
 
-    Indices indices_of(const MeshLevel &level, const HexahedralCell &cell)
+    template<typename Nodes>
+    Indices indices_of(const MeshLevel &level, const Nodes &nodes)
     {
       Indices indices(24);
       for (unsigned int v = 0; v < 8; ++v)
         for (unsigned int c = 0; c < 3; ++c)
-          indices[3 * v + c] = level.first_dof(cell.nodes[v]) + c;
+          indices[3 * v + c] = level.first_dof(nodes[v]) + c;
       return indices;
     }
   } // namespace
@@ -65,12 +66,13 @@ namespace stiction
           support_of_[level.local_node(dof)] = i;
       }
     const LA::SparseMatrix *K = elasticity.stiffness().matrix();
-    if (K == nullptr && elasticity.body().n_hanging_nodes() > 0)
+    if (K == nullptr &&
+        (!level.is_trilinear() || elasticity.body().n_hanging_nodes() > 0))
       {
         own_stiffness_ = elasticity.assemble();
         K              = own_stiffness_.get();
       }
-    if (K != nullptr) // then there is one level
+    if (K != nullptr) // then the level is the mesh itself
       assembled_ = std::make_unique<ConstrainedMatrix>(*K, fixed, supported_nodes);
     else if (level_.n_dofs() > max_dense)
       make_pattern();
@@ -87,7 +89,7 @@ namespace stiction
 
     DynamicSparsityPattern pattern(relevant);
     level_.for_each_cell([&](const HexahedralCell &cell) {
-      const Indices indices = indices_of(level_, cell);
+      const Indices indices = indices_of(level_, cell.nodes);
       for (const auto row : indices)
         pattern.add_entries(row, indices.begin(), indices.end());
     });
@@ -146,45 +148,43 @@ namespace stiction
 
   void CoarseSolver::assemble(const NodalSupports &supports, const Add &add) const
   {
-    ElementStiffness element_stiffness;
-    FullMatrix<double> held(24, 24);
-    level_.for_each_cell([&](HexahedralCell cell) {
-      elasticity_.materials().assign(cell);
-      const FullMatrix<double> &free = element_stiffness(cell);
-      held                           = free;
+    FullMatrix<double> held;
+    for_each_element(
+      level_, elasticity_.materials(), 1., [&](const auto &nodes, const auto &free) {
+        held = free;
 
-      std::array<Eigen::Matrix3d, 8> P;
-      bool is_held = false;
-      for (unsigned int v = 0; v < 8; ++v)
-        {
-          const auto support = support_of_.find(cell.nodes[v]);
-          P[v]               = support == support_of_.end() ? Eigen::Matrix3d::Identity()
-                                                            : supports[support->second].projection;
-          for (unsigned int c = 0; c < 3; ++c)
-            if (fixed_->local_element(3 * cell.nodes[v] + c) != 0.)
-              {
-                P[v].row(c).setZero();
-                P[v].col(c).setZero();
-              }
-          is_held = is_held || P[v] != Eigen::Matrix3d::Identity();
-        }
-      for (unsigned int i = 0; is_held && i < 8; ++i)
-        for (unsigned int j = 0; j < 8; ++j)
+        std::array<Eigen::Matrix3d, 8> P;
+        bool is_held = false;
+        for (unsigned int v = 0; v < 8; ++v)
           {
-            Eigen::Matrix3d block;
-            for (unsigned int a = 0; a < 3; ++a)
-              for (unsigned int b = 0; b < 3; ++b)
-                block(a, b) = free(3 * i + a, 3 * j + b);
-            block = (P[i] * block * P[j]).eval();
-            // held directions keep a diagonal of the size of the others
-            if (i == j)
-              block += free(3 * i, 3 * i) * (Eigen::Matrix3d::Identity() - P[i]);
-            for (unsigned int a = 0; a < 3; ++a)
-              for (unsigned int b = 0; b < 3; ++b)
-                held(3 * i + a, 3 * j + b) = block(a, b);
+            const auto support = support_of_.find(nodes[v]);
+            P[v] = support == support_of_.end() ? Eigen::Matrix3d::Identity()
+                                                : supports[support->second].projection;
+            for (unsigned int c = 0; c < 3; ++c)
+              if (fixed_->local_element(3 * nodes[v] + c) != 0.)
+                {
+                  P[v].row(c).setZero();
+                  P[v].col(c).setZero();
+                }
+            is_held = is_held || P[v] != Eigen::Matrix3d::Identity();
           }
-      add(indices_of(level_, cell), held);
-    });
+        for (unsigned int i = 0; is_held && i < 8; ++i)
+          for (unsigned int j = 0; j < 8; ++j)
+            {
+              Eigen::Matrix3d block;
+              for (unsigned int a = 0; a < 3; ++a)
+                for (unsigned int b = 0; b < 3; ++b)
+                  block(a, b) = free(3 * i + a, 3 * j + b);
+              block = (P[i] * block * P[j]).eval();
+              // held directions keep a diagonal of the size of the others
+              if (i == j)
+                block += free(3 * i, 3 * i) * (Eigen::Matrix3d::Identity() - P[i]);
+              for (unsigned int a = 0; a < 3; ++a)
+                for (unsigned int b = 0; b < 3; ++b)
+                  held(3 * i + a, 3 * j + b) = block(a, b);
+            }
+        add(indices_of(level_, nodes), held);
+      });
     FullMatrix<double> spring(3, 3);
     for (std::size_t i = 0; i < supports.size(); ++i)
       {

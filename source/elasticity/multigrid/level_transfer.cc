@@ -4,7 +4,10 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/lac/la_parallel_vector.h>
+
+#include <cmath>
 
 namespace stiction
 {
@@ -12,8 +15,8 @@ namespace stiction
 
   namespace
   {
-    // The nodes of a coarse cell after refinement, 3 × 3 × 3: the child and
-    // its vertex where node i is found, and the coarse vertices around it.
+    // The nodes of a coarse cell after refinement, or of degree 2, 3 × 3 × 3: the child
+    // and its vertex where node i is found, and the coarse vertices around it.
     struct FineNode
     {
       unsigned int child, vertex;
@@ -41,6 +44,18 @@ namespace stiction
               if (is_near)
                 node.coarse_vertices.push_back(v);
             }
+        }
+      return nodes;
+    }
+
+    // The number among the nodes of a cell of degree 2 of each of those.
+    std::vector<unsigned int> quadratic_nodes(const FiniteElement<3> &fe)
+    {
+      std::vector<unsigned int> nodes(27);
+      for (unsigned int i = 0; i < 27; ++i)
+        {
+          const Point<3> p = fe.unit_support_point(3 * i);
+          nodes[std::lround(2. * (p[0] + 3. * p[1] + 9. * p[2]))] = i;
         }
       return nodes;
     }
@@ -84,17 +99,35 @@ namespace stiction
     : coarse_(coarse)
     , fine_(fine)
   {
-    const DoFHandler<3> &dof_handler = body.dof_handler();
+    const DoFHandler<3> &coarse_dofs = body.vertex_dof_handler();
     const auto nodes                 = fine_nodes_of_a_cell();
     const unsigned int rank = Utilities::MPI::this_mpi_process(body.communicator());
 
+    // visit(coarse cell, what is its node, the local number of that)
     const auto for_each_node = [&](const auto &visit) {
-      for (const auto &cell : dof_handler.mg_cell_iterators_on_level(fine_level - 1))
-        if (cell->is_locally_owned_on_level() && cell->has_children())
-          for (const FineNode &node : nodes)
-            visit(cell, node,
+      if (fine.is_trilinear())
+        {
+          for (const auto &cell : coarse_dofs.mg_cell_iterators_on_level(fine_level - 1))
+            if (cell->is_locally_owned_on_level() && cell->has_children())
+              for (const FineNode &node : nodes)
+                visit(
+                  cell, node,
                   fine.local_node(cell->child(node.child)
                                     ->mg_vertex_dof_index(fine_level, node.vertex, 0)));
+          return;
+        }
+      const FiniteElement<3> &fe = body.dof_handler().get_fe();
+      const auto in_cell         = quadratic_nodes(fe);
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(dofs);
+            const DoFHandler<3>::level_cell_iterator same(
+              &body.triangulation(), cell->level(), cell->index(), &coarse_dofs);
+            for (unsigned int i = 0; i < 27; ++i)
+              visit(same, nodes[i], fine.local_node(dofs[3 * in_cell[i]]));
+          }
     };
 
     // Several ranks see a fine node between their coarse cells: the first of

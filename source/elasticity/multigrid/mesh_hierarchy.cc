@@ -10,16 +10,16 @@ namespace stiction
     : mesh_(mesh)
   {
     const unsigned int n = body.triangulation().n_global_levels();
-    if (!levels_in_use || n == 1 || !body.has_geometric_levels())
+    if (!levels_in_use || !body.has_levels() || (n == 1 && mesh.is_trilinear()))
       return;
     // so that vectors of the mesh are vectors of its last level
-    if (body.dof_handler().locally_owned_dofs() !=
-        body.dof_handler().locally_owned_mg_dofs(n - 1))
+    if (mesh.is_trilinear() && body.dof_handler().locally_owned_dofs() !=
+                                 body.dof_handler().locally_owned_mg_dofs(n - 1))
       throw std::logic_error("the mesh is not numbered like its last level");
 
-    for (unsigned int l = 0; l + 1 < n; ++l)
+    for (unsigned int l = 0; l < (mesh.is_trilinear() ? n - 1 : n); ++l)
       coarser_.push_back(std::make_unique<MeshLevel>(body, l));
-    for (unsigned int l = 1; l < n; ++l)
+    for (unsigned int l = 1; l < n_levels(); ++l)
       transfers_.push_back(
         std::make_unique<LevelTransfer>(body, l, level(l - 1), level(l)));
   }

@@ -134,7 +134,8 @@ namespace stiction
       {
         levels_[l] = std::make_unique<Level>(elasticity, hierarchy.level(l), unit_,
                                              fixed_on(l), supported_nodes.first_dofs(l));
-        if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated)
+        if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated ||
+            !hierarchy.level(l).is_trilinear())
           eigenvalue = levels_[l]->estimate_largest_eigenvalue();
         levels_[l]->set_largest_eigenvalue(eigenvalue);
       }

@@ -76,12 +76,15 @@ namespace stiction
   MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
                                    StiffnessPreconditioner &preconditioner,
                                    const unsigned int level,
+                                   const NodalSupports &supports,
                                    const double relative_residual)
     : StiffnessSolver(elasticity)
     , preconditioner_(&preconditioner)
     , level_(level)
+    , supports_(supports)
     , relative_residual_(relative_residual)
   {
+    preconditioner_->set_supports(level, supports);
   }
 
   MultigridSolver::~MultigridSolver() = default;
@@ -111,21 +114,31 @@ namespace stiction
       }
 
     dealii::SolverControl control(max_iterations, relative_residual_ * b.l2_norm());
-    dealii::SolverCG<LA::Vector> cg(control);
-    dst = 0.;
-    try
+    const auto iterate = [&]() {
+      dealii::SolverCG<LA::Vector> cg(control);
+      dst = 0.;
+      try
+        {
+          cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed}, dst, b,
+                   Preconditioner{*preconditioner_, level_,
+                                  elasticity_.mesh().zero_vector<float>()});
+          return true;
+        }
+      catch (const dealii::SolverControl::NoConvergence &)
+        {
+          return false;
+        }
+    };
+    bool is_solved = iterate();
+    if (!is_solved && preconditioner_->factorize(level_))
       {
-        cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed}, dst, b,
-                 Preconditioner{*preconditioner_, level_,
-                                elasticity_.mesh().zero_vector<float>()});
+        preconditioner_->set_supports(level_, supports_);
+        is_solved = iterate();
       }
-    catch (const dealii::SolverControl::NoConvergence &failure)
-      {
-        throw std::runtime_error(
-          "conjugate gradients with multigrid did not converge in " +
-          std::to_string(failure.last_step) +
-          " iterations, use 'Stiffness solver/Type = mumps'.");
-      }
+    if (!is_solved)
+      throw std::runtime_error("conjugate gradients with multigrid did not converge in " +
+                               std::to_string(max_iterations) +
+                               " iterations, use 'Stiffness solver/Type = mumps'.");
     dst += prescribed;
     return control.last_step();
   }

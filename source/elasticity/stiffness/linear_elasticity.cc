@@ -5,7 +5,6 @@
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
 #include <stiction/elasticity/stiffness/assembled_stiffness.h>
-#include <stiction/elasticity/stiffness/cell_material.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
@@ -130,7 +129,7 @@ namespace stiction
 
   void LinearElasticity::make_stiffness()
   {
-    if (body_.dof_handler().get_fe().degree == 1 && materials_->are_simple())
+    if (mesh_->is_trilinear() || body_.has_levels())
       stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
     else
       stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, assemble());
@@ -138,10 +137,7 @@ namespace stiction
 
   std::unique_ptr<LA::SparseMatrix> LinearElasticity::assemble() const
   {
-    return assemble_stiffness(body_, [&](const auto &cell) {
-      return CellMaterial{materials_->of(cell->material_id()).stiffness,
-                          materials_->have_mean_dilatation()};
-    });
+    return assemble_stiffness(*mesh_, *materials_, body_.hanging_nodes());
   }
 
   void LinearElasticity::constrain_stiffness()
@@ -149,8 +145,7 @@ namespace stiction
     // with hanging nodes deal.II's diagonal entry of a prescribed unknown is not CᵀKC's
     if (stiffness_->matrix() == nullptr && body_.n_hanging_nodes() == 0)
       {
-        constrained_stiffness_ =
-          assemble_simple_stiffness(body_, *mesh_, *materials_, constraints_);
+        constrained_stiffness_ = assemble_stiffness(*mesh_, *materials_, constraints_);
         return;
       }
     LA::Vector fixed = zero_vector();

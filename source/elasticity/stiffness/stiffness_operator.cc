@@ -17,19 +17,6 @@ namespace stiction
   namespace
   {
     template<typename Number>
-    CellStiffness<Number> make_cells(const MeshLevel &level, const Materials &materials,
-                                     const double unit)
-    {
-      CellStiffness<Number> cells;
-      level.for_each_cell([&](HexahedralCell cell) {
-        materials.assign(cell, unit);
-        cells.add_cell(cell);
-      });
-      cells.finish();
-      return cells;
-    }
-
-    template<typename Number>
     std::vector<Number> blocks_of_matrix(const LA::SparseMatrix &matrix)
     {
       const auto owned = matrix.local_range();
@@ -46,9 +33,18 @@ namespace stiction
                                                const Materials &materials,
                                                const double unit)
     : level_(level)
-    , cells_(make_cells<Number>(level, materials, unit))
     , hanging_(level.hanging_nodes())
   {
+    if (level.is_trilinear() && materials.are_simple())
+      level.for_each_cell([&](HexahedralCell cell) {
+        materials.assign(cell, unit);
+        cells_.add_cell(cell);
+      });
+    else
+      for_each_element(level, materials, unit, [&](const auto &nodes, const auto &K) {
+        elements_.add(nodes, K);
+      });
+    cells_.finish();
     if (!hanging_.empty())
       find_hanging_blocks(materials, unit);
   }
@@ -65,6 +61,13 @@ namespace stiction
   StiffnessOperator<Number>::~StiffnessOperator() = default;
 
   template<typename Number>
+  void StiffnessOperator<Number>::add_product(Number *dst, const Number *src) const
+  {
+    cells_.add_product(dst, src);
+    elements_.add_product(dst, src);
+  }
+
+  template<typename Number>
   void StiffnessOperator<Number>::vmult(Vector &dst, const Vector &src) const
   {
     if constexpr (std::is_same_v<Number, double>)
@@ -76,7 +79,7 @@ namespace stiction
     src.update_ghost_values();
     dst = Number(0.);
     if (hanging_.empty())
-      cells_.add_product(dst.begin(), src.begin());
+      add_product(dst.begin(), src.begin());
     else
       {
         interpolated_.assign(src.begin(),
@@ -89,7 +92,7 @@ namespace stiction
                 u +=
                   static_cast<Number>(weight) * src.begin()[3 * std::size_t(other) + c];
             }
-        cells_.add_product(dst.begin(), interpolated_.data());
+        add_product(dst.begin(), interpolated_.data());
         for (const auto &[node, others] : hanging_)
           for (unsigned int c = 0; c < 3; ++c)
             {
@@ -112,27 +115,24 @@ namespace stiction
     for (const MeshLevel::HangingNode &hanging : hanging_)
       is_hanging[hanging.node] = &hanging;
     std::unordered_map<unsigned int, Eigen::Matrix3d> blocks;
-    ElementStiffness element_stiffness;
-    level_.for_each_cell([&](HexahedralCell cell) {
+    for_each_element(level_, materials, unit, [&](const auto &of_cell, const auto &K) {
       std::array<std::vector<std::pair<unsigned int, double>>, 8> nodes;
       unsigned int n_hanging = 0;
       for (unsigned int v = 0; v < 8; ++v)
         {
-          const auto hanging = is_hanging.find(cell.nodes[v]);
+          const auto hanging = is_hanging.find(of_cell[v]);
           n_hanging += hanging != is_hanging.end() ? 1 : 0;
           nodes[v] = hanging != is_hanging.end()
                        ? hanging->second->others
-                       : decltype(hanging->second->others){{cell.nodes[v], 1.}};
+                       : decltype(hanging->second->others){{of_cell[v], 1.}};
         }
       if (n_hanging == 0)
         return;
-      materials.assign(cell, unit);
-      const dealii::FullMatrix<double> &K = element_stiffness(cell);
       for (unsigned int i = 0; i < 8; ++i)
         for (unsigned int j = 0; j < 8; ++j)
           for (const auto &[a, weight_a] : nodes[i])
             for (const auto &[b, weight_b] : nodes[j])
-              if (a == b && !(i == j && a == cell.nodes[i])) // which the cells add
+              if (a == b && !(i == j && a == of_cell[i])) // which the cells add
                 {
                   auto &block =
                     blocks.try_emplace(a, Eigen::Matrix3d::Zero()).first->second;
@@ -153,6 +153,7 @@ namespace stiction
       return blocks_of_matrix<Number>(*matrix_);
     std::vector<Number> local(9 * static_cast<std::size_t>(level_.n_local_nodes()));
     cells_.add_diagonal_blocks(local.data());
+    elements_.add_diagonal_blocks(local.data());
     for (const MeshLevel::HangingNode &hanging : hanging_)
       std::fill_n(&local[9 * std::size_t(hanging.node)], 9, Number(0.));
     for (const auto &[node, block] : hanging_blocks_)

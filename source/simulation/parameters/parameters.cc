@@ -2,7 +2,6 @@
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/simulation/parameters/parameters.h>
 
-#include <regex>
 #include <sstream>
 
 namespace stiction
@@ -36,19 +35,10 @@ namespace stiction
     used_file_ = out.str();
   }
 
-  std::string Parameters::why_no_geometric_multigrid() const
+  bool Parameters::has_geometric_multigrid() const
   {
-    std::string all;
-    const auto add = [&](const bool holds, const std::string &reason) {
-      if (holds)
-        all += (all.empty() ? "" : ", ") + reason;
-    };
-    add(geometry.element_degree > 1, "'Element degree' 2");
-    add(has_mean_dilatation(), "'Volume strain' cell mean");
-    // the kind of a material stands after its name and a colon
-    add(std::regex_search(material.materials, std::regex(":\\s*orthotropic\\s*;")),
-        "an orthotropic material");
-    return all;
+    return geometry.element_degree == 1 ||
+           (geometry.contact_refinement == 0 && refinement.adaptive_steps == 0);
   }
 
   std::string Parameters::stiffness_solver_type() const
@@ -137,9 +127,9 @@ namespace stiction
     source.require(
       stiffness_solver.type != "multigrid" || has_geometric_multigrid(),
       "Stiffness solver/Type",
-      "needs trilinear cells of isotropic materials, so 'Geometry/Element degree' must "
-      "be 1 and 'Material/Volume strain' pointwise (automatic is that up "
-      "to a Poisson ratio of 0.45), or the type 'amg'");
+      "has no levels where elements of degree 2 are refined locally, so "
+      "'Geometry/Element degree' must be 1 or 'Geometry/Contact refinement' and "
+      "'Refinement/Adaptive steps' 0, or the type 'amg'");
     source.require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
                    "Stiffness solver/Type",
                    "must be 'automatic', 'multigrid' or 'amg' for 'Contact "

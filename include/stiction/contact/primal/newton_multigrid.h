@@ -63,9 +63,11 @@ namespace stiction
       return hierarchy_.level(level).n_dofs();
     }
 
-    /// The preconditioner without contact, for other systems with K on the
-    /// finest level; until the next solve(). Collective.
-    StiffnessPreconditioner &free_preconditioner();
+    /// The preconditioner, for other systems with K on the finest level.
+    StiffnessPreconditioner &preconditioner() { return multigrid_; }
+
+    /// Its supports without contact.
+    NodalSupports free_supports() const;
 
     unsigned int finest_level() const { return hierarchy_.n_levels() - 1; }
 

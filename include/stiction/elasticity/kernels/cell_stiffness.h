@@ -20,7 +20,9 @@ namespace stiction
     class GeneralCellBlock;
   } // namespace cell_kernel
 
-  /// A hexahedron with trilinear map (Q1) and isotropic, linear elasticity.
+  struct Material;
+
+  /// A hexahedron with trilinear map (Q1) and linear elasticity.
   struct HexahedralCell
   {
     /// Local numbers of its nodes: node k is at (k & 1, k >> 1 & 1, k >> 2 & 1)
@@ -30,11 +32,13 @@ namespace stiction
     /// Where they are. Unit: m.
     std::array<std::array<double, 3>, 8> vertices;
 
-    /// Lamé's λ and G = μ in Pa.
+    /// Lamé's λ and G = μ if it is isotropic. Unit: unit × Pa.
     double lame_lambda, shear_modulus;
 
-    /// What it is made of, for those who look the numbers up.
+    /// What it is made of: the number, and what is behind it.
     unsigned int material_id;
+    const Material *material;
+    double unit;
   };
 
   /// The stiffness matrix K of linear elasticity as a sum over its cells, which

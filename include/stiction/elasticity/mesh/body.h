@@ -58,9 +58,8 @@ namespace stiction
     void refine(const std::vector<bool> &is_cut,
                 const std::vector<LA::Vector *> &fields = {});
 
-    /// Whether the mesh is uniform and the elements are trilinear: then K is
-    /// known cell by cell on all levels, otherwise it is assembled.
-    bool has_geometric_levels() const { return is_uniform_ && fe_.degree == 1; }
+    /// Whether the mesh is uniform: then it is the last of its refinement levels.
+    bool has_levels() const { return is_uniform_; }
 
     MPI_Comm communicator() const { return triangulation_.get_communicator(); }
 
@@ -70,6 +69,13 @@ namespace stiction
     }
 
     const dealii::DoFHandler<3> &dof_handler() const { return dof_handler_; }
+
+    /// The trilinear displacements of the same cells, with those of all levels if the
+    /// mesh has them: dof_handler() itself for elements of degree 1.
+    const dealii::DoFHandler<3> &vertex_dof_handler() const
+    {
+      return vertex_dof_handler_ ? *vertex_dof_handler_ : dof_handler_;
+    }
 
     /// The shape of the cells: of the degree of the elements, so that the
     /// nodes inside of edges and faces lie on curved boundaries, too. On a mesh
@@ -157,6 +163,7 @@ namespace stiction
     std::string location_; // of the entry that says what the body is
     std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;
+    std::unique_ptr<dealii::DoFHandler<3>> vertex_dof_handler_; // for degree 2
     dealii::IndexSet locally_relevant_dofs_;
     bool is_uniform_ = true;
     dealii::AffineConstraints<double> hanging_nodes_;

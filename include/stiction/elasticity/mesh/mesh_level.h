@@ -14,6 +14,8 @@
 
 namespace dealii
 {
+  template<int dim, int spacedim>
+  class DoFHandler;
   namespace Utilities
   {
     namespace MPI
@@ -40,9 +42,15 @@ namespace stiction
     /// The active cells: the mesh itself.
     explicit MeshLevel(const Body &body);
 
-    /// The cells of one refinement level, active or not. The body's levels
-    /// must be numbered.
+    /// The vertices of the cells of one refinement level, active or not. The mesh must
+    /// be uniform.
     MeshLevel(const Body &body, unsigned int level);
+
+    const Body &body() const { return body_; }
+
+    /// Whether the nodes are the vertices of the cells: not so for the mesh itself if
+    /// its elements are of degree 2.
+    bool is_trilinear() const;
 
     MPI_Comm communicator() const;
 
@@ -70,8 +78,7 @@ namespace stiction
     LA::VectorOf<Number> zero_vector() const;
 
     /// Calls back with every cell this rank owns, for trilinear elements alone,
-    /// with its material id but without Lamé's numbers, see
-    /// Materials::assign().
+    /// with its material id but without its material, see Materials::assign().
     void for_each_cell(const std::function<void(const HexahedralCell &)> &callback) const;
 
     /// A node whose displacement is Σ weight × that of others, by local nodes.
@@ -90,6 +97,7 @@ namespace stiction
     const Body &body_;
     const bool is_active_;
     const unsigned int level_;
+    const dealii::DoFHandler<3, 3> &dof_handler_;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   };
 } // namespace stiction

@@ -29,7 +29,7 @@ namespace stiction
     /// Throws std::domain_error if the stiffness is not positive definite.
     static Material orthotropic(const std::array<double, 9> &E1_to_G23);
 
-    /// Of a small strain. Unit: Pa.
+    /// Of a small strain, point by point. Unit: Pa.
     dealii::SymmetricTensor<2, 3> stress(
       const dealii::SymmetricTensor<2, 3> &strain) const;
 
@@ -47,6 +47,14 @@ namespace stiction
 
     /// Unit: kg/m³.
     double density = 0.;
+
+    /// Whether the volume change ∇·u is replaced by its mean over the cell
+    /// (mean dilatation, B-bar: T. J. R. Hughes, 1980), which keeps nearly
+    /// incompressible material from locking.
+    bool mean_dilatation = false;
+
+    /// Whether Lamé's two numbers say all.
+    bool is_simple() const { return is_isotropic && !mean_dilatation; }
   };
 
   /// The materials of a body by the material ids of its cells.
@@ -62,10 +70,10 @@ namespace stiction
     /// The material of the cells with this id; there must be some.
     const Material &of(dealii::types::material_id id) const { return by_id_.at(id); }
 
-    /// Gives a cell, whose material id is set, its Lamé numbers, in this unit.
+    /// Gives a cell, whose material id is set, its material in this unit.
     void assign(HexahedralCell &cell, double unit = 1.) const;
 
-    /// Whether Lamé's two numbers say all of every cell.
+    /// Whether all of them are.
     bool are_simple() const;
 
     /// Whether ∇·u is to be replaced by its mean over each cell.

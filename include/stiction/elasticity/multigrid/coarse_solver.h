@@ -25,8 +25,8 @@ namespace stiction
 
   /// The end of a multigrid cycle: the stiffness matrix of one level of the
   /// mesh with its supports, assembled cell by cell or made from the matrix of
-  /// a body that is not simple. A tiny one is factorised by every rank as a
-  /// dense matrix, a small one by MUMPS; for a larger one there is a V-cycle of
+  /// a mesh with hanging nodes or elements of degree 2. A tiny one is factorised by every
+  /// rank as a dense matrix, a small one by MUMPS; for a larger one there is a V-cycle of
   /// algebraic multigrid, unless a factorisation is asked for.
   class CoarseSolver
   {
@@ -78,7 +78,7 @@ namespace stiction
     std::unordered_map<unsigned int, std::size_t> support_of_;
     std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
-    std::unique_ptr<LA::SparseMatrix> own_stiffness_; ///< with hanging nodes
+    std::unique_ptr<LA::SparseMatrix> own_stiffness_; ///< K if nobody else has it
     std::unique_ptr<ConstrainedMatrix> assembled_;
     std::unique_ptr<HostVector> host_;
     std::unique_ptr<MumpsFactorization> direct_;

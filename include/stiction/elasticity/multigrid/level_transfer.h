@@ -12,8 +12,8 @@ namespace stiction
   class Body;
   class MeshLevel;
 
-  /// Trilinear interpolation from a level of the mesh to the next finer one,
-  /// and its transpose.
+  /// Trilinear interpolation from a level of the mesh to the next finer one, or
+  /// from its vertices to the nodes of elements of degree 2, and its transpose.
   ///
   /// A fine node lies on a coarse vertex, or in the middle of an edge, a face
   /// or a cell: its value is the mean of one, two, four or eight coarse ones.

@@ -13,7 +13,8 @@ namespace stiction
 
   /// The levels of a uniformly refined mesh, 0 the coarsest, and the transfers
   /// between them. The mesh itself is the last level, and the only one where it was
-  /// refined locally.
+  /// refined locally. Below elements of degree 2 lie the trilinear ones of the same
+  /// cells.
   class MeshHierarchy
   {
   public:

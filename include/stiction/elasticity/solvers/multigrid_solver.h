@@ -2,6 +2,7 @@
 #define stiction_elasticity_solvers_multigrid_solver_h
 
 #include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/stiffness/nodal_constraint.h>
 
 #include <memory>
 
@@ -10,20 +11,21 @@ namespace stiction
   class StiffnessPreconditioner;
 
   /// K⁻¹ by conjugate gradients without a matrix, preconditioned with
-  /// multigrid.
+  /// multigrid; with a factorisation where that does not converge and the mesh is
+  /// small enough for one.
   class MultigridSolver : public StiffnessSolver
   {
   public:
     /// Sets up the levels. Collective.
     MultigridSolver(const LinearElasticity &elasticity, double relative_residual);
 
-    /// With a preconditioner that exists already, without supports on the
-    /// mesh, and outlives the object.
+    /// With a preconditioner that exists already and outlives the object. Collective.
     ///
     /// @param level the number of its last level.
+    /// @param supports of the nodes of its list, without contact.
     MultigridSolver(const LinearElasticity &elasticity,
                     StiffnessPreconditioner &preconditioner, unsigned int level,
-                    double relative_residual);
+                    const NodalSupports &supports, double relative_residual);
     ~MultigridSolver() override;
 
   protected:
@@ -34,6 +36,7 @@ namespace stiction
     std::unique_ptr<Levels> levels_;
     StiffnessPreconditioner *preconditioner_;
     unsigned int level_;
+    NodalSupports supports_;
     const double relative_residual_;
   };
 } // namespace stiction

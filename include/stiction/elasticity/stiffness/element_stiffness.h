@@ -3,28 +3,82 @@
 
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/full_matrix.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace dealii
+{
+  template<int dim, int spacedim>
+  class FEValues;
+  template<int dim, int spacedim>
+  class Mapping;
+} // namespace dealii
 
 namespace stiction
 {
-  /// The stiffness matrices of single cells, for assembly: 24 × 24, vertex by
-  /// vertex, three rows each; 2 × 2 × 2 Gauss points. Unit: N/m.
+  class Materials;
+  class MeshLevel;
+
+  /// The stiffness matrices of single cells of any material, ∫ ε(φ_i) : C : ε(φ_j),
+  /// node by node, three rows each, by Gauss points. Unit: N/m. Materials are told apart
+  /// by their addresses.
   class ElementStiffness
   {
   public:
-    /// The matrix of a cell; valid until the next call. A cell that is the last
-    /// one shifted costs nothing.
+    /// For trilinear cells alone.
+    ElementStiffness();
+
+    /// @param mapping of hexahedra, of at most the degree of the element. Both
+    ///   arguments must outlive the object.
+    ElementStiffness(const dealii::Mapping<3, 3> &mapping,
+                     const dealii::FiniteElement<3> &fe);
+    ~ElementStiffness();
+
+    /// The matrix of a trilinear cell, 24 × 24, in the cell's unit; valid until the
+    /// next call. A cell that is the last one shifted costs nothing.
     const dealii::FullMatrix<double> &operator()(const HexahedralCell &cell);
 
+    /// That of a cell of the element, in the order of its unknowns.
+    const dealii::FullMatrix<double> &operator()(
+      const dealii::DoFHandler<3>::active_cell_iterator &cell, const Material &material);
+
   private:
-    bool is_translation(const HexahedralCell &cell) const;
+    /// Of the functions at a Gauss point, a row each, and the volume it stands for.
+    struct Gradients
+    {
+      Eigen::Matrix<double, Eigen::Dynamic, 3> values;
+      double weight;
+    };
 
-    void integrate(const HexahedralCell &cell);
+    /// Whether the cell is the last one shifted, by its nodes; from now on it is the
+    /// last one.
+    bool is_translation(const Eigen::Matrix3Xd &nodes, const Material &material,
+                        double unit);
 
-    HexahedralCell last_{};
-    bool has_last_ = false;
-    dealii::FullMatrix<double> matrix_{24, 24};
+    void integrate(const std::vector<Gradients> &gradients, const Material &material,
+                   double unit);
+
+    std::unique_ptr<dealii::FEValues<3, 3>> values_;
+    Eigen::Matrix3Xd last_nodes_;
+    const Material *last_material_ = nullptr;
+    double last_unit_              = 0.;
+    dealii::FullMatrix<double> matrix_;
   };
+
+  /// Calls back with the nodes of every cell that this rank owns, by their local
+  /// numbers, and its stiffness matrix, node by node; valid during the call.
+  ///
+  /// @param unit of the matrix, in N/m.
+  void for_each_element(
+    const MeshLevel &level, const Materials &materials, double unit,
+    const std::function<void(const std::vector<unsigned int> &nodes,
+                             const dealii::FullMatrix<double> &K)> &callback);
 } // namespace stiction
 
 #endif

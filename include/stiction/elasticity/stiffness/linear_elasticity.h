@@ -23,8 +23,8 @@ namespace stiction
   ///
   /// Products with K as it is, for the reactions at the supports, the strain
   /// energy and the certificate, are made cell by cell without a matrix, or
-  /// with the assembled one if the body is not simple. K with the prescribed
-  /// displacements eliminated is assembled for the solvers that need a matrix.
+  /// with the assembled one where elements of degree 2 have hanging nodes. K with the
+  /// prescribed displacements eliminated is assembled for the solvers that need a matrix.
   ///
   /// Where there are hanging nodes, u = C û, K is CᵀKC and f is Cᵀf: the
   /// unknowns of hanging nodes have neither stiffness nor load, so that no sum

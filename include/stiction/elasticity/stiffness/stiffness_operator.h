@@ -4,6 +4,7 @@
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/elasticity/stiffness/element_matrices.h>
 
 #include <Eigen/Core>
 
@@ -16,9 +17,10 @@ namespace stiction
   class Materials;
 
   /// The product with the stiffness matrix K of a level of the mesh without any
-  /// boundary condition: cell by cell without a matrix, or, where elements or materials
-  /// are not simple, with the assembled one. With hanging nodes it is CᵀKC: what a
-  /// vector has there is ignored, and the product is zero there.
+  /// boundary condition, cell by cell: integrated in every product for trilinear cells
+  /// of simple materials, else by element matrices; or with an assembled matrix. With
+  /// hanging nodes it is CᵀKC: what a vector has there is ignored, and the product is
+  /// zero there.
   template<typename Number>
   class StiffnessOperator
   {
@@ -53,7 +55,10 @@ namespace stiction
     void find_hanging_blocks(const Materials &materials, double unit);
 
     const MeshLevel &level_;
+    void add_product(Number *dst, const Number *src) const;
+
     CellStiffness<Number> cells_;
+    ElementMatrices<Number> elements_;
     std::vector<MeshLevel::HangingNode> hanging_;
     std::vector<std::pair<unsigned int, Eigen::Matrix3d>> hanging_blocks_;
     mutable std::vector<Number> interpolated_; ///< src with values at hanging nodes

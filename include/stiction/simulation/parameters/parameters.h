@@ -62,12 +62,8 @@ namespace stiction
     void check_method(bool is_coulomb) const;
 
     /// Whether K is known cell by cell, without a matrix, and there is geometric
-    /// multigrid: for trilinear cells of isotropic materials.
-    bool has_geometric_multigrid() const { return why_no_geometric_multigrid().empty(); }
-
-    /// The entries because of which it is not, with their values, separated by
-    /// commas.
-    std::string why_no_geometric_multigrid() const;
+    /// multigrid: not where elements of degree 2 are refined locally.
+    bool has_geometric_multigrid() const;
 
     /// See MaterialParameters::has_mean_dilatation().
     bool has_mean_dilatation() const
