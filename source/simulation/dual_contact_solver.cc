@@ -51,12 +51,20 @@ namespace stiction
 
   DualContactSolver::~DualContactSolver() = default;
 
+  std::string DualContactSolver::stiffness_solver_type() const
+  {
+    // who hands over may have failed because of its multigrid
+    return setting_.parameters.contact_solver.is_primal()
+             ? "mumps"
+             : setting_.parameters.stiffness_solver_type();
+  }
+
   void DualContactSolver::set_up_stiffness_solver()
   {
     const auto phase             = setting_.phases.scope("stiffness_setup");
     const Parameters &parameters = setting_.parameters;
     stiffness_solver_ =
-      StiffnessSolver::create(parameters.stiffness_solver_type(), setting_.elasticity,
+      StiffnessSolver::create(stiffness_solver_type(), setting_.elasticity,
                               linear_solver_safety * parameters.contact_solver.tolerance);
   }
 
@@ -65,7 +73,7 @@ namespace stiction
     const auto phase             = setting_.phases.scope("dual_operator");
     const Parameters &parameters = setting_.parameters;
     print_progress("Dual operator: " + parameters.dual_operator.form + ", " +
-                   parameters.stiffness_solver_type());
+                   stiffness_solver_type());
     Q_ = SchurComplement::create(parameters.dual_operator.form, setting_.elasticity,
                                  setting_.surface, *stiffness_solver_);
   }

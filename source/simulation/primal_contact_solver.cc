@@ -6,6 +6,8 @@
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
+#include <stiction/simulation/dual_contact_solver.h>
+#include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/primal_contact_solver.h>
 
@@ -15,6 +17,12 @@ namespace stiction
   {
     // The duality gap needs a few digits of one more elastic solve only.
     constexpr double duality_gap_accuracy = 1e-6;
+
+    // Up to this many unknowns MUMPS takes seconds, and a gigabyte or two.
+    constexpr double max_factorized = 1e5;
+
+    // Where another method can go on, it need not wait for more of these.
+    constexpr unsigned int max_fallbacks = 3;
   } // namespace
 
   PrimalContactSolver::PrimalContactSolver(const Setting &setting)
@@ -26,6 +34,8 @@ namespace stiction
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
     options.other_method = other_method();
+    if (can_hand_over())
+      options.max_fallbacks = max_fallbacks;
     newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
                                                 parameters.is_matrix_free(), options);
   }
@@ -34,21 +44,52 @@ namespace stiction
 
   SolveStatus PrimalContactSolver::solve(State &state, const Observer &observer)
   {
-    const auto phase = setting_.phases.scope("displacement_iteration");
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
-    const SolveStatus status =
-      newton_->solve(state, chosen.tolerance, chosen.maximum_iterations, observer);
-    setting_.elasticity.distribute(state.u);
-    return status;
+    SolveStatus status;
+    unsigned int n_steps = 0;
+    {
+      const auto phase = setting_.phases.scope("displacement_iteration");
+      status = newton_->solve(state, chosen.tolerance, chosen.maximum_iterations,
+                              [&](const ContactStep &step) {
+                                n_steps = step.step;
+                                observer(step);
+                              });
+      setting_.elasticity.distribute(state.u);
+    }
+    if (!status.stands_still || !can_hand_over())
+      return status;
+    print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
+    if (!dual_)
+      dual_ = std::make_unique<DualContactSolver>(setting_);
+    if (!state.u.all_zero() && !std::isfinite(state.u.l2_norm()))
+      state = {{}, {}, {}, state.history};
+    return dual_->solve(state, [&](ContactStep step) {
+      step.step += n_steps;
+      step.unknowns = setting_.elasticity.mesh().n_dofs();
+      observer(step);
+    });
+  }
+
+  bool PrimalContactSolver::can_hand_over() const
+  {
+    return dual_ ||
+           (static_cast<double>(setting_.elasticity.mesh().n_dofs()) <= max_factorized &&
+            has_memory_to_hand_over(setting_.parameters,
+                                    3. * static_cast<double>(setting_.surface.n_nodes()),
+                                    setting_.elasticity.mesh().communicator()));
   }
 
   void PrimalContactSolver::update()
   {
     newton_->update();
+    if (dual_)
+      dual_->update();
   }
 
   StiffnessSolver &PrimalContactSolver::stiffness_solver()
   {
+    if (dual_)
+      return dual_->stiffness_solver();
     stiffness_solver_ = std::make_unique<MultigridSolver>(
       setting_.elasticity, newton_->preconditioner(), newton_->finest_level(),
       newton_->free_supports(), duality_gap_accuracy);
@@ -58,5 +99,12 @@ namespace stiction
   void PrimalContactSolver::add_to(RunResult &result) const
   {
     add_method(result.solver, *newton_);
+    if (!dual_)
+      return;
+    RunResult dual;
+    dual_->add_to(dual);
+    result.solver += dual.solver;
+    result.solver.dual_multiplications = dual.solver.dual_multiplications;
+    result.solver.handed_over_to       = "newton";
   }
 } // namespace stiction

@@ -12,7 +12,8 @@ namespace stiction
   class BodyVerifier;
   class DualMethod;
 
-  /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ. Forces that press
+  /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ, newton where 'newton
+  /// multigrid' hands over. Forces that press
   /// obstacles on are equality constraints, which the method of multipliers
   /// meets: any dual method works on the augmented operator.
   class DualContactSolver : public ContactSolver
@@ -32,6 +33,7 @@ namespace stiction
     void add_to(RunResult &result) const override;
 
   private:
+    std::string stiffness_solver_type() const;
     void set_up_stiffness_solver();
     void set_up_dual_operator();
 

@@ -5,9 +5,11 @@
 
 namespace stiction
 {
+  class DualContactSolver;
   class NewtonMultigrid;
 
-  /// Solves for displacements, by NewtonMultigrid.
+  /// Solves for displacements, by NewtonMultigrid. Where that stands still and the body
+  /// is small enough for the dual operator, the dual method newton goes on.
   class PrimalContactSolver : public ContactSolver
   {
   public:
@@ -23,7 +25,11 @@ namespace stiction
     void add_to(RunResult &result) const override;
 
   private:
+    /// Whether the dual operator is there, or small enough. Collective.
+    bool can_hand_over() const;
+
     std::unique_ptr<NewtonMultigrid> newton_;
+    std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
   };
 } // namespace stiction
 

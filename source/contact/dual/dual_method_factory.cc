@@ -38,7 +38,7 @@ namespace stiction
         return std::make_unique<Squares>(Q, parameters.squares);
       if (parameters.method == "mpgp")
         return std::make_unique<Mpgp>(Q);
-      if (parameters.method == "newton")
+      if (parameters.method == "newton" || parameters.is_primal())
         return std::make_unique<Newton>(Q);
       if (parameters.method == "admm")
         return std::make_unique<Admm>(Q);

@@ -36,7 +36,6 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
-    constexpr unsigned int max_fallbacks      = 8;
     constexpr unsigned int max_fallback_steps = 60;
     constexpr unsigned int max_approximations = 4;
   } // namespace
@@ -91,7 +90,8 @@ namespace stiction
             history.push_back(residual.value());
             pace.add(statistics_.newton_steps, residual.value());
           }
-        if (!std::isfinite(residual.value()))
+        stands_still_ = !std::isfinite(residual.value());
+        if (stands_still_)
           return "the iteration broke down: the displacement is no number";
         const bool falls =
           history.size() <= fall_horizon ||
@@ -116,7 +116,8 @@ namespace stiction
         ++statistics_.rho_changes;
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
-        if (statistics_.fallbacks == max_fallbacks || has_hard_systems())
+        stands_still_ = statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
+        if (stands_still_)
           return why_no_closer();
         fall_back(state, residual.value(), tolerance,
                   max_steps - statistics_.newton_steps);

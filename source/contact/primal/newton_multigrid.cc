@@ -89,6 +89,7 @@ namespace stiction
               newton.solve(*state_, lambda,
                            is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
                            max_steps - steps, after_step);
+            status.stands_still = newton.stands_still();
           }
         catch (const Interrupted &)
           {

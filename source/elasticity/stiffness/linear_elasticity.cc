@@ -11,8 +11,6 @@
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <stdexcept>
-
 namespace stiction
 {
   using namespace dealii;
@@ -27,8 +25,6 @@ namespace stiction
     read_conditions(time_);
     make_stiffness();
     assemble_load();
-    if (parameters.needs_matrix)
-      constrain_stiffness();
   }
 
   void LinearElasticity::set_time(const double time)
@@ -77,8 +73,21 @@ namespace stiction
 
   const LA::SparseMatrix &LinearElasticity::constrained_stiffness() const
   {
-    if (!constrained_stiffness_)
-      throw std::logic_error("the stiffness matrix was not assembled");
+    if (constrained_stiffness_)
+      return *constrained_stiffness_;
+    // with hanging nodes deal.II's diagonal entry of a prescribed unknown is not CᵀKC's
+    if (stiffness_->matrix() == nullptr && body_.n_hanging_nodes() == 0)
+      {
+        constrained_stiffness_ = assemble_stiffness(*mesh_, *materials_, constraints_);
+        return *constrained_stiffness_;
+      }
+    LA::Vector fixed = zero_vector();
+    for (const auto dof : body_.locally_owned_dofs())
+      if (is_prescribed(dof))
+        fixed(dof) = 1.;
+    const auto own = stiffness_->matrix() == nullptr ? assemble() : nullptr;
+    constrained_stiffness_ =
+      ConstrainedMatrix(own ? *own : *stiffness_->matrix(), fixed, {}).release();
     return *constrained_stiffness_;
   }
 
@@ -138,23 +147,6 @@ namespace stiction
   std::unique_ptr<LA::SparseMatrix> LinearElasticity::assemble() const
   {
     return assemble_stiffness(*mesh_, *materials_, body_.hanging_nodes());
-  }
-
-  void LinearElasticity::constrain_stiffness()
-  {
-    // with hanging nodes deal.II's diagonal entry of a prescribed unknown is not CᵀKC's
-    if (stiffness_->matrix() == nullptr && body_.n_hanging_nodes() == 0)
-      {
-        constrained_stiffness_ = assemble_stiffness(*mesh_, *materials_, constraints_);
-        return;
-      }
-    LA::Vector fixed = zero_vector();
-    for (const auto dof : body_.locally_owned_dofs())
-      if (is_prescribed(dof))
-        fixed(dof) = 1.;
-    const auto own = stiffness_->matrix() == nullptr ? assemble() : nullptr;
-    constrained_stiffness_ =
-      ConstrainedMatrix(own ? *own : *stiffness_->matrix(), fixed, {}).release();
   }
 
   void LinearElasticity::require_support() const

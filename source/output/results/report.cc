@@ -224,7 +224,7 @@ namespace stiction
       if (!solver.levels.empty())
         print_row(log, "on coarser meshes",
                   format("%u Krylov iterations", solver.coarse_krylov_iterations));
-      else
+      if (solver.levels.empty() || !solver.handed_over_to.empty())
         print_row(log, "products with Q", format("%lu", solver.dual_multiplications));
       if (result.has_body && solver.levels.empty())
         print_row(log, "solves with K",

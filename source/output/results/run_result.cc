@@ -118,6 +118,8 @@ namespace stiction
                            {"tolerance", parameters.tolerance},
                            {"contraction", value_or_null(solver.coulomb_iterations > 0, solver.contraction)},
                            {"dual_multiplications", solver.dual_multiplications}};
+      if (!solver.handed_over_to.empty())
+        section["handed_over_to"] = solver.handed_over_to;
       for (const qp::IterationCount &count : qp::iteration_counts)
         section[count.name] = solver.*count.number;
       if (!result.has_body)

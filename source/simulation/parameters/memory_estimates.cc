@@ -24,22 +24,38 @@ namespace stiction
             (parameters.output.write_solution ? (is_quadratic ? 8. : 1.) * fields : 0.));
   }
 
+  namespace
+  {
+    double memory_for_Q(const Parameters &parameters, const double n_dual_unknowns,
+                        MPI_Comm communicator)
+    {
+      int n_ranks = 1;
+      MPI_Comm_size(communicator, &n_ranks);
+
+      // Q on every rank, and on the first one the Schur complement and a copy;
+      // one more on every rank where Q is factorised, and where forces press
+      // obstacles on
+      const double copies =
+        (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks +
+        (parameters.contact.has_pressed_obstacles() ? n_ranks : 0.) + 2.;
+      return 8. * n_dual_unknowns * n_dual_unknowns * copies;
+    }
+  } // namespace
+
   double memory_for_dual_operator(const Parameters &parameters,
                                   const double n_dual_unknowns, MPI_Comm communicator)
   {
-    if (parameters.dual_operator.form != "assembled" ||
-        parameters.contact_solver.is_primal())
-      return 0.;
-    int n_ranks = 1;
-    MPI_Comm_size(communicator, &n_ranks);
+    return parameters.dual_operator.form == "assembled" &&
+               !parameters.contact_solver.is_primal()
+             ? memory_for_Q(parameters, n_dual_unknowns, communicator)
+             : 0.;
+  }
 
-    // Q on every rank, and on the first one the Schur complement and a copy;
-    // one more on every rank where Q is factorised, and where forces press
-    // obstacles on
-    const double copies =
-      (parameters.contact_solver.method == "admm" ? 2. : 1.) * n_ranks +
-      (parameters.contact.has_pressed_obstacles() ? n_ranks : 0.) + 2.;
-    return 8. * n_dual_unknowns * n_dual_unknowns * copies;
+  bool has_memory_to_hand_over(const Parameters &parameters, const double n_dual_unknowns,
+                               MPI_Comm communicator)
+  {
+    return memory_for_Q(parameters, n_dual_unknowns, communicator) <
+           0.5 * available_memory(communicator);
   }
 
   void require_memory_for_mesh(const Parameters &parameters, const double n_cells,

@@ -55,13 +55,6 @@ namespace stiction
     return stiffness_solver_type() == "multigrid";
   }
 
-  bool Parameters::needs_stiffness_matrix() const
-  {
-    return !is_matrix_free() &&
-           (!contact_solver.is_primal() || performance.measure_one_elastic_solve ||
-            performance.measure_factorizations);
-  }
-
   std::string Parameters::default_file()
   {
     const Parameters defaults;

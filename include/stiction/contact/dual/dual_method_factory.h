@@ -11,7 +11,7 @@ namespace stiction
   struct ContactSolverParameters;
 
   /// The method chosen in the parameter file, for the operator, which must
-  /// outlive it.
+  /// outlive it; newton, which it hands over to, for 'newton multigrid'.
   ///
   /// @param coulomb whether the problem is one of Coulomb friction: a method
   ///   for given friction is then put into successive approximations, and so

@@ -32,6 +32,8 @@ namespace stiction
     {
       /// ρ over E√A, at the start.
       double first_c = 0.1;
+      /// How often it falls back before it counts as standing still.
+      unsigned int max_fallbacks = 8;
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
       bool only_fallback = false;
@@ -78,6 +80,10 @@ namespace stiction
 
     const Statistics &statistics() const { return statistics_; }
 
+    /// Whether solve() stopped because neither Newton steps nor what they fall back to
+    /// came closer.
+    bool stands_still() const { return stands_still_; }
+
   private:
     /// Enters into the statistics that systems are factorised from now on.
     void note_factorization();
@@ -110,6 +116,7 @@ namespace stiction
     const Options options_;
     NewtonSystem system_;
     double c_;
+    bool stands_still_ = false;
     Statistics statistics_;
   };
 } // namespace stiction

@@ -14,7 +14,6 @@ namespace stiction
     const BoundaryParameters &boundary;
     const ParameterFile &source; ///< for messages
     double time;                 ///< the t of the first loads
-    bool needs_matrix;           ///< one of the stiffness of the whole mesh
   };
 } // namespace stiction
 

@@ -32,8 +32,7 @@ namespace stiction
   class LinearElasticity
   {
   public:
-    /// Makes the stiffness matrix if a solver needs one, and the loads at 'Boundary
-    /// conditions/Time'.
+    /// Makes the stiffness, and the loads at 'Boundary conditions/Time'.
     ///
     /// The body and what the parameters refer to must outlive the object.
     ///
@@ -79,8 +78,8 @@ namespace stiction
     const dealii::AffineConstraints<double> &constraints() const { return constraints_; }
 
     /// K with prescribed displacements eliminated symmetrically: positive
-    /// definite if the body is held. Unit: N/m. Throws std::logic_error if it
-    /// was not assembled.
+    /// definite if the body is held. Unit: N/m. Assembled by the first call, which is
+    /// collective.
     const LA::SparseMatrix &constrained_stiffness() const;
 
     /// K without any boundary condition, assembled; rows of hanging nodes are zero.
@@ -131,9 +130,6 @@ namespace stiction
     /// K, cell by cell or assembled.
     void make_stiffness();
 
-    /// K with prescribed displacements eliminated.
-    void constrain_stiffness();
-
     /// The right-hand side with prescribed displacements eliminated.
     void constrain_load();
 
@@ -146,7 +142,7 @@ namespace stiction
     dealii::AffineConstraints<double> constraints_;
     std::unique_ptr<MeshLevel> mesh_;
     std::unique_ptr<StiffnessOperator<double>> stiffness_;
-    std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;
+    mutable std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;
     LA::Vector constrained_load_, load_;
   };
 } // namespace stiction

@@ -15,6 +15,11 @@ namespace stiction
   double memory_for_dual_operator(const Parameters &parameters, double n_dual_unknowns,
                                   MPI_Comm communicator);
 
+  /// Whether the dual operator, which 'newton multigrid' does without, fits beside what
+  /// is there: into half of the memory that is left. Collective.
+  bool has_memory_to_hand_over(const Parameters &parameters, double n_dual_unknowns,
+                               MPI_Comm communicator);
+
   /// Throws InputError if a mesh of so many cells has too many for the program
   /// or cannot fit into the memory, before it is made. Collective.
   void require_memory_for_mesh(const Parameters &parameters, double n_cells,

@@ -85,10 +85,6 @@ namespace stiction
     /// Whether the solver works without a stiffness matrix on the levels.
     bool is_matrix_free() const;
 
-    /// Whether a stiffness matrix of the whole mesh is wanted: the Newton
-    /// method in displacements makes its own where it needs one.
-    bool needs_stiffness_matrix() const;
-
     /// What to choose where what is in use comes no closer, of what is neither in
     /// use nor refused beside the other entries: "choose 'Contact solver/Method =
     /// newton' or 'newton multigrid'".
@@ -101,7 +97,7 @@ namespace stiction
     /// outlive it.
     BodyParameters of_body() const
     {
-      return {material, boundary, source, time.times().front(), needs_stiffness_matrix()};
+      return {material, boundary, source, time.times().front()};
     }
     ContactParameters of_contact() const { return {contact, friction, source}; }
 
