@@ -30,9 +30,9 @@ namespace stiction
   /// How a contact solve ended.
   struct SolveStatus
   {
-    bool converged = false;   ///< as the verifier says
-    std::string reason;       ///< if not: what stopped the iteration, what to change
-    bool interrupted = false; ///< whether the user stopped it
+    bool converged = false;    ///< as the verifier says
+    std::string reason;        ///< if not: what stopped the iteration, what to change
+    bool interrupted  = false; ///< whether the user stopped it
     bool stands_still = false; ///< whether another method may come closer
   };
 
