@@ -30,7 +30,9 @@ namespace stiction
   /// Where cells of different size meet there are hanging nodes. Their
   /// displacement u = C û follows from that of other nodes; their unknowns are
   /// numbered like any, but take part in nothing: they have no stiffness, no
-  /// load, no area, and whatever a vector holds there is ignored.
+  /// load, no area, and whatever a vector holds there is ignored. On curved
+  /// bodies they lie where their displacement comes from, on the edge or face of
+  /// the large cell, or rigid rotations would strain it and moments not balance.
   class Body
   {
   public:
@@ -73,7 +75,8 @@ namespace stiction
 
     /// The shape of the cells: of the degree of the elements, so that the
     /// nodes inside of edges and faces lie on curved boundaries, too. On a mesh
-    /// of second order from a file all vertices and nodes lie in its cells.
+    /// of second order from a file all vertices and nodes lie in its cells, but
+    /// for hanging ones.
     const dealii::Mapping<3> &mapping() const { return *mapping_; }
 
     const dealii::IndexSet &locally_owned_dofs() const
@@ -148,6 +151,17 @@ namespace stiction
 
     void distribute_dofs();
 
+    // Puts hanging nodes of curved bodies where Σ weight × the nodes that they
+    // follow is.
+    void straighten_hanging_nodes();
+
+    // The nodes of the cells around hanging nodes by active_cell_index(), those
+    // that hang where they follow others. Collective.
+    std::map<unsigned int, std::vector<dealii::Point<3>>> straight_nodes() const;
+
+    // Puts vertices on the curves that new ones are to lie on.
+    void put_hanging_nodes_back();
+
     void collect_nodes();
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
@@ -158,7 +172,8 @@ namespace stiction
     std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;
     dealii::IndexSet locally_relevant_dofs_;
-    bool is_uniform_ = true;
+    bool is_uniform_ = true, is_curved_ = false;
+    std::vector<dealii::Point<3>> curved_vertices_; // before hanging ones were moved
     dealii::AffineConstraints<double> hanging_nodes_;
     dealii::types::global_dof_index n_hanging_nodes_ = 0;
     std::vector<Node> nodes_;
