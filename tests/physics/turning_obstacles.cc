@@ -137,7 +137,7 @@ namespace
           << ", the forces of R theta to 1e-7 " << yes(distance(line, displaced) < 1e-7)
           << std::endl;
 
-    const Run slipping  = press(0.1, "2e7", "-1e3", "0; 0; 0");
+    const Run slipping = press(0.1, "2e7", "-1e3", "0; 0; 0");
     // turned backwards, it drags the body along
     const double torque = -0.3 * 5. * number(boundary(slipping)["normal_force"]);
     out() << "roller that comes down and slips: certified " << yes(slipping.converged)

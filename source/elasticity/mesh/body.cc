@@ -149,14 +149,9 @@ namespace stiction
   {
     parallel::distributed::SolutionTransfer<3, LA::Vector> transfer(dof_handler_);
     // a copy of such a vector would lose what is of other ranks
-    std::vector<LA::Vector> with_ghosts(fields.size());
+    std::vector<LA::Vector> old_fields(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i)
-      {
-        with_ghosts[i].reinit(locally_owned_dofs(), locally_relevant_dofs_,
-                              communicator());
-        with_ghosts[i].copy_locally_owned_data_from(*fields[i]);
-        with_ghosts[i].update_ghost_values();
-      }
+      old_fields[i] = with_ghosts(*fields[i]);
     for (const auto &cell : triangulation_.active_cell_iterators())
       if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
         cell->set_refine_flag();
@@ -164,7 +159,7 @@ namespace stiction
       {
         triangulation_.prepare_coarsening_and_refinement();
         std::vector<const LA::Vector *> all;
-        for (const LA::Vector &field : with_ghosts)
+        for (const LA::Vector &field : old_fields)
           all.push_back(&field);
         transfer.prepare_for_coarsening_and_refinement(all);
       }
@@ -185,6 +180,14 @@ namespace stiction
         std::vector<LA::Vector *> all = fields;
         transfer.interpolate(all);
       }
+  }
+
+  LA::Vector Body::with_ghosts(const LA::Vector &field) const
+  {
+    LA::Vector ghosted(locally_owned_dofs(), locally_relevant_dofs_, communicator());
+    ghosted.copy_locally_owned_data_from(field);
+    ghosted.update_ghost_values();
+    return ghosted;
   }
 
   void Body::distribute_dofs()

@@ -90,6 +90,10 @@ namespace stiction
       return locally_relevant_dofs_;
     }
 
+    /// A copy of a vector over the unknowns that knows those of neighbouring cells.
+    /// Collective.
+    LA::Vector with_ghosts(const LA::Vector &field) const;
+
     /// C: how the unknowns of hanging nodes follow from others.
     const dealii::AffineConstraints<double> &hanging_nodes() const
     {
@@ -116,6 +120,16 @@ namespace stiction
     /// Nodes of the whole mesh, hanging ones included: a third of the
     /// unknowns.
     dealii::types::global_dof_index n_nodes() const { return dof_handler_.n_dofs() / 3; }
+
+    /// Where a vertex is on the curved body: of hanging ones the place that they have
+    /// once they do not hang.
+    const dealii::Point<3> &vertex_on_curve(
+      const dealii::Triangulation<3>::active_cell_iterator &cell,
+      const unsigned int v) const
+    {
+      return curved_vertices_.empty() ? cell->vertex(v)
+                                      : curved_vertices_[cell->vertex_index(v)];
+    }
 
     /// The smallest box around the body, in m.
     const dealii::BoundingBox<3> &bounding_box() const { return bounding_box_; }
