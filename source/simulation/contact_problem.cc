@@ -80,6 +80,7 @@ namespace stiction
       assemble_system();
       make_contact_surface();
       print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
+      describe_interference();
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       go_on(times);
       begin_balance(false);
@@ -291,6 +292,19 @@ namespace stiction
                        ", problem files know one law of friction for all nodes, "
                        "so 'Friction/Law' must not have both 'given' and "
                        "'coulomb'.");
+  }
+
+  void ContactProblem::describe_interference()
+  {
+    const Eigen::VectorXd gaps = discretization_->surface->gaps();
+    const auto corners         = body_->bounding_box().get_boundary_points();
+    const double rounding      = 1e-12 * corners.first.distance(corners.second);
+    const auto n               = (gaps.array() < -rounding).count();
+    if (n > 0)
+      log_->line(format("  %lld contact node%s begin%s with interference, of up to ",
+                        static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
+                 with_unit(format("%.3g", -gaps.minCoeff()),
+                           Units::named(parameters_.output.units).length));
   }
 
   void ContactProblem::open_output()

@@ -125,6 +125,9 @@ namespace stiction
 
     void describe_machine();
     void describe_body();
+
+    // Says how many contact nodes are inside of their obstacles before anything moves.
+    void describe_interference();
     void assemble_system();
     void make_contact_surface();
     void open_output();

@@ -7,9 +7,10 @@
 namespace stiction
 {
   MeshNames::MeshNames(std::string kind, std::set<Id> ids,
-                       const std::map<std::string, Id> &names)
+                       const std::map<std::string, Id> &names, std::string how_to_name)
     : kind_(std::move(kind))
     , ids_(std::move(ids))
+    , how_to_name_(std::move(how_to_name))
   {
     for (const auto &name : names)
       if (ids_.count(name.second) != 0)
@@ -39,9 +40,10 @@ namespace stiction
     std::vector<std::string> names;
     for (const auto &other : names_)
       names.push_back(other.first);
-    throw InputError(location + ": the mesh has no " + kind_ + " " +
-                     (is_number ? name : "'" + name + "'") + did_you_mean(name, names) +
-                     ", it has " + known + ".");
+    throw InputError(
+      location + ": the mesh has no " + kind_ + " " +
+      (is_number ? name : "'" + name + "'") + did_you_mean(name, names) + ", it has " +
+      known + (names_.empty() && !how_to_name_.empty() ? ": " + how_to_name_ : "") + ".");
   }
 
   std::string MeshNames::describe(const Id id) const

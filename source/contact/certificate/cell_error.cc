@@ -2,6 +2,7 @@
 #include "contact_traction.h"
 #include "trilinear_cell.h"
 
+#include <stiction/contact/certificate/smooth_boundary.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
@@ -31,16 +32,6 @@ namespace stiction
   namespace
   {
     using Cell = DoFHandler<3>::active_cell_iterator;
-
-    // Of the own cells and their neighbours.
-    LA::Vector with_ghosts(const Body &body, const LA::Vector &u)
-    {
-      LA::Vector ghosted(body.locally_owned_dofs(), body.locally_relevant_dofs(),
-                         body.communicator());
-      ghosted.copy_locally_owned_data_from(u);
-      ghosted.update_ghost_values();
-      return ghosted;
-    }
 
     // A as in (n·C·n) a = A a: what a jump of ∂u/∂n is as a jump of σn.
     // @return t·A⁻¹t
@@ -73,7 +64,8 @@ namespace stiction
         , degree_(body_.dof_handler().get_fe().degree)
         , has_mean_dilatation_(elasticity.materials().have_mean_dilatation())
         , contact_(elasticity, surface, state.lambda)
-        , u_(with_ghosts(body_, state.u))
+        , smooth_(body_, surface.boundary_ids())
+        , u_(body_.with_ghosts(state.u))
         , distances_(state.distances)
         , face_quadrature_(degree_ + 1)
         , inside_(body_.mapping(), body_.dof_handler().get_fe(), QGauss<3>(degree_ + 1),
@@ -338,26 +330,29 @@ namespace stiction
               r[component - 'x'] = 0.;
             sum += of_residual(material, n, at[q].height, r) * face_.JxW(q);
           }
-        return is_contact ? sum + between_contact_nodes(
-                                    id, contact, material.youngs_modulus / at[0].height)
-                          : sum;
+        if (is_contact)
+          sum +=
+            between_contact_nodes(cell, contact, material.youngs_modulus / at[0].height);
+        return sum;
       }
 
       // the face is that of face_
-      double between_contact_nodes(const types::boundary_id id,
+      double between_contact_nodes(const Cell &cell,
                                    const std::vector<Tensor<1, 3>> &contact,
                                    const double stiffness) const
       {
-        const ContactBoundary &boundary = surface_.boundary(id);
-        const Tensor<1, 3> moved        = surface_.obstacle_displacement(id, distances_);
+        const auto id            = cell->face(face_.get_face_number())->boundary_id();
+        const auto &boundary     = surface_.boundary(id);
+        const Tensor<1, 3> moved = surface_.obstacle_displacement(id, distances_);
         std::vector<Tensor<1, 3>> u(face_.n_quadrature_points);
         face_[displacement_].get_function_values(u_, u);
-        double sum = 0.;
+        const auto on_surface = smooth_.at_points(face_, cell);
+        double sum            = 0.;
         for (unsigned int q = 0; q < u.size(); ++q)
           {
             ContactNode place;
-            place.position = face_.quadrature_point(q);
-            place.normal   = face_.normal_vector(q);
+            place.position = on_surface[q].position;
+            place.normal   = on_surface[q].normal;
             if (!boundary.place(place))
               continue;
             const double gap      = place.gap + place.normal * (moved - u[q]);
@@ -375,6 +370,7 @@ namespace stiction
       const bool has_mean_dilatation_;
       std::map<types::boundary_id, std::string> held_; // components
       ContactTraction contact_;
+      SmoothBoundary smooth_;
       const LA::Vector u_;
       const Eigen::VectorXd distances_; // of pressed obstacles
       const QGauss<2> face_quadrature_;

@@ -40,6 +40,14 @@ namespace stiction
   ContactSurface &ContactSurface::operator=(ContactSurface &&) noexcept = default;
   ContactSurface::~ContactSurface()                                     = default;
 
+  std::set<types::boundary_id> ContactSurface::boundary_ids() const
+  {
+    std::set<types::boundary_id> ids;
+    for (const ContactBoundary &boundary : boundaries_)
+      ids.insert(boundary.id());
+    return ids;
+  }
+
   const ContactBoundary &ContactSurface::boundary(const types::boundary_id id) const
   {
     return boundaries_.at(index_of(boundaries_, id));

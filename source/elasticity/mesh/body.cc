@@ -19,6 +19,21 @@ namespace stiction
 {
   using namespace dealii;
 
+  namespace
+  {
+    // The nodes of a cell in the shape that the manifold gives it.
+    std::vector<Point<3>> curved_nodes(const Triangulation<3>::cell_iterator &cell,
+                                       const FESystem<3> &fe)
+    {
+      const MappingQ<3> mapping(fe.degree);
+      FEValues<3> values(mapping, fe.base_element(0),
+                         fe.base_element(0).get_unit_support_points(),
+                         update_quadrature_points);
+      values.reinit(cell);
+      return values.get_quadrature_points();
+    }
+  } // namespace
+
   Body::Body(const GeometryParameters &geometry, MPI_Comm communicator,
              const std::function<void(double n_cells)> &check_size)
     // all cells of a level exist on their owners, which later multigrid needs,
@@ -63,8 +78,13 @@ namespace stiction
     boundary_names_ = coarse.boundary_names();
     material_names_ = coarse.material_names();
     triangulation_.copy_triangulation(coarse.triangulation());
-    quadratic_cells_ = coarse.quadratic_cells();
-    cut_elements_    = coarse.cut_elements();
+    quadratic_cells_     = coarse.quadratic_cells();
+    cut_elements_        = coarse.cut_elements();
+    const auto manifolds = coarse.triangulation().get_manifold_ids();
+    is_curved_           = !quadratic_cells_.empty() ||
+                 std::any_of(manifolds.begin(), manifolds.end(), [](const auto id) {
+                   return id != numbers::flat_manifold_id;
+                 });
     triangulation_.refine_global(geometry.global_refinement);
     shape_cells();
     throw_on_all_ranks(communicator(), [&]() {
@@ -129,14 +149,9 @@ namespace stiction
   {
     parallel::distributed::SolutionTransfer<3, LA::Vector> transfer(dof_handler_);
     // a copy of such a vector would lose what is of other ranks
-    std::vector<LA::Vector> with_ghosts(fields.size());
+    std::vector<LA::Vector> old_fields(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i)
-      {
-        with_ghosts[i].reinit(locally_owned_dofs(), locally_relevant_dofs_,
-                              communicator());
-        with_ghosts[i].copy_locally_owned_data_from(*fields[i]);
-        with_ghosts[i].update_ghost_values();
-      }
+      old_fields[i] = with_ghosts(*fields[i]);
     for (const auto &cell : triangulation_.active_cell_iterators())
       if (cell->is_locally_owned() && is_cut[cell->active_cell_index()])
         cell->set_refine_flag();
@@ -144,17 +159,19 @@ namespace stiction
       {
         triangulation_.prepare_coarsening_and_refinement();
         std::vector<const LA::Vector *> all;
-        for (const LA::Vector &field : with_ghosts)
+        for (const LA::Vector &field : old_fields)
           all.push_back(&field);
         transfer.prepare_for_coarsening_and_refinement(all);
       }
+    put_hanging_nodes_back();
     triangulation_.execute_coarsening_and_refinement();
     shape_cells();
-    if (!quadratic_cells_.empty())
+    distribute_dofs();
+    straighten_hanging_nodes();
+    if (is_curved_)
       throw_on_all_ranks(communicator(), [&]() {
         require_valid_cells(triangulation_, quadratic_cells_, location_);
       });
-    distribute_dofs();
     collect_nodes();
     for (LA::Vector *field : fields)
       field->reinit(locally_owned_dofs(), locally_relevant_dofs_, communicator());
@@ -163,6 +180,14 @@ namespace stiction
         std::vector<LA::Vector *> all = fields;
         transfer.interpolate(all);
       }
+  }
+
+  LA::Vector Body::with_ghosts(const LA::Vector &field) const
+  {
+    LA::Vector ghosted(locally_owned_dofs(), locally_relevant_dofs_, communicator());
+    ghosted.copy_locally_owned_data_from(field);
+    ghosted.update_ghost_values();
+    return ghosted;
   }
 
   void Body::distribute_dofs()
@@ -183,6 +208,93 @@ namespace stiction
     if (!is_uniform_)
       DoFTools::make_hanging_node_constraints(dof_handler_, hanging_nodes_);
     hanging_nodes_.close();
+  }
+
+  void Body::straighten_hanging_nodes()
+  {
+    // cells of second order, of the degree of the elements, are alike on both
+    // sides of a face
+    if (!is_curved_ || is_uniform_ || (fe_.degree > 1 && !quadratic_cells_.empty()))
+      return;
+    const auto straight = straight_nodes();
+    if (fe_.degree == 1)
+      {
+        curved_vertices_ = triangulation_.get_vertices();
+        for (const auto &cell : triangulation_.active_cell_iterators())
+          if (const auto nodes = straight.find(cell->active_cell_index());
+              nodes != straight.end())
+            for (const unsigned int v : GeometryInfo<3>::vertex_indices())
+              cell->vertex(v) = nodes->second[v];
+        return;
+      }
+    auto mapping = std::make_unique<MappingQCache<3>>(fe_.degree);
+    mapping->initialize(triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
+      if (cell->is_active())
+        if (const auto nodes = straight.find(cell->active_cell_index());
+            nodes != straight.end())
+          return nodes->second;
+      return curved_nodes(cell, fe_);
+    });
+    mapping_ = std::move(mapping);
+  }
+
+  std::map<unsigned int, std::vector<Point<3>>> Body::straight_nodes() const
+  {
+    using Nodes = std::vector<Point<3>>;
+    using Cell  = DoFHandler<3>::active_cell_iterator;
+    std::vector<types::global_dof_index> dofs(fe_.n_dofs_per_cell());
+    std::map<types::global_dof_index, Point<3>> position; // by first unknowns
+    for (const Cell &cell : dof_handler_.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(dofs);
+          const Nodes nodes = curved_nodes(cell, fe_);
+          for (unsigned int i = 0; i < nodes.size(); ++i)
+            position[dofs[3 * i]] = nodes[i];
+        }
+
+    std::map<unsigned int, Nodes> straight;
+    for (const Cell &cell : dof_handler_.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          Nodes nodes = curved_nodes(cell, fe_);
+          bool hangs  = false;
+          for (unsigned int i = 0; i < nodes.size(); ++i)
+            if (is_hanging(dofs[3 * i]))
+              {
+                hangs    = true;
+                nodes[i] = Point<3>();
+                for (const auto &[other, weight] :
+                     *hanging_nodes_.get_constraint_entries(dofs[3 * i]))
+                  nodes[i] += weight * position.at(other);
+              }
+          if (hangs)
+            straight[cell->active_cell_index()] = nodes;
+        }
+    // only its owner knows for sure what hangs on a cell
+    GridTools::exchange_cell_data_to_ghosts<Nodes, DoFHandler<3>>(
+      dof_handler_,
+      [&](const Cell &cell) -> std_cxx17::optional<Nodes> {
+        const auto own = straight.find(cell->active_cell_index());
+        if (own == straight.end())
+          return {};
+        return own->second;
+      },
+      [&](const Cell &cell, const Nodes &nodes) {
+        straight[cell->active_cell_index()] = nodes;
+      });
+    return straight;
+  }
+
+  void Body::put_hanging_nodes_back()
+  {
+    if (curved_vertices_.empty())
+      return;
+    for (const auto &cell : triangulation_.cell_iterators())
+      for (const unsigned int v : GeometryInfo<3>::vertex_indices())
+        cell->vertex(v) = curved_vertices_[cell->vertex_index(v)];
+    curved_vertices_.clear();
   }
 
   void Body::collect_nodes()

@@ -81,6 +81,7 @@ namespace stiction
     : triangulation_(Triangulation<3>::none, false)
   {
     std::map<std::string, MeshNames::Id> boundaries, materials;
+    std::string how_to_name;
     try
       {
         if (geometry.type == "cylinder")
@@ -103,6 +104,7 @@ namespace stiction
             cut_elements_    = mesh.cut_elements;
             boundaries       = mesh.boundary_names;
             materials        = mesh.material_names;
+            how_to_name      = mesh.how_to_name_boundaries;
           }
       }
     catch (const ExceptionBase &exception)
@@ -112,7 +114,7 @@ namespace stiction
       }
     require_valid_cells(triangulation_, quadratic_cells_,
                         geometry.location + (cut_elements_.empty() ? "" : ", when cut"));
-    set_names(boundaries, materials);
+    set_names(boundaries, materials, how_to_name);
   }
 
   void CoarseMesh::make_cylinder(const double radius, const double length)
@@ -167,7 +169,8 @@ namespace stiction
   }
 
   void CoarseMesh::set_names(const std::map<std::string, MeshNames::Id> &boundaries,
-                             const std::map<std::string, MeshNames::Id> &materials)
+                             const std::map<std::string, MeshNames::Id> &materials,
+                             const std::string &how_to_name)
   {
     std::set<MeshNames::Id> boundary_ids, material_ids;
     for (const auto &cell : triangulation_.active_cell_iterators())
@@ -177,7 +180,7 @@ namespace stiction
           if (face->at_boundary())
             boundary_ids.insert(face->boundary_id());
       }
-    boundary_names_ = MeshNames("boundary", boundary_ids, boundaries);
+    boundary_names_ = MeshNames("boundary", boundary_ids, boundaries, how_to_name);
     material_names_ = MeshNames("material", material_ids, materials);
   }
 

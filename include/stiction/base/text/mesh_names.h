@@ -22,7 +22,10 @@ namespace stiction
     ///
     /// @param kind what they are, for messages: "boundary", "material".
     /// @param names those of parts that the mesh does not have are left out.
-    MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names);
+    /// @param how_to_name said where a name is asked for and there are none: a sentence
+    ///   on how the file gets names.
+    MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names,
+              std::string how_to_name = "");
 
     /// The boundaries of the brick: left (0), right (1), front (2), back (3),
     /// bottom (4), top (5), which are x = 0, x = Lx, y = 0, y = Ly, z = 0, z =
@@ -48,6 +51,7 @@ namespace stiction
     std::string kind_ = "boundary";
     std::set<Id> ids_;
     std::map<std::string, Id> names_;
+    std::string how_to_name_;
   };
 } // namespace stiction
 

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -152,6 +153,9 @@ namespace stiction
 
     /// Of the cells behind the contact nodes, and of the softest ones.
     const ContactStiffness &stiffness() const { return stiffness_; }
+
+    /// The ids of the contact boundaries.
+    std::set<dealii::types::boundary_id> boundary_ids() const;
 
     /// The contact boundary with this id; there must be one.
     const ContactBoundary &boundary(dealii::types::boundary_id id) const;

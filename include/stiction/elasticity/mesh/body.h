@@ -30,7 +30,9 @@ namespace stiction
   /// Where cells of different size meet there are hanging nodes. Their
   /// displacement u = C û follows from that of other nodes; their unknowns are
   /// numbered like any, but take part in nothing: they have no stiffness, no
-  /// load, no area, and whatever a vector holds there is ignored.
+  /// load, no area, and whatever a vector holds there is ignored. On curved
+  /// bodies they lie where their displacement comes from, on the edge or face of
+  /// the large cell, or rigid rotations would strain it and moments not balance.
   class Body
   {
   public:
@@ -79,7 +81,8 @@ namespace stiction
 
     /// The shape of the cells: of the degree of the elements, so that the
     /// nodes inside of edges and faces lie on curved boundaries, too. On a mesh
-    /// of second order from a file all vertices and nodes lie in its cells.
+    /// of second order from a file all vertices and nodes lie in its cells, but
+    /// for hanging ones.
     const dealii::Mapping<3> &mapping() const { return *mapping_; }
 
     const dealii::IndexSet &locally_owned_dofs() const
@@ -92,6 +95,10 @@ namespace stiction
     {
       return locally_relevant_dofs_;
     }
+
+    /// A copy of a vector over the unknowns that knows those of neighbouring cells.
+    /// Collective.
+    LA::Vector with_ghosts(const LA::Vector &field) const;
 
     /// C: how the unknowns of hanging nodes follow from others.
     const dealii::AffineConstraints<double> &hanging_nodes() const
@@ -119,6 +126,16 @@ namespace stiction
     /// Nodes of the whole mesh, hanging ones included: a third of the
     /// unknowns.
     dealii::types::global_dof_index n_nodes() const { return dof_handler_.n_dofs() / 3; }
+
+    /// Where a vertex is on the curved body: of hanging ones the place that they have
+    /// once they do not hang.
+    const dealii::Point<3> &vertex_on_curve(
+      const dealii::Triangulation<3>::active_cell_iterator &cell,
+      const unsigned int v) const
+    {
+      return curved_vertices_.empty() ? cell->vertex(v)
+                                      : curved_vertices_[cell->vertex_index(v)];
+    }
 
     /// The smallest box around the body, in m.
     const dealii::BoundingBox<3> &bounding_box() const { return bounding_box_; }
@@ -154,6 +171,17 @@ namespace stiction
 
     void distribute_dofs();
 
+    // Puts hanging nodes of curved bodies where Σ weight × the nodes that they
+    // follow is.
+    void straighten_hanging_nodes();
+
+    // The nodes of the cells around hanging nodes by active_cell_index(), those
+    // that hang where they follow others. Collective.
+    std::map<unsigned int, std::vector<dealii::Point<3>>> straight_nodes() const;
+
+    // Puts vertices on the curves that new ones are to lie on.
+    void put_hanging_nodes_back();
+
     void collect_nodes();
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
@@ -165,7 +193,8 @@ namespace stiction
     dealii::DoFHandler<3> dof_handler_;
     std::unique_ptr<dealii::DoFHandler<3>> vertex_dof_handler_; // for degree 2
     dealii::IndexSet locally_relevant_dofs_;
-    bool is_uniform_ = true;
+    bool is_uniform_ = true, is_curved_ = false;
+    std::vector<dealii::Point<3>> curved_vertices_; // before hanging ones were moved
     dealii::AffineConstraints<double> hanging_nodes_;
     dealii::types::global_dof_index n_hanging_nodes_ = 0;
     std::vector<Node> nodes_;

@@ -51,7 +51,8 @@ namespace stiction
     void generate(const GeometryParameters &geometry);
 
     void set_names(const std::map<std::string, MeshNames::Id> &boundaries,
-                   const std::map<std::string, MeshNames::Id> &materials);
+                   const std::map<std::string, MeshNames::Id> &materials,
+                   const std::string &how_to_name);
 
     dealii::Triangulation<3> triangulation_;
     QuadraticCells quadratic_cells_;

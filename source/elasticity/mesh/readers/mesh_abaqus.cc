@@ -37,6 +37,9 @@ namespace stiction
       return {0, 0};
     }
 
+    const std::string understood = "tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or "
+                                   "hexahedra (C3D8, C3D20, C3D27)";
+
     // The faces S1, S2, ... of Abaqus' manual, by the numbers of deal.II's vertices.
     const std::vector<std::vector<unsigned int>> &faces_of(const std::size_t n_vertices)
     {
@@ -176,8 +179,10 @@ namespace stiction
         if (const auto [gmsh_type, n_nodes] = type_of_cell(type); n_nodes > 0)
           {
             if (items.size() != n_nodes + 1)
-              text_.refuse("an element with its number and " + std::to_string(n_nodes) +
-                           " nodes should stand here");
+              text_.refuse(
+                "an element with its number and " + std::to_string(n_nodes) +
+                " nodes should stand here, not " + std::to_string(items.size() - 1) +
+                " nodes, as it is of type " + type + "; understood are " + understood);
             const std::int64_t number = text_.to_integer(items[0]);
             if (!cells_.emplace(number, mesh_.mesh.cells.size()).second)
               text_.refuse("element " + items[0] + " stands twice, must stand once");
@@ -194,9 +199,7 @@ namespace stiction
         else if (begins_with_any(type, {"C3D5", "C3D13"}))
           ++mesh_.mesh.other_elements["pyramids"];
         else if (begins_with_any(type, {"C3D"}))
-          text_.refuse("has elements of type " + type +
-                       ", must be tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or "
-                       "hexahedra (C3D8, C3D20, C3D27)");
+          text_.refuse("has elements of type " + type + ", must be " + understood);
         else if (!begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
           // those are no part of a body, written for its edges
           ++mesh_.mesh.other_elements["elements of type " + type];

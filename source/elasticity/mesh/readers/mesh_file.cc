@@ -41,6 +41,25 @@ namespace stiction
                               : read_vtk(text);
     }
 
+    // where it has no names
+    std::string how_to_name_boundaries(const MeshData &mesh, const std::string &file)
+    {
+      const std::string kind = upper(std::filesystem::path(file).extension());
+      const std::string way =
+        kind == ".MSH"   ? "write 'Physical Surface(\"bottom\") = {...};' for each "
+                           "and a 'Physical Volume' for the body before Gmsh meshes it"
+        : kind == ".INP" ? "write a '*SURFACE, NAME=bottom' for each, with elements, or "
+                           "sets of them, and their faces S1, S2, ..."
+                         : "write triangles or quadrilaterals of each with a number of "
+                           "its own in the cell data 'MaterialID', which is what to "
+                           "call it";
+      const std::string lacking = mesh.faces.boundary_quads.empty()
+                                    ? "the file has no surface elements, so all of its "
+                                      "surface is the boundary 0; "
+                                    : "its boundaries have no names; ";
+      return lacking + way;
+    }
+
     void require_cells(const MeshData &mesh, const std::string &location)
     {
       std::string others;
@@ -58,24 +77,35 @@ namespace stiction
         throw InputError(location + ", has no elements, must be a mesh of "
                                     "tetrahedra, prisms or hexahedra.");
       if (!others.empty())
-        throw InputError(location + ", has " + others +
-                         ", must be of tetrahedra, prisms and hexahedra alone: mesh "
-                         "the body with tetrahedra, or extrude all of it; pyramids "
-                         "stand where quadrilaterals of recombined or transfinite "
-                         "surfaces meet tetrahedra.");
+        throw InputError(
+          location + ", has " + others +
+          ", must be of tetrahedra, prisms and hexahedra alone" +
+          (others.find("of type") == std::string::npos
+             ? std::string(": mesh "
+                           "the body with tetrahedra, or extrude all of it; pyramids "
+                           "stand where quadrilaterals of recombined or transfinite "
+                           "surfaces meet tetrahedra.")
+             : std::string(": leave the others out; boundaries of a .inp "
+                           "are no elements but '*SURFACE, NAME=bottom' with cells "
+                           "and their faces S1, S2, ....")));
+    }
+
+    Point<3> centre_of(const MeshData &mesh, const std::size_t cell)
+    {
+      const auto &vertices = mesh.cells[cell].vertices;
+      Point<3> centre;
+      for (const unsigned int v : vertices)
+        centre += mesh.vertices[v] / static_cast<double>(vertices.size());
+      return centre;
     }
 
     // "hexahedron 7 with its centre at (1, 2, 3)", cells being counted from 1 in
     // the order of the file
     std::string describe_cell(const MeshData &mesh, const std::size_t number)
     {
-      const auto &vertices = mesh.cells[number].vertices;
-      Point<3> centre;
-      for (const unsigned int v : vertices)
-        centre += mesh.vertices[v] / static_cast<double>(vertices.size());
       std::ostringstream out;
-      out << kind_of_cell(vertices.size()) << ' ' << number + 1 << " with its centre at ("
-          << centre << ')';
+      out << kind_of_cell(mesh.cells[number].vertices.size()) << ' ' << number + 1
+          << " with its centre at (" << centre_of(mesh, number) << ')';
       return out.str();
     }
 
@@ -94,13 +124,33 @@ namespace stiction
 
       void require_one_piece()
       {
+        std::set<std::size_t> seen;
+        std::vector<std::size_t> first_cells;
         for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
-          if (pieces_.find_set(i) != pieces_.find_set(std::size_t(0)))
-            throw InputError(location_ + ", " + describe_cell(mesh_, i) +
-                             " is not connected by faces with " +
-                             kind_of_cell(mesh_.cells[0].vertices.size()) +
-                             " 1, must be one body, in which neighbours have the "
-                             "same nodes.");
+          if (seen.insert(pieces_.find_set(i)).second)
+            first_cells.push_back(i);
+        if (first_cells.size() < 2)
+          return;
+        throw InputError(
+          location_ + ", is in " + std::to_string(first_cells.size()) +
+          " pieces: " + describe_cell(mesh_, first_cells[1]) +
+          " is not connected by faces with " + describe_cell(mesh_, first_cells[0]) +
+          ", must be one body, in which neighbours have the same nodes: leave all but "
+          "one of the bodies out, or, where the pieces touch, merge nodes at the same "
+          "place (Gmsh: 'Coherence Mesh').");
+      }
+
+      // Neighbours are on either side of their face.
+      void require_unfolded()
+      {
+        for (const auto &[vertices, cells] : cells_)
+          if (cells.n == 2 && cells.side * side_of(cells.second, cells.plane) > 0.)
+            throw InputError(location_ + ", " + describe_cell(mesh_, cells.first) +
+                             " and " + describe_cell(mesh_, cells.second) +
+                             " lie on the same side of the face that they share, must "
+                             "lie on either side: the mesh is folded into itself there, "
+                             "put the node that is on the wrong side in its place or "
+                             "mesh the body anew.");
       }
 
       // Cells that meet at an edge or a vertex alone: neither has deal.II a
@@ -259,10 +309,15 @@ namespace stiction
             Key key;
             for (const unsigned int v : kind.face_reference_cell(f).vertex_indices())
               key.push_back(in_order[kind.face_to_cell_vertices(f, v, 1)]);
+            const Plane plane  = plane_of(key);
             key                = sorted(key);
             Neighbours &shared = cells_[key];
             if (shared.n == 0)
-              shared.first = number;
+              {
+                shared.first = number;
+                shared.plane = plane;
+                shared.side  = side_of(number, plane);
+              }
             else
               {
                 shared.second = number;
@@ -278,10 +333,39 @@ namespace stiction
                            " stands twice, must stand once.");
       }
 
+      // A plane.
+      struct Plane
+      {
+        Point<3> centre;
+        Tensor<1, 3> normal; // towards either side
+      };
+
+      // @param vertices in deal.II's order
+      Plane plane_of(const Key &vertices) const
+      {
+        const auto &at = mesh_.vertices;
+        Plane plane;
+        for (const unsigned int v : vertices)
+          plane.centre += at[v] / static_cast<double>(vertices.size());
+        plane.normal = vertices.size() == 3
+                         ? cross_product_3d(at[vertices[1]] - at[vertices[0]],
+                                            at[vertices[2]] - at[vertices[0]])
+                         : cross_product_3d(at[vertices[3]] - at[vertices[0]],
+                                            at[vertices[2]] - at[vertices[1]]);
+        return plane;
+      }
+
+      double side_of(const std::size_t cell, const Plane &plane) const
+      {
+        return (centre_of(mesh_, cell) - plane.centre) * plane.normal;
+      }
+
       struct Neighbours
       {
         std::size_t first = 0, second = 0;
         unsigned int n = 0;
+        Plane plane;      // of the face as the first cell has it
+        double side = 0.; // of the plane, on which the first cell is
       };
 
       MeshData &mesh_;
@@ -296,11 +380,13 @@ namespace stiction
   {
     MeshData mesh = read_by_extension(file, location);
     require_cells(mesh, location);
+    mesh.how_to_name_boundaries = how_to_name_boundaries(mesh, file);
     {
       Faces faces(mesh, location);
       faces.require_conforming();
       faces.require_one_piece();
       faces.require_manifold();
+      faces.require_unfolded();
       faces.require_boundaries_fit();
     }
     cut_into_hexahedra(mesh);

@@ -27,6 +27,8 @@ namespace stiction
     QuadraticCells::InnerNodes inner_nodes;
     std::map<std::string, unsigned int> boundary_names;
     std::map<std::string, unsigned int> material_names;
+    /// How such a file gets names of boundaries, as a clause for messages.
+    std::string how_to_name_boundaries;
 
     /// How many elements there are of kinds that are no use: "pyramids".
     std::map<std::string, std::size_t> other_elements;

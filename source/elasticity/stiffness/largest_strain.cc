@@ -1,0 +1,44 @@
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/largest_strain.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  double largest_strain(const Body &body, const LA::Vector &u)
+  {
+    const LA::Vector ghosted = body.with_ghosts(u);
+    const Point<3> middle(.5, .5, .5);
+    double largest = 0.;
+    for (const auto &cell : body.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          Tensor<2, 3> places, displacements; // their gradients on the unit cell
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              const auto gradient =
+                GeometryInfo<3>::d_linear_shape_function_gradient(middle, v);
+              for (unsigned int c = 0; c < 3; ++c)
+                {
+                  places[c] += cell->vertex(v)[c] * gradient;
+                  displacements[c] += ghosted(cell->vertex_dof_index(v, c)) * gradient;
+                }
+            }
+          const SymmetricTensor<2, 3> strain =
+            symmetrize(Tensor<2, 3>(displacements * invert(places)));
+          if (strain.norm() <= largest) // so are its eigenvalues
+            continue;
+          for (const double principal : eigenvalues(strain))
+            largest = std::max(largest, std::abs(principal));
+        }
+    return Utilities::MPI::max(largest, body.communicator());
+  }
+} // namespace stiction
