@@ -8,23 +8,23 @@ Started by './run benchmark any_mesh [OPTIONS]', which builds the program first.
 import argparse
 import os
 import random
+import subprocess
 import sys
 import tempfile
 
 from parts.errors import BenchmarkError
-from parts.solve import solve
+from parts.solve import ROOT, solve
 from parts.tables import markdown_table
 
 MATERIAL = {"Material/Young's modulus": "2.119e11", "Material/Poisson ratio": "0.277"}
 ALL = {
-    **MATERIAL,
     "Contact solver/Method": "newton multigrid",
     "Contact solver/Tolerance": "1e-8",
     "Performance/Measure one elastic solve": "true",
     "Refinement/Estimate error": "false",
     "Output/Write solution": "false",
-    "Geometry/Table 1 level": "0",
 }
+BRICK = {**MATERIAL, "Geometry/Table 1 level": "0"}
 REFINED = {"Geometry/Lengths": "4, 3, 1", "Geometry/Subdivisions": "4, 3, 1"}
 
 
@@ -141,12 +141,35 @@ def cases(sizes):
         yield name, mesh, sizes[0]
 
 
+def write_bracket(file, size):
+    """The shipped bracket in tetrahedra with edges of so many mm."""
+    meshes = os.path.join(ROOT, "parameters", "meshes")
+    command = [sys.executable, os.path.join(meshes, "step_to_msh.py")]
+    command += [os.path.join(meshes, "bracket.step"), file, "--size", str(size)]
+    command += ["--boundary", "wall=12", "--boundary", "hole=16"]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        raise BenchmarkError(run.stderr.strip())
+
+
+def numbers(text, option, kind):
+    """What an option lists."""
+    try:
+        listed = [kind(word) for word in text.split(",") if word]
+        if all(number > 0 for number in listed):
+            return listed
+    except ValueError:
+        pass
+    raise BenchmarkError(f"{option} must be numbers above 0, separated by commas")
+
+
 def parse_options(arguments):
     """The options."""
     parser = argparse.ArgumentParser(
         prog="./run benchmark any_mesh",
-        description="Solves contact on hexahedra from files without levels, on row k = 6 "
-        "of the paper's table and on refined bricks, and prints what it costs.",
+        description="Solves contact on meshes from files without levels, of hexahedra "
+        "and of cut tetrahedra, on row k = 6 of the paper's table and on a refined "
+        "brick, and prints what it costs.",
     )
     parser.add_argument("program", help=argparse.SUPPRESS)
     parser.add_argument(
@@ -156,13 +179,17 @@ def parse_options(arguments):
         help="cells along the shortest edge of the bricks (10,20: 41,943 and 311,283 "
         "unknowns)",
     )
+    parser.add_argument(
+        "--brackets",
+        default="4,2,1",
+        metavar="MM,MM",
+        help="edges of the bracket's tetrahedra (4,2,1: up to two million unknowns)",
+    )
     options = parser.parse_args(arguments)
-    try:
-        options.sizes = [int(n) for n in options.sizes.split(",")]
-        if min(options.sizes) < 2:
-            raise ValueError
-    except ValueError:
-        raise BenchmarkError("--sizes must be integers of at least 2") from None
+    options.sizes = numbers(options.sizes, "--sizes", int)
+    options.brackets = numbers(options.brackets, "--brackets", float)
+    if min(options.sizes, default=2) < 2:
+        raise BenchmarkError("--sizes must be at least 2")
     return options
 
 
@@ -189,23 +216,26 @@ def main(arguments):
     loads = brick_loads(2, 3, 5, 4, 1.5)
     rows, reference = [], None
 
-    def measure(name, settings):
+    def measure(name, settings, parameters):
         print(f"{name} ...", file=sys.stderr, flush=True)
-        summary = solve(options.program, "brick.prm", {**ALL, **settings})
+        summary = solve(options.program, parameters, {**ALL, **settings})
         rows.append(row(name, summary, reference))
         return summary
 
-    refined = measure(
+    def measure_brick(name, settings):
+        return measure(name, {**BRICK, **settings}, "brick.prm")
+
+    refined = measure_brick(
         "brick refined 4 times", {**REFINED, **loads, "Geometry/Global refinement": "4"}
     )
     reference = 1e6 * refined["seconds"]["contact_solve"] / refined["problem"]["dofs"]
-    measure("k = 6, refined once", {"Geometry/Table 1 level": "6"})
+    measure_brick("k = 6, refined once", {"Geometry/Table 1 level": "6"})
     with tempfile.TemporaryDirectory() as directory:
         for name, mesh, n in cases(options.sizes):
             file = os.path.join(directory, "mesh.msh")
             cells, place, middle, *is_there = mesh(n)
             write_mesh(file, cells, place, *is_there)
-            measure(
+            measure_brick(
                 name,
                 {
                     "Geometry/Type": "file",
@@ -213,6 +243,10 @@ def main(arguments):
                     **brick_loads("front", "back", "top", "bottom", middle),
                 },
             )
+        for size in options.brackets:
+            file = os.path.join(directory, "mesh.msh")
+            write_bracket(file, size)
+            measure(f"bracket, {size:g} mm", {"Geometry/Mesh file": file}, "bracket.prm")
     header = ["mesh", "unknowns", "Newton steps", "Krylov iterations: contact, elastic"]
     header += ["contact solve (its set-up) [s]", "elastic solve [s]"]
     header += ["worth in elastic solves", "contact solve an unknown / refined brick"]

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+
 namespace stiction
 {
   class LinearElasticity;
@@ -19,8 +21,11 @@ namespace stiction
   /// ‖Ku − f‖ ≤ 1e-8 ‖f‖, twice, and takes the better time, because machines
   /// are noisy. Collective.
   ///
+  /// @param contact_force the nodal forces of contact on the body, which are f where
+  ///   nothing else loads it.
   /// @param matrix_free with geometric multigrid, otherwise algebraic.
   ElasticSolveCost measure_elastic_solve(const LinearElasticity &elasticity,
+                                         const LA::Vector &contact_force,
                                          bool matrix_free);
 
   /// What the factorisations cost that dual methods are built on.

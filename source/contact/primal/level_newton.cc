@@ -116,7 +116,8 @@ namespace stiction
         ++statistics_.rho_changes;
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
-        stands_still_ = statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
+        stands_still_ =
+          statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
         if (stands_still_)
           return why_no_closer();
         fall_back(state, residual.value(), tolerance,

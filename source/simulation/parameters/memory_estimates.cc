@@ -9,16 +9,17 @@ namespace stiction
   double memory_for_mesh(const Parameters &parameters, const double n_cells)
   {
     // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
-    // or what runs with ten million unknowns took without one; then all nodes
-    // of all cells for the volume output. Where K is assembled in any case
-    // there are two matrices; one of degree 2 has 64 × 3 entries in the mean
-    // and eight nodes a cell.
+    // or what runs with ten million unknowns took without one; element matrices in
+    // both precisions where they are kept and cells are not alike; then all nodes
+    // of all cells for the volume output. One assembled matrix of degree 2 has
+    // 64 × 3 entries in the mean and eight nodes a cell.
     const bool is_quadratic = parameters.geometry.element_degree == 2;
-    const double matrices   = parameters.is_matrix_free()            ? 2.2e3
-                              : parameters.has_geometric_multigrid() ? 6e3
-                              : is_quadratic                         ? 1.3e5
-                                                                     : 1e4;
-    const double fields     = parameters.output.has_all_fields() ? 4.3e3 : 2.6e3;
+    const bool are_kept =
+      parameters.has_mean_dilatation() && !parameters.geometry.is_brick();
+    const double trilinear =
+      (parameters.is_matrix_free() ? 2.2e3 : 6e3) + (are_kept ? 7e3 : 0.);
+    const double matrices = is_quadratic ? 1.3e5 : trilinear;
+    const double fields   = parameters.output.has_all_fields() ? 4.3e3 : 2.6e3;
     return n_cells *
            (matrices +
             (parameters.output.write_solution ? (is_quadratic ? 8. : 1.) * fields : 0.));

@@ -38,7 +38,7 @@ namespace stiction
     /// Of them those of the mesh without local refinement.
     double n_uniform_cells() const;
 
-    /// Whether all cells are alike and trilinear, see Body::has_geometric_levels().
+    /// Whether the mesh is uniform and its cells trilinear.
     bool has_geometric_levels() const
     {
       return contact_refinement == 0 && element_degree == 1;

@@ -32,7 +32,7 @@ namespace stiction
 
   /// The nodes of one level of the mesh as a rank sees them: its own, and the
   /// ghosts that its cells and the children of its cells one level up have; all
-  /// that the body finds relevant if that is not simple.
+  /// that the body finds relevant where there are hanging nodes or degree 2.
   ///
   /// Vectors of a level hold three numbers a node, its own nodes first, so a
   /// local node i has the entries 3i, 3i + 1, 3i + 2.
