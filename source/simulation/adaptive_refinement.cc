@@ -4,6 +4,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/cell_marking.h>
+#include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/parameters/memory_estimates.h>
@@ -19,6 +20,13 @@
 namespace stiction
 {
   using namespace dealii;
+
+  namespace
+  {
+    // A body as slender as 1 : 30,000 that is bent has more strain than this times
+    // its displacement over its size.
+    constexpr double only_moved = 1e-9;
+  } // namespace
 
   AdaptiveRefinement::AdaptiveRefinement(const Parameters &parameters)
     : parameters_(parameters)
@@ -41,9 +49,15 @@ namespace stiction
         double sum = 0.;
         for (const double square : squares_)
           sum += square;
-        mesh.error          = std::sqrt(Utilities::MPI::sum(sum, body.communicator()));
-        const double norm   = std::sqrt(2. * strain_energy);
-        mesh.relative_error = norm > 0. ? mesh.error / norm : 0.;
+        mesh.error        = std::sqrt(Utilities::MPI::sum(sum, body.communicator()));
+        const double norm = std::sqrt(2. * strain_energy);
+        // of a body that is only moved strain and error are rounding
+        const auto corners = body.bounding_box().get_boundary_points();
+        const double rounding =
+          only_moved * state.u.linfty_norm() *
+          std::sqrt(elasticity.materials().largest_youngs_modulus() *
+                    corners.first.distance(corners.second));
+        mesh.relative_error = norm > rounding ? mesh.error / norm : 0.;
       }
     meshes_.push_back(mesh);
   }

@@ -301,7 +301,8 @@ namespace stiction
     const double rounding      = 1e-12 * corners.first.distance(corners.second);
     const auto n               = (gaps.array() < -rounding).count();
     if (n > 0)
-      log_->line(format("  %lld contact node%s begin%s with interference, of up to ",
+      log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
+                        "gives way, by up to ",
                         static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
                  with_unit(format("%.3g", -gaps.minCoeff()),
                            Units::named(parameters_.output.units).length));

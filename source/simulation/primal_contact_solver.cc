@@ -27,6 +27,7 @@ namespace stiction
 
   PrimalContactSolver::PrimalContactSolver(const Setting &setting)
     : ContactSolver(setting)
+    , can_hand_over_(can_hand_over())
   {
     const auto phase             = setting_.phases.scope("stiffness_setup");
     const Parameters &parameters = setting_.parameters;
@@ -34,7 +35,7 @@ namespace stiction
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
     options.other_method = other_method();
-    if (can_hand_over())
+    if (can_hand_over_)
       options.max_fallbacks = max_fallbacks;
     newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
                                                 parameters.is_matrix_free(), options);
@@ -56,7 +57,7 @@ namespace stiction
                               });
       setting_.elasticity.distribute(state.u);
     }
-    if (!status.stands_still || !can_hand_over())
+    if (!status.stands_still || status.interrupted || !can_hand_over_)
       return status;
     print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
     if (!dual_)
@@ -72,8 +73,8 @@ namespace stiction
 
   bool PrimalContactSolver::can_hand_over() const
   {
-    return dual_ ||
-           (static_cast<double>(setting_.elasticity.mesh().n_dofs()) <= max_factorized &&
+    return static_cast<double>(setting_.elasticity.mesh().n_dofs()) <= max_factorized &&
+           (setting_.parameters.dual_operator.form != "assembled" ||
             has_memory_to_hand_over(setting_.parameters,
                                     3. * static_cast<double>(setting_.surface.n_nodes()),
                                     setting_.elasticity.mesh().communicator()));

@@ -25,9 +25,10 @@ namespace stiction
     void add_to(RunResult &result) const override;
 
   private:
-    /// Whether the dual operator is there, or small enough. Collective.
+    /// Whether the body and its dual operator are small enough. Collective.
     bool can_hand_over() const;
 
+    const bool can_hand_over_;
     std::unique_ptr<NewtonMultigrid> newton_;
     std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
   };

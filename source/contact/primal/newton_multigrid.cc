@@ -89,7 +89,7 @@ namespace stiction
               newton.solve(*state_, lambda,
                            is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
                            max_steps - steps, after_step);
-            status.stands_still = newton.stands_still();
+            status.stands_still = is_finest && newton.stands_still();
           }
         catch (const Interrupted &)
           {

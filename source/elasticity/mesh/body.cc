@@ -214,7 +214,11 @@ namespace stiction
   {
     // cells of second order, of the degree of the elements, are alike on both
     // sides of a face
-    if (!is_curved_ || is_uniform_ || (fe_.degree > 1 && !quadratic_cells_.empty()))
+    if (!is_curved_ || (fe_.degree > 1 && !quadratic_cells_.empty()))
+      return;
+    if (fe_.degree > 1) // a cache knows the cells of the last mesh alone
+      mapping_ = std::make_unique<MappingQ<3>>(fe_.degree);
+    if (is_uniform_)
       return;
     const auto straight = straight_nodes();
     if (fe_.degree == 1)

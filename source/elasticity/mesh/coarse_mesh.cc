@@ -211,7 +211,11 @@ namespace stiction
         message << " with its centre at (" << cell->center()
                 << ") is inverted or degenerate, its "
                 << (has_corners ? "nodes" : "corners")
-                << " must make a hexahedron that is not folded.";
+                << " must make a hexahedron that is not folded"
+                << (cell->level() == 0
+                      ? "."
+                      : ", as they may with smaller cells from 'Geometry/Global "
+                        "refinement' or in the file.");
         throw InputError(message.str());
       }
   }

@@ -51,12 +51,13 @@ namespace stiction
     std::vector<Number> diagonal_blocks() const;
 
   private:
+    /// dst += K src without hanging nodes, of local nodes.
+    void add_product(Number *dst, const Number *src) const;
+
     /// What hanging nodes add to the diagonal blocks of the nodes they depend on.
     void find_hanging_blocks(const Materials &materials, double unit);
 
     const MeshLevel &level_;
-    void add_product(Number *dst, const Number *src) const;
-
     CellStiffness<Number> cells_;
     ElementMatrices<Number> elements_;
     std::vector<MeshLevel::HangingNode> hanging_;

@@ -49,11 +49,17 @@ namespace stiction
                        "' stands where a section should begin");
 
         // sections that are known are at their end now, others are passed over
+        const bool has_counts = name == "$Nodes" || name == "$Elements";
         const std::string end = "$End" + name.substr(1);
         std::string line      = text_.rest_of_line();
         while (line != end)
-          if (!text_.next_line(line))
-            text_.refuse("section '" + name + "' has no end");
+          {
+            if (has_counts && line.find_first_not_of(" \t\r") != std::string::npos)
+              text_.refuse("'" + line.substr(0, 40) + "' stands where section '" + name +
+                           "' should end, its count must be that of its lines");
+            if (!text_.next_line(line))
+              text_.refuse("section '" + name + "' has no end");
+          }
       }
 
       void read_format()
