@@ -2,6 +2,7 @@
 #include <stiction/base/memory.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/cell_marking.h>
 #include <stiction/elasticity/model/materials.h>

@@ -8,10 +8,10 @@ using namespace stiction;
 
 namespace
 {
-  void check(const std::string &name, const Settings &settings)
+  void check(const std::string &name, const Settings &settings,
+             const std::string &file = shipped("orthotropic_friction.prm"))
   {
-    const std::string file = shipped("orthotropic_friction.prm");
-    const Settings all     = settings + Settings{"Friction/Coefficient=0.9; 0.03",
+    const Settings all = settings + Settings{"Friction/Coefficient=0.9; 0.03",
                                              "Output/Write solution=false"};
     const Run alone(file, all + Settings{"Contact solver/Method=newton"});
     const Run handed(file, all + Settings{"Contact solver/Method=newton multigrid"});
@@ -29,4 +29,10 @@ int main(int argc, char *argv[])
   check("two steps", {"Time/End=1", "Time/Steps=2",
                       "Boundary conditions/Prescribed displacement=right : 0; free; free "
                       "| top : 0; 4e-5*t; -1e-4*(1 + y/2)*t"});
+  check("eight steps, the last ones without it",
+        {"Geometry/Global refinement=1", "Friction/First direction=1; 1; 0",
+         "Time/Steps=8",
+         "Boundary conditions/Prescribed displacement=top : 1e-4*t; 1e-4*sin(6*t); "
+         "-5e-4*min(2*t,1)"},
+        shipped("mesh_file.prm"));
 }
