@@ -12,6 +12,7 @@ namespace
              const std::string &file = shipped("orthotropic_friction.prm"))
   {
     const Settings all = settings + Settings{"Friction/Coefficient=0.9; 0.03",
+                                             "Contact solver/Tolerance=1e-10",
                                              "Output/Write solution=false"};
     const Run alone(file, all + Settings{"Contact solver/Method=newton"});
     const Run handed(file, all + Settings{"Contact solver/Method=newton multigrid"});
