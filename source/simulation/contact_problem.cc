@@ -339,11 +339,8 @@ namespace stiction
     const auto phase = phases_.scope("yardsticks");
     if (parameters_.performance.measure_one_elastic_solve)
       {
-        const auto &[elasticity, surface, solver] = *discretization_;
-        LA::Vector contact_force                  = elasticity->zero_vector();
-        surface->B().add_transpose(-1., state_.lambda, contact_force);
-        const ElasticSolveCost cost =
-          measure_elastic_solve(*elasticity, contact_force, parameters_.is_matrix_free());
+        const ElasticSolveCost cost = measure_elastic_solve(
+          *discretization_->elasticity, contact_force(), parameters_.is_matrix_free());
         elastic_solve_iterations_ = cost.iterations;
         phases_.set("elastic_solve", cost.seconds);
         phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);

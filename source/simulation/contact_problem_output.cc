@@ -52,12 +52,17 @@ namespace stiction
                                    stiffness, parameters_.contact_solver.tolerance);
   }
 
+  LA::Vector ContactProblem::contact_force() const
+  {
+    LA::Vector force = discretization_->elasticity->zero_vector();
+    discretization_->surface->B().add_transpose(-1., state_.lambda, force);
+    return force;
+  }
+
   void ContactProblem::compute_reactions()
   {
-    LA::Vector contact_force = discretization_->elasticity->zero_vector();
-    discretization_->surface->B().add_transpose(-1., state_.lambda, contact_force);
     reactions_ = std::make_unique<SupportReactions>(*discretization_->elasticity,
-                                                    state_.u, contact_force);
+                                                    state_.u, contact_force());
   }
 
   void ContactProblem::output_results()

@@ -169,7 +169,7 @@ namespace stiction
     RunResult result           = result_of(status_, *conditions_, node_statuses(),
                                            parameters_.contact_solver.tolerance, parameters_.output,
                                            phases_, communicator_);
-    add_method(result.solver, *method_, *Q_);
+    add_method(result.solver, method_->statistics(), *Q_);
     result.solver.law          = bound.is_mixed()               ? "mixed"
                                  : bound.is_coulomb()           ? "coulomb"
                                  : !bound.constant().isZero(0.) ? "given"

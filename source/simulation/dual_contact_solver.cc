@@ -229,12 +229,12 @@ namespace stiction
 
   void DualContactSolver::add_to(RunResult &result) const
   {
-    const DualOperator &Q = augmented_ ? *augmented_ : *Q_;
-    if (method_)
-      static_cast<DualMethodStatistics &>(result.solver) = method_->statistics();
+    // there is no method in a step to which nobody handed over
+    add_method(result.solver, method_ ? method_->statistics() : DualMethodStatistics(),
+               augmented_ ? *augmented_ : *Q_);
     result.solver += earlier_;
-    result.solver.dual_multiplications = static_cast<unsigned long>(
-      std::ceil(Q.n_multiplications() + earlier_multiplications_));
+    result.solver.dual_multiplications +=
+      static_cast<unsigned long>(std::ceil(earlier_multiplications_));
     result.solver.stiffness_solves            = stiffness_solver_->n_solves();
     result.solver.stiffness_krylov_iterations = stiffness_solver_->n_iterations();
   }

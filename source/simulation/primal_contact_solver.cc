@@ -3,6 +3,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
@@ -11,15 +12,14 @@
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/primal_contact_solver.h>
 
+#include <cmath>
+
 namespace stiction
 {
   namespace
   {
     // The duality gap needs a few digits of one more elastic solve only.
     constexpr double duality_gap_accuracy = 1e-6;
-
-    // Up to this many unknowns MUMPS takes seconds, and a gigabyte or two.
-    constexpr double max_factorized = 1e5;
 
     // Where another method can go on, it need not wait for more of these.
     constexpr unsigned int max_fallbacks = 3;
@@ -62,8 +62,8 @@ namespace stiction
     print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_);
-    if (!state.u.all_zero() && !std::isfinite(state.u.l2_norm()))
-      state = {{}, {}, {}, state.history};
+    if (!std::isfinite(state.u.l2_norm()))
+      state = {{}, {}, {}, state.history, state.scales};
     return dual_->solve(state, [&](ContactStep step) {
       step.step += n_steps;
       step.unknowns = setting_.elasticity.mesh().n_dofs();
@@ -73,7 +73,7 @@ namespace stiction
 
   bool PrimalContactSolver::can_hand_over() const
   {
-    return static_cast<double>(setting_.elasticity.mesh().n_dofs()) <= max_factorized &&
+    return setting_.elasticity.mesh().n_dofs() <= Multigrid::max_factorized &&
            (setting_.parameters.dual_operator.form != "assembled" ||
             has_memory_to_hand_over(setting_.parameters,
                                     3. * static_cast<double>(setting_.surface.n_nodes()),

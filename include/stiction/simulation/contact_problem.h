@@ -126,7 +126,7 @@ namespace stiction
     void describe_machine();
     void describe_body();
 
-    // Says how many contact nodes are inside of their obstacles before anything moves.
+    // Says how many contact nodes overlap their obstacles before the body gives way.
     void describe_interference();
     void assemble_system();
     void make_contact_surface();
@@ -136,6 +136,9 @@ namespace stiction
     void estimate_mesh();
     void measure_reference_costs();
     void output_results();
+    // The nodal forces of contact on the body, N.
+    LA::Vector contact_force() const;
+
     void compute_reactions();
     /// The files of what was found, with this behind the words of their names.
     void write_fields(const std::string &tag) const;

@@ -13,9 +13,9 @@ namespace stiction
   class DualMethod;
 
   /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ, newton where 'newton
-  /// multigrid' hands over. Forces that press
-  /// obstacles on are equality constraints, which the method of multipliers
-  /// meets: any dual method works on the augmented operator.
+  /// multigrid' hands over. Forces that press obstacles on are equality constraints,
+  /// which the method of multipliers meets: any dual method works on the augmented
+  /// operator.
   class DualContactSolver : public ContactSolver
   {
   public:

@@ -26,10 +26,6 @@ namespace stiction
     // Above this order a level without a coarser one has grids behind it.
     constexpr types::global_dof_index max_coarsest = 4000;
 
-    // Up to this many unknowns a factorisation takes seconds, and a gigabyte or
-    // two.
-    constexpr types::global_dof_index max_factorized = 100000;
-
     template<typename To, typename From>
     void copy(To &to, const From &from, const double factor = 1.)
     {

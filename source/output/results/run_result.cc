@@ -234,10 +234,10 @@ namespace stiction
     return result;
   }
 
-  void add_method(RunResult::Solver &solver, const DualMethod &method,
+  void add_method(RunResult::Solver &solver, const DualMethodStatistics &method,
                   const DualOperator &Q)
   {
-    static_cast<DualMethodStatistics &>(solver) = method.statistics();
+    static_cast<DualMethodStatistics &>(solver) = method;
     // parts of products make up whole ones
     solver.dual_multiplications =
       static_cast<unsigned long>(std::ceil(Q.n_multiplications()));

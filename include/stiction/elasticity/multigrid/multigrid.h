@@ -3,6 +3,8 @@
 
 #include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
 
+#include <deal.II/base/types.h>
+
 #include <memory>
 #include <vector>
 
@@ -32,6 +34,9 @@ namespace stiction
   class Multigrid : public StiffnessPreconditioner
   {
   public:
+    /// Up to this many unknowns a factorisation takes seconds, and a gigabyte or two.
+    static constexpr dealii::types::global_dof_index max_factorized = 100000;
+
     /// @param supported_nodes the nodes that supports may hold.
     /// @param is_geometric whether the coarsest level may have grids behind it.
     ///   The other arguments must outlive the object. Collective.

@@ -149,7 +149,7 @@ namespace stiction
                       MPI_Comm communicator);
 
   /// Enters what the dual method did, or the Newton method in displacements.
-  void add_method(RunResult::Solver &solver, const DualMethod &method,
+  void add_method(RunResult::Solver &solver, const DualMethodStatistics &method,
                   const DualOperator &Q);
   void add_method(RunResult::Solver &solver, const NewtonMultigrid &newton);
 
