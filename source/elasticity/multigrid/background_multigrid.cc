@@ -116,43 +116,49 @@ namespace stiction
         return all;
       }
 
-      // WᵀKW with K of 8 × 8 blocks of 3 × 3 numbers and W of 8 rows.
+      // WᵀKW with K of 8 × 8 blocks of 3 × 3 numbers and W of 8 rows, of whose entries
+      // few are not zero.
       const BlockMatrix::Entries &operator()(const std::array<unsigned int, 8> &nodes,
                                              const FullMatrix<double> &K)
       {
         entries_.vertices = vertices(nodes);
         const auto m      = static_cast<Eigen::Index>(entries_.vertices.size());
-        weights_.setZero(8, m);
-        for (unsigned int v = 0; v < 8; ++v)
-          for (Interpolation::InnerIterator entry(interpolation_, nodes[v]); entry;
-               ++entry)
-            weights_(v, std::lower_bound(entries_.vertices.begin(),
-                                         entries_.vertices.end(), entry.col()) -
-                          entries_.vertices.begin()) = entry.value();
+        half_.setZero(72, m);
         for (unsigned int i = 0; i < 8; ++i)
-          for (unsigned int j = 0; j < 8; ++j)
-            for (unsigned int b = 0; b < 3; ++b)
-              for (unsigned int a = 0; a < 3; ++a)
-                rows_(i, 9 * j + 3 * b + a) = static_cast<float>(K(3 * i + a, 3 * j + b));
-        half_.noalias() = weights_.transpose() * rows_;
-        entries_.blocks.resize(m, 9 * m);
-        for (Eigen::Index i = 0; i < m; ++i)
           {
-            const Eigen::Map<const Rows9> row(half_.row(i).data(), 8, 9);
-            Eigen::Map<Rows9> blocks(entries_.blocks.row(i).data(), i + 1, 9);
-            blocks.noalias() = weights_.leftCols(i + 1).transpose() * row;
+            weights_[i].clear();
+            for (Interpolation::InnerIterator entry(interpolation_, nodes[i]); entry;
+                 ++entry)
+              weights_[i].emplace_back(std::lower_bound(entries_.vertices.begin(),
+                                                        entries_.vertices.end(),
+                                                        entry.col()) -
+                                         entries_.vertices.begin(),
+                                       entry.value());
+            Eigen::Matrix<float, 72, 1> row;
+            for (unsigned int j = 0; j < 8; ++j)
+              for (unsigned int b = 0; b < 3; ++b)
+                for (unsigned int a = 0; a < 3; ++a)
+                  row(9 * j + 3 * b + a) = static_cast<float>(K(3 * i + a, 3 * j + b));
+            for (const auto &[vertex, weight] : weights_[i])
+              half_.col(vertex) += weight * row;
           }
+        entries_.blocks.setZero(m, 9 * m);
+        for (Eigen::Index i = 0; i < m; ++i)
+          for (unsigned int j = 0; j < 8; ++j)
+            for (const auto &[vertex, weight] : weights_[j])
+              if (vertex <= i)
+                Eigen::Map<Block9>(&entries_.blocks(i, 9 * vertex)) +=
+                  weight * Eigen::Map<const Block9>(&half_(9 * j, i));
         return entries_;
       }
 
     private:
-      using Rows9 = Eigen::Matrix<float, Eigen::Dynamic, 9, Eigen::RowMajor>;
+      using Block9 = Eigen::Matrix<float, 9, 1>;
 
       const Interpolation &interpolation_;
       BlockMatrix::Entries entries_;
-      Eigen::Matrix<float, 8, Eigen::Dynamic, Eigen::RowMajor> weights_;
-      Eigen::Matrix<float, 8, 72, Eigen::RowMajor> rows_;
-      Eigen::Matrix<float, Eigen::Dynamic, 72, Eigen::RowMajor> half_;
+      std::array<std::vector<std::pair<Eigen::Index, float>>, 8> weights_;
+      Eigen::Matrix<float, 72, Eigen::Dynamic> half_;
     };
 
     void drop_fixed(FullMatrix<double> &K, const std::vector<unsigned int> &nodes,

@@ -57,17 +57,16 @@ namespace stiction
     }
 
     // The rows of B at one Gauss point: the strains εxx, εyy, εzz, 2εyz, 2εxz, 2εxy of
-    // all unknowns.
-    template<typename Gradients>
-    Eigen::MatrixXd strains(const Gradients &gradients)
+    // all unknowns, from the gradients of all functions.
+    Eigen::MatrixXd strains(const Eigen::Ref<const Eigen::VectorXd> &gradients)
     {
-      Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n_strains, 3 * gradients.rows());
+      Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n_strains, gradients.size());
       for (unsigned int a = 0; a < n_strains; ++a)
-        for (Eigen::Index i = 0; i < gradients.rows(); ++i)
+        for (Eigen::Index i = 0; i < gradients.size(); i += 3)
           {
             const auto [k, l] = voigt[a];
-            B(a, 3 * i + k)   = gradients(i, l);
-            B(a, 3 * i + l)   = gradients(i, k);
+            B(a, i + k)       = gradients(i + l);
+            B(a, i + l)       = gradients(i + k);
           }
       return B;
     }
@@ -119,13 +118,16 @@ namespace stiction
       vertices.col(v) = Eigen::Map<const Eigen::Vector3d>(cell.vertices[v].data());
     if (is_translation(vertices, *cell.material, cell.unit))
       return matrix_;
-    std::vector<Gradients> gradients(8);
+    gradients_.resize(24, 8);
+    weights_.resize(8);
     for (unsigned int q = 0; q < 8; ++q)
       {
         const Eigen::Matrix3d jacobian = vertices * reference[q];
-        gradients[q] = {reference[q] * jacobian.inverse(), jacobian.determinant() / 8.};
+        Eigen::Map<Eigen::Matrix<double, 3, 8>>(gradients_.col(q).data()) =
+          (reference[q] * jacobian.inverse()).transpose();
+        weights_(q) = jacobian.determinant() / 8.;
       }
-    integrate(gradients, *cell.material, cell.unit);
+    integrate(*cell.material, cell.unit);
     return matrix_;
   }
 
@@ -140,16 +142,16 @@ namespace stiction
         points(d, q) = values_->quadrature_point(q)[d];
     if (is_translation(points, material, 1.))
       return matrix_;
-    std::vector<Gradients> gradients(values_->n_quadrature_points);
+    gradients_.resize(3 * values_->dofs_per_cell, values_->n_quadrature_points);
+    weights_.resize(values_->n_quadrature_points);
     for (const unsigned int q : values_->quadrature_point_indices())
       {
-        gradients[q].values.resize(values_->dofs_per_cell, 3);
         for (const unsigned int i : values_->dof_indices())
           for (unsigned int d = 0; d < 3; ++d)
-            gradients[q].values(i, d) = values_->shape_grad(i, q)[d];
-        gradients[q].weight = values_->JxW(q);
+            gradients_(3 * i + d, q) = values_->shape_grad(i, q)[d];
+        weights_(q) = values_->JxW(q);
       }
-    integrate(gradients, material, 1.);
+    integrate(material, 1.);
     return matrix_;
   }
 
@@ -169,23 +171,16 @@ namespace stiction
     return is_same;
   }
 
-  void ElementStiffness::integrate(const std::vector<Gradients> &gradients,
-                                   const Material &material, const double unit)
+  void ElementStiffness::integrate(const Material &material, const double unit)
   {
-    const Eigen::Index n = 3 * gradients[0].values.rows();
+    const Eigen::Index n = gradients_.rows();
     matrix_.reinit(static_cast<unsigned int>(n), static_cast<unsigned int>(n));
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
     if (material.is_simple())
       {
-        Eigen::VectorXd g(n);
-        for (const Gradients &at_point : gradients)
-          {
-            for (Eigen::Index k = 0; k < n; ++k)
-              g(k) = at_point.values(k / 3, k % 3);
-            K.noalias() += (at_point.weight * g) * g.transpose();
-          }
-        isotropic_stiffness(K, material.lame_lambda / unit, material.shear_modulus / unit,
-                            matrix_);
+        products_.noalias() =
+          (gradients_ * weights_.asDiagonal()) * gradients_.transpose();
+        isotropic_stiffness(products_, material.lame_lambda / unit,
+                            material.shear_modulus / unit, matrix_);
         return;
       }
 
@@ -193,20 +188,20 @@ namespace stiction
       voigt_matrix(material.stiffness) / unit;
     std::vector<Eigen::MatrixXd> B;
     Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(n);
-    double volume           = 0.;
-    for (const Gradients &at_point : gradients)
+    for (Eigen::Index q = 0; q < weights_.size(); ++q)
       {
-        B.push_back(strains(at_point.values));
-        mean += at_point.weight * B.back().topRows<3>().colwise().sum();
-        volume += at_point.weight;
+        B.push_back(strains(gradients_.col(q)));
+        mean += weights_(q) * B.back().topRows<3>().colwise().sum();
       }
-    mean /= volume;
-    for (std::size_t q = 0; q < gradients.size(); ++q)
+    mean /= weights_.sum();
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t q = 0; q < B.size(); ++q)
       {
         if (material.mean_dilatation)
           B[q].topRows<3>().rowwise() +=
             ((mean - B[q].topRows<3>().colwise().sum()) / 3.).eval();
-        K.noalias() += B[q].transpose() * (gradients[q].weight * C * B[q]);
+        K.noalias() +=
+          B[q].transpose() * (weights_(static_cast<Eigen::Index>(q)) * C * B[q]);
       }
     for (unsigned int i = 0; i < matrix_.m(); ++i)
       for (unsigned int j = 0; j < matrix_.n(); ++j)

@@ -49,25 +49,20 @@ namespace stiction
       const dealii::DoFHandler<3>::active_cell_iterator &cell, const Material &material);
 
   private:
-    /// Of the functions at a Gauss point, a row each, and the volume it stands for.
-    struct Gradients
-    {
-      Eigen::Matrix<double, Eigen::Dynamic, 3> values;
-      double weight;
-    };
-
     /// Whether the cell is the last one shifted, by its nodes; from now on it is the
     /// last one.
     bool is_translation(const Eigen::Matrix3Xd &nodes, const Material &material,
                         double unit);
 
-    void integrate(const std::vector<Gradients> &gradients, const Material &material,
-                   double unit);
+    void integrate(const Material &material, double unit);
 
     std::unique_ptr<dealii::FEValues<3, 3>> values_;
     Eigen::Matrix3Xd last_nodes_;
     const Material *last_material_ = nullptr;
     double last_unit_              = 0.;
+    Eigen::MatrixXd gradients_; // a column a Gauss point, three rows a function
+    Eigen::VectorXd weights_;   // the volumes that Gauss points stand for
+    Eigen::MatrixXd products_;
     dealii::FullMatrix<double> matrix_;
   };
 
