@@ -1,5 +1,6 @@
 #include "node_shares.h"
 
+#include <stiction/base/all_gather.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
@@ -125,9 +126,8 @@ namespace stiction
     for (const auto &share : shares_)
       mine.push_back(share.second);
     shares_.clear();
-    for (const auto &theirs : Utilities::MPI::all_gather(body_.communicator(), mine))
-      for (const Share &share : theirs)
-        add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
+    for (const Share &share : all_gather(mine, body_.communicator()))
+      add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
   }
 
   std::vector<NodeShares::Share> NodeShares::with_positions() const

@@ -135,14 +135,23 @@ namespace stiction
     {
       UnionFind together(pieces.cubes.size());
       const Lists &at = grid.pieces_at;
+      std::vector<unsigned int> others; // a piece of each cube at the point
       for (std::size_t p = 0; p + 1 < at.begin.size(); ++p)
-        for (unsigned int a = at.begin[p]; a < at.begin[p + 1]; ++a)
-          for (unsigned int b = at.begin[p]; b < a; ++b)
-            if (pieces.cubes[at.entries[a]] == pieces.cubes[at.entries[b]])
-              {
-                together.unite(at.entries[a], at.entries[b]);
-                break;
-              }
+        {
+          others.clear();
+          for (unsigned int k = at.begin[p]; k < at.begin[p + 1]; ++k)
+            {
+              const unsigned int piece = at.entries[k];
+              const auto same =
+                std::find_if(others.begin(), others.end(), [&](const unsigned int other) {
+                  return pieces.cubes[other] == pieces.cubes[piece];
+                });
+              if (same == others.end())
+                others.push_back(piece);
+              else
+                together.unite(piece, *same);
+            }
+        }
       for (const auto &[a, b] : pieces.links)
         if (pieces.cubes[a] == pieces.cubes[b])
           together.unite(a, b);

@@ -1,5 +1,6 @@
 #include "background_grid.h"
 
+#include <stiction/base/all_gather.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/multigrid/background_grids.h>
@@ -27,17 +28,6 @@ namespace stiction
     using Nodes         = std::vector<std::array<double, 3>>;
     using Cells         = std::vector<std::array<unsigned int, 8>>;
 
-    // The list, made of those of all ranks in their order.
-    template<typename Entry>
-    std::vector<Entry> of_all_ranks(const std::vector<Entry> &own, MPI_Comm communicator)
-    {
-      std::vector<Entry> all;
-      for (const std::vector<Entry> &theirs :
-           Utilities::MPI::all_gather(communicator, own))
-        all.insert(all.end(), theirs.begin(), theirs.end());
-      return all;
-    }
-
     // From the nodes of the whole mesh, numbered as their unknowns, three each.
     std::vector<Interpolation> make_grids(const MeshLevel &mesh)
     {
@@ -53,8 +43,8 @@ namespace stiction
               nodes[cell.nodes[v]] = cell.vertices[v];
           }
       });
-      return background_grids(of_all_ranks(nodes, mesh.communicator()),
-                              of_all_ranks(cells, mesh.communicator()));
+      return background_grids(all_gather(nodes, mesh.communicator()),
+                              all_gather(cells, mesh.communicator()));
     }
 
     Interpolation rows_of(const Interpolation &matrix,
@@ -105,7 +95,8 @@ namespace stiction
       }
 
       // The vertices, by number.
-      std::vector<unsigned int> vertices(const std::array<unsigned int, 8> &nodes) const
+      std::vector<unsigned int> vertices_of(
+        const std::array<unsigned int, 8> &nodes) const
       {
         std::vector<unsigned int> all;
         for (const unsigned int node : nodes)
@@ -118,43 +109,48 @@ namespace stiction
 
       // WᵀKW with K of 8 × 8 blocks of 3 × 3 numbers and W of 8 rows, of whose entries
       // few are not zero.
+      //
+      // vertices: the vertices_of() the nodes.
       const BlockMatrix::Entries &operator()(const std::array<unsigned int, 8> &nodes,
+                                             const std::vector<unsigned int> &vertices,
                                              const FullMatrix<double> &K)
       {
-        entries_.vertices = vertices(nodes);
+        entries_.vertices = vertices;
         const auto m      = static_cast<Eigen::Index>(entries_.vertices.size());
+        Eigen::Matrix<float, 72, 1> row;
         half_.setZero(72, m);
         for (unsigned int i = 0; i < 8; ++i)
           {
             weights_[i].clear();
             for (Interpolation::InnerIterator entry(interpolation_, nodes[i]); entry;
                  ++entry)
-              weights_[i].emplace_back(std::lower_bound(entries_.vertices.begin(),
-                                                        entries_.vertices.end(),
-                                                        entry.col()) -
-                                         entries_.vertices.begin(),
-                                       entry.value());
-            Eigen::Matrix<float, 72, 1> row;
+              weights_[i].emplace_back(
+                std::lower_bound(vertices.begin(), vertices.end(), entry.col()) -
+                  vertices.begin(),
+                entry.value());
             for (unsigned int j = 0; j < 8; ++j)
-              for (unsigned int b = 0; b < 3; ++b)
-                for (unsigned int a = 0; a < 3; ++a)
-                  row(9 * j + 3 * b + a) = static_cast<float>(K(3 * i + a, 3 * j + b));
+              for (unsigned int a = 0; a < 3; ++a)
+                for (unsigned int b = 0; b < 3; ++b)
+                  row(9 * j + 3 * a + b) = static_cast<float>(K(3 * i + a, 3 * j + b));
             for (const auto &[vertex, weight] : weights_[i])
               half_.col(vertex) += weight * row;
           }
-        entries_.blocks.setZero(m, 9 * m);
-        for (Eigen::Index i = 0; i < m; ++i)
-          for (unsigned int j = 0; j < 8; ++j)
+        entries_.blocks.setZero(9 * m, m);
+        for (unsigned int j = 0; j < 8; ++j)
+          {
+            const Eigen::Matrix<float, 9, Eigen::Dynamic> of_node =
+              half_.middleRows<9>(9 * j);
             for (const auto &[vertex, weight] : weights_[j])
-              if (vertex <= i)
-                Eigen::Map<Block9>(&entries_.blocks(i, 9 * vertex)) +=
-                  weight * Eigen::Map<const Block9>(&half_(9 * j, i));
+              {
+                const Eigen::Index n = 9 * (m - vertex);
+                entries_.blocks.col(vertex).tail(n) +=
+                  weight * Eigen::Map<const Eigen::VectorXf>(&of_node(0, vertex), n);
+              }
+          }
         return entries_;
       }
 
     private:
-      using Block9 = Eigen::Matrix<float, 9, 1>;
-
       const Interpolation &interpolation_;
       BlockMatrix::Entries entries_;
       std::array<std::vector<std::pair<Eigen::Index, float>>, 8> weights_;
@@ -229,13 +225,12 @@ namespace stiction
     mesh.for_each_cell([&](const HexahedralCell &cell) {
       std::array<unsigned int, 8> nodes;
       std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(), node);
-      sets.push_back(galerkin.vertices(nodes));
+      sets.push_back(galerkin.vertices_of(nodes));
     });
     BlockMatrix A(static_cast<std::size_t>(grids.front().cols()), sets);
-    sets.clear();
-    sets.shrink_to_fit();
 
     FullMatrix<double> K;
+    std::size_t n_cells = 0;
     for_each_element(
       mesh, elasticity.materials(), unit, [&](const auto &cell, const auto &free) {
         K = free;
@@ -248,7 +243,7 @@ namespace stiction
                 stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
           }
         drop_fixed(K, cell, is_left_out);
-        A.add(galerkin(nodes, K));
+        A.add(galerkin(nodes, sets[n_cells++], K));
       });
     Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),
                         stiffness_of_supported_);

@@ -42,7 +42,7 @@ namespace stiction
                   columns_.end());
         begin_[i + 1] = columns_.size();
       }
-    blocks_.assign(9 * columns_.size(), 0.f);
+    blocks_.assign(9 * columns_.size() + 1, 0.f);
   }
 
   BlockMatrix::BlockMatrix(const BlockMatrix &A, const Interpolation &P)
@@ -96,6 +96,7 @@ namespace stiction
           blocks_.insert(blocks_.end(), row[*j].data(), row[*j].data() + 9);
         begin_[i + 1] = columns_.size();
       }
+    blocks_.push_back(0.f);
   }
 
   void BlockMatrix::add(const Entries &entries)
@@ -103,46 +104,54 @@ namespace stiction
     for (std::size_t a = 0; a < entries.vertices.size(); ++a)
       {
         std::size_t place = begin_[entries.vertices[a]];
-        const float *from =
-          entries.blocks.data() + static_cast<std::size_t>(entries.blocks.cols()) * a;
         for (std::size_t b = 0; b <= a; ++b, ++place)
           {
             while (columns_[place] != entries.vertices[b])
               ++place;
-            float *const to = &blocks_[9 * place];
+            const float *const from = &entries.blocks(static_cast<Eigen::Index>(9 * a),
+                                                      static_cast<Eigen::Index>(b));
+            float *const to         = &blocks_[9 * place];
             for (unsigned int k = 0; k < 9; ++k)
-              to[k] += *from++;
+              to[k] += from[k];
           }
       }
   }
 
   void BlockMatrix::vmult(BlockVector &y, const BlockVector &x) const
   {
-    y.setZero(n(), 3);
-    for (std::size_t i = 0; i + 1 < begin_.size(); ++i)
+    using Four      = Eigen::Vector4f;
+    const auto four = [](const float *const numbers) {
+      return Four(Eigen::Map<const Four>(numbers));
+    };
+    padded_x_.setZero(n(), 4);
+    padded_x_.leftCols<3>() = x;
+    padded_y_.setZero(n(), 4);
+    // rows of blocks with the first number of the next row: it meets a zero of x, and
+    // what it adds to y is dropped
+    for (Eigen::Index i = 0; i < n(); ++i)
       {
-        const float *const own    = x.data() + 3 * i;
-        std::array<float, 3> sums = {{0.f, 0.f, 0.f}};
-        const std::size_t last    = begin_[i + 1] - 1; // the block on the diagonal
-        for (std::size_t k = begin_[i]; k < last; ++k)
+        const Four own = padded_x_.row(i);
+        std::array<Four, 3> sums{{Four::Zero(), Four::Zero(), Four::Zero()}};
+        Four of_diagonal = Four::Zero();
+        for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
           {
             const float *const block = &blocks_[9 * k];
-            const std::size_t j      = 3 * std::size_t(columns_[k]);
-            const float *const other = x.data() + j;
-            float *const to          = y.data() + j;
+            const std::array<Four, 3> rows{
+              {four(block), four(block + 3), four(block + 6)}};
+            const Eigen::Index j = columns_[k];
+            of_diagonal          = own[0] * rows[0] + own[1] * rows[1] + own[2] * rows[2];
+            if (j == i)
+              break;
+            const Four other = padded_x_.row(j);
             for (unsigned int a = 0; a < 3; ++a)
-              {
-                sums[a] +=
-                  block[a] * other[0] + block[3 + a] * other[1] + block[6 + a] * other[2];
-                to[a] += block[3 * a] * own[0] + block[3 * a + 1] * own[1] +
-                         block[3 * a + 2] * own[2];
-              }
+              sums[a] += rows[a].cwiseProduct(other);
+            padded_y_.row(j) += of_diagonal.transpose();
           }
-        const float *const block = &blocks_[9 * last];
-        for (unsigned int a = 0; a < 3; ++a)
-          y.data()[3 * i + a] +=
-            sums[a] + block[a] * own[0] + block[3 + a] * own[1] + block[6 + a] * own[2];
+        padded_y_.row(i) +=
+          (of_diagonal + Four(sums[0].sum(), sums[1].sum(), sums[2].sum(), 0.f))
+            .transpose();
       }
+    y = padded_y_.leftCols<3>();
   }
 
   BlockMatrix::Block BlockMatrix::diagonal_block(const Eigen::Index i) const

@@ -19,14 +19,14 @@ namespace stiction
   {
   public:
     using Interpolation = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-    using Block         = Eigen::Matrix3f;
+    using Block         = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
     /// A dense symmetric matrix at some rows and columns, to be added.
     struct Entries
     {
       std::vector<unsigned int> vertices; ///< by number
-      /// Row i, column 9j + 3b + a: entry (a, b) of block (i, j), for j ≤ i.
-      Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> blocks;
+      /// Row 9i + 3a + b, column j: entry (a, b) of block (i, j), for j ≤ i.
+      Eigen::MatrixXf blocks;
     };
 
     /// Zero, with room where any of these sets of vertices meet.
@@ -62,7 +62,11 @@ namespace stiction
 
     std::vector<std::size_t> begin_;
     std::vector<unsigned int> columns_; ///< sorted in each row, the last is the row
-    std::vector<float> blocks_;         ///< nine numbers each, by columns
+    std::vector<float> blocks_;         ///< nine numbers each, by rows, one to spare
+
+    /// Vectors four numbers a vertex, as registers have them.
+    using PaddedVector = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
+    mutable PaddedVector padded_x_, padded_y_;
   };
 } // namespace stiction
 

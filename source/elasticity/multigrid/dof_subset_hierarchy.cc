@@ -1,3 +1,4 @@
+#include <stiction/base/all_gather.h>
 #include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
 #include <stiction/elasticity/multigrid/mesh_hierarchy.h>
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 namespace stiction
 {
@@ -29,21 +29,10 @@ namespace stiction
       return v;
     }
 
-    // The entries of all ranks, sorted. As bytes: deal.II's all_gather()
-    // compresses what it sends, which takes longer than all the rest here.
     template<typename T>
     std::vector<T> gather_sorted(const std::vector<T> &mine, MPI_Comm communicator)
     {
-      static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
-      const auto n_bytes         = static_cast<int>(mine.size() * sizeof(T));
-      const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-      std::vector<int> sizes(n_ranks), begins(n_ranks, 0);
-      MPI_Allgather(&n_bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
-      for (unsigned int r = 1; r < n_ranks; ++r)
-        begins[r] = begins[r - 1] + sizes[r - 1];
-      std::vector<T> all((begins.back() + sizes.back()) / sizeof(T));
-      MPI_Allgatherv(mine.data(), n_bytes, MPI_BYTE, all.data(), sizes.data(),
-                     begins.data(), MPI_BYTE, communicator);
+      std::vector<T> all = all_gather(mine, communicator);
       std::sort(all.begin(), all.end());
       return all;
     }

@@ -67,7 +67,8 @@ namespace stiction
   };
 
   /// Calls back with the nodes of every cell that this rank owns, by their local
-  /// numbers, and its stiffness matrix, node by node; valid during the call.
+  /// numbers, and its stiffness matrix, node by node; valid during the call. Trilinear
+  /// cells come in the order of MeshLevel::for_each_cell().
   ///
   /// @param unit of the matrix, in N/m.
   void for_each_element(
