@@ -21,31 +21,36 @@ namespace stiction
   {
     using Vertices = std::array<Point<3>, 8>; // in deal.II's order
 
-    double determinant_of_map(const Vertices &vertices, const Point<3> &unit_point)
-    {
-      Tensor<2, 3> jacobian;
-      for (unsigned int v = 0; v < 8; ++v)
-        jacobian +=
-          outer_product(Tensor<1, 3>(vertices[v]),
-                        GeometryInfo<3>::d_linear_shape_function_gradient(unit_point, v));
-      return determinant(jacobian);
-    }
+    using Gradients = std::array<Tensor<1, 3>, 8>; // of the trilinear functions
 
     // Vertices show a cell that is folded before Gauss points do, which are
     // what the stiffness needs.
-    bool is_valid(const Vertices &vertices, const double smallest)
+    std::vector<Gradients> gradients_to_check()
     {
       const double gauss = .5 - .5 / std::sqrt(3.);
+      std::vector<Gradients> all;
       for (const double inset : {0., gauss})
-        for (unsigned int v = 0; v < 8; ++v)
+        for (unsigned int at = 0; at < 8; ++at)
           {
-            Point<3> p = GeometryInfo<3>::unit_cell_vertex(v);
+            Point<3> p = GeometryInfo<3>::unit_cell_vertex(at);
             for (unsigned int c = 0; c < 3; ++c)
               p[c] = inset + (1. - 2. * inset) * p[c];
-            if (!(determinant_of_map(vertices, p) > smallest))
-              return false;
+            all.emplace_back();
+            for (unsigned int v = 0; v < 8; ++v)
+              all.back()[v] = GeometryInfo<3>::d_linear_shape_function_gradient(p, v);
           }
-      return true;
+      return all;
+    }
+
+    bool is_valid(const Vertices &vertices, const double smallest)
+    {
+      static const std::vector<Gradients> points = gradients_to_check();
+      return std::all_of(points.begin(), points.end(), [&](const Gradients &gradients) {
+        Tensor<2, 3> jacobian;
+        for (unsigned int v = 0; v < 8; ++v)
+          jacobian += outer_product(Tensor<1, 3>(vertices[v]), gradients[v]);
+        return determinant(jacobian) > smallest;
+      });
     }
 
     // The vertices of a cell with several faces on a sphere are flat if it is a
