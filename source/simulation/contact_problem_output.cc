@@ -7,7 +7,6 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/stiffness/largest_strain.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
 #include <stiction/output/history/step_history.h>
@@ -38,8 +37,9 @@ namespace stiction
   namespace
   {
     // Of Green's strain ε + ½ (∇u)ᵀ∇u linear elasticity leaves out the second part,
-    // from here on 5 % of the first, which is as much as materials are known to.
-    constexpr double large_strain = 0.1;
+    // from here on 5 % of the first, which is as much as materials are known to, or
+    // half a percent of strain in a body that turns.
+    constexpr double large_deformation = 0.1;
   } // namespace
 
   std::vector<NodeStatus> ContactProblem::node_statuses() const
@@ -173,13 +173,18 @@ namespace stiction
         with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
-    const double strain = status_.converged ? largest_strain(*body_, state_.u) : 0.;
-    if (strain > large_strain)
+    const auto &[strain, rotation] = largest_deformation_;
+    if (strain > large_deformation)
       warnings.push_back(
         format("strains of up to %.2g: linear elasticity is for small "
                "ones and leaves out what is quadratic in them, some %.0f "
                "%% of the strain there.",
                strain, 50. * strain));
+    if (rotation > large_deformation)
+      warnings.push_back(
+        format("the body turns by up to %.2g degrees: linear elasticity is for small "
+               "rotations, and makes a strain of %.2g of this one.",
+               rotation * 180. / dealii::numbers::PI, 0.5 * rotation * rotation));
     return warnings;
   }
 

@@ -218,6 +218,7 @@ namespace stiction
   {
     const auto &[elasticity, surface, solver] = *discretization_;
     state_.history                            = history_after(state_, *surface);
+    largest_deformation_.include(largest_deformation(*body_, state_.u));
     state_.scales.force  = std::max(state_.scales.force, certificate_->force_scale());
     state_.scales.energy = std::max(state_.scales.energy, certificate_->energy_scale());
     ends_.push_front({times.reached(), state_});

@@ -5,6 +5,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/output/history/step_result.h>
 #include <stiction/simulation/checkpoint/mesh_history.h>
 #include <stiction/simulation/discretization.h>
@@ -173,6 +174,8 @@ namespace stiction
     SolveStatus status_;
     bool ends_between_steps_ = false; ///< interrupted after a certified step
     std::unique_ptr<Certificate> certificate_;
+
+    Deformation largest_deformation_; ///< of all certified steps
 
     std::unique_ptr<StepHistory> steps_;     ///< if there are several
     std::unique_ptr<EnergyBalance> balance_; ///< of these steps

@@ -1,5 +1,5 @@
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/stiffness/largest_strain.h>
+#include <stiction/elasticity/stiffness/deformation.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
@@ -13,11 +13,17 @@ namespace stiction
 {
   using namespace dealii;
 
-  double largest_strain(const Body &body, const LA::Vector &u)
+  void Deformation::include(const Deformation &other)
+  {
+    strain   = std::max(strain, other.strain);
+    rotation = std::max(rotation, other.rotation);
+  }
+
+  Deformation largest_deformation(const Body &body, const LA::Vector &u)
   {
     const LA::Vector ghosted = body.with_ghosts(u);
     const Point<3> middle(.5, .5, .5);
-    double largest = 0.;
+    Deformation largest;
     for (const auto &cell : body.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -32,13 +38,16 @@ namespace stiction
                   displacements[c] += ghosted(cell->vertex_dof_index(v, c)) * gradient;
                 }
             }
-          const SymmetricTensor<2, 3> strain =
-            symmetrize(Tensor<2, 3>(displacements * invert(places)));
-          if (strain.norm() <= largest) // so are its eigenvalues
+          const Tensor<2, 3> gradient        = displacements * invert(places);
+          const SymmetricTensor<2, 3> strain = symmetrize(gradient);
+          const Tensor<2, 3> turned          = gradient - Tensor<2, 3>(strain);
+          largest.rotation = std::max(largest.rotation, turned.norm() / std::sqrt(2.));
+          if (strain.norm() <= largest.strain) // so are its eigenvalues
             continue;
           for (const double principal : eigenvalues(strain))
-            largest = std::max(largest, std::abs(principal));
+            largest.strain = std::max(largest.strain, std::abs(principal));
         }
-    return Utilities::MPI::max(largest, body.communicator());
+    return {Utilities::MPI::max(largest.strain, body.communicator()),
+            Utilities::MPI::max(largest.rotation, body.communicator())};
   }
 } // namespace stiction
