@@ -17,6 +17,13 @@ namespace stiction
     // A known displacement with a larger residual is worth less than what the coarse
     // levels find.
     constexpr double warm_residual = 0.1;
+
+    // A start is not worth what an answer is.
+    LevelNewton::Options for_start(LevelNewton::Options options)
+    {
+      options.max_fallbacks = std::min(options.max_fallbacks, 1u);
+      return options;
+    }
   } // namespace
 
   NewtonMultigrid::NewtonMultigrid(const LinearElasticity &elasticity,
@@ -84,7 +91,8 @@ namespace stiction
         };
         try
           {
-            LevelNewton newton(*problems_[l], l, multigrid_, options_);
+            LevelNewton newton(*problems_[l], l, multigrid_,
+                               is_finest ? options_ : for_start(options_));
             status.reason =
               newton.solve(*state_, lambda,
                            is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
