@@ -329,8 +329,16 @@ namespace stiction
     else if (parameters_.refinement.estimate_error && status_.converged)
       {
         const auto phase = phases_.scope("error_estimate");
-        mesh_error_      = estimate_mesh_error(*discretization_->elasticity,
-                                               *discretization_->surface, state_);
+        try
+          {
+            mesh_error_ = estimate_mesh_error(*discretization_->elasticity,
+                                              *discretization_->surface, state_);
+          }
+        catch (const InputError &error)
+          {
+            log_->line(std::string("The error of the mesh was not estimated: ") +
+                       error.what());
+          }
       }
   }
 

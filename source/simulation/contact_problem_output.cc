@@ -248,9 +248,8 @@ namespace stiction
            ".";
   }
 
-  void ContactProblem::report()
+  void ContactProblem::summarize(const RunResult &result)
   {
-    const RunResult result = this->result();
     summary_      = std::make_unique<json>(to_json(result, parameters_.contact_solver,
                                                    parameters_.output.units,
                                                    parameters_.source, communicator_));
@@ -268,9 +267,13 @@ namespace stiction
       summary["steps"] = step_list();
     if (refinement_)
       summary["refinement"] = refinement_->to_json();
-    const std::string &directory = parameters_.output.directory;
-    write_summary(summary, directory, communicator_);
+    write_summary(summary, parameters_.output.directory, communicator_);
+  }
 
+  void ContactProblem::report()
+  {
+    const RunResult result = this->result();
+    summarize(result);
     print_report(*log_, result, parameters_.contact_solver.tolerance,
                  parameters_.performance.print_timing,
                  parameters_.stiffness_solver.type == "multigrid" &&

@@ -1,6 +1,7 @@
 // How a problem is taken from time to time, in each step from mesh to mesh, and from
 // one run to the next.
 
+#include <stiction/base/errors.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
 #include <stiction/contact/certificate/certificate.h>
@@ -249,6 +250,28 @@ namespace stiction
         return false;
       }
 
+    if (!steps_)
+      {
+        output_results();
+        summarize(result());
+      }
+    try
+      {
+        make_next_mesh(is_cut);
+      }
+    catch (const InputError &)
+      {
+        if (!steps_)
+          log_->line(
+            "The next mesh is of no use, see below; the results of this one are in " +
+            parameters_.output.directory + ".");
+        throw;
+      }
+    return true;
+  }
+
+  void ContactProblem::make_next_mesh(const std::vector<bool> &is_cut)
+  {
     std::optional<CarriedState> carried;
     if (!ends_.empty())
       carried.emplace(ends_.front().state, *discretization_->elasticity,
@@ -275,7 +298,6 @@ namespace stiction
         ends_        = {{time, std::move(state)}};
       }
     begin_balance(true);
-    return true;
   }
 
   bool ContactProblem::has_steps() const

@@ -119,6 +119,7 @@ namespace stiction
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.
     bool refine_mesh();
+    void make_next_mesh(const std::vector<bool> &is_cut);
 
     void make_grid();
     /// Of what was left to the program.
@@ -148,6 +149,8 @@ namespace stiction
     std::vector<std::string> warnings(double largest_displacement) const;
     RunResult result() const;
     /// Writes summary.json and prints the report.
+    /// Writes summary.json.
+    void summarize(const RunResult &result);
     void report();
     /// The list "steps" of summary.json.
     nlohmann::json step_list() const;

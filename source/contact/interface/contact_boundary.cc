@@ -211,13 +211,18 @@ namespace stiction
              "interference");
     const Tensor<1, 3> towards_obstacle = value.gradient / -slope;
     const bool is_facing                = towards_obstacle * node.normal >= facing_cosine;
-    if (!is_facing && node.gap < -rounding * size_)
-      refuse("contains the contact node at " + text_of(node.position) +
-             ", which faces away from its surface there, must face the "
-             "boundary '" +
-             name_ + "' wherever it is inside the body");
-    node.normal = towards_obstacle;
+    node.normal                         = towards_obstacle;
     return is_facing;
+  }
+
+  void ContactBoundary::require_outside(const ContactNode &node) const
+  {
+    if (node.gap < -rounding * size_)
+      throw InputError(source_->describe(obstacle_entry) +
+                       ", contains the contact node at " + text_of(node.position) +
+                       ", which faces away from its surface there, must face the "
+                       "boundary '" +
+                       name_ + "' wherever it is inside the body.");
   }
 
   double ContactBoundary::initial_gap(const Point<3> &p) const

@@ -94,6 +94,7 @@ namespace stiction
       {
         if (!boundaries_[node.boundary].place(node))
           {
+            boundaries_[node.boundary].require_outside(node);
             facing_away_.push_back(node);
             continue;
           }

@@ -87,9 +87,13 @@ namespace stiction
     /// @return whether the node can touch the obstacle: a node whose outward
     ///   normal has a cosine below 0.1 with n faces away from it.
     ///
-    /// Throws InputError if ∇ψ = 0, if the obstacle is deeper in the body than
-    /// the body is large, and if a node that faces away is inside the obstacle.
+    /// Throws InputError if ∇ψ = 0, and if the obstacle is deeper in the body than
+    /// the body is large.
     bool place(ContactNode &node) const;
+
+    /// Throws InputError if a node that was placed, and faces away, is inside the
+    /// obstacle.
+    void require_outside(const ContactNode &node) const;
 
     const FrictionData &friction() const { return *friction_; }
 
