@@ -87,6 +87,8 @@ namespace stiction
       "reading",     "mesh",           "assembly",   "contact_solve",
       "certificate", "error_estimate", "yardsticks", "output"};
     std::map<std::string, std::optional<double>> all(seconds_.begin(), seconds_.end());
+    for (const Running &phase : running_)
+      *all[phase.name] += seconds_since(phase.begin);
     for (const char *phase :
          {"reading", "mesh", "assembly", "stiffness_setup", "dual_operator",
           "dual_iteration", "displacement_iteration", "contact_solve", "certificate",

@@ -1,3 +1,4 @@
+#include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/memory.h>
 #include <stiction/contact/certificate/error_estimator.h>
@@ -44,9 +45,20 @@ namespace stiction
               static_cast<double>(body.dof_handler().n_dofs()),
               static_cast<double>(surface.n_nodes()), -1., -1.};
     squares_.reinit(0);
+    why_not_estimated_ = "The answer is not certified, no error is estimated.";
     if (is_certified)
       {
-        squares_   = estimate_error(elasticity, surface, state);
+        try
+          {
+            squares_ = estimate_error(elasticity, surface, state);
+          }
+        catch (const InputError &error)
+          {
+            why_not_estimated_ =
+              std::string("The error of the mesh was not estimated: ") + error.what();
+            meshes_.push_back(mesh);
+            return;
+          }
         double sum = 0.;
         for (const double square : squares_)
           sum += square;
@@ -71,7 +83,7 @@ namespace stiction
     if (mesh.error < 0.)
       {
         is_finished_ = true;
-        remark_      = "The answer is not certified, no error is estimated.";
+        remark_      = why_not_estimated_;
         return {};
       }
 

@@ -173,7 +173,10 @@ namespace stiction
         with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
-    const auto &[strain, rotation] = largest_deformation_;
+    Deformation deformation = largest_deformation_;
+    if (status_.converged)
+      deformation.include(largest_deformation(*body_, state_.u));
+    const auto &[strain, rotation] = deformation;
     if (strain > large_deformation)
       warnings.push_back(
         format("strains of up to %.2g: linear elasticity is for small "

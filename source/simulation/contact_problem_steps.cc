@@ -252,6 +252,7 @@ namespace stiction
 
     if (!steps_)
       {
+        estimate_mesh();
         output_results();
         summarize(result());
       }
@@ -259,12 +260,12 @@ namespace stiction
       {
         make_next_mesh(is_cut);
       }
-    catch (const InputError &)
+    catch (const InputError &error)
       {
+        log_->line(std::string("The next mesh is of no use: ") + error.what());
         if (!steps_)
-          log_->line(
-            "The next mesh is of no use, see below; the results of this one are in " +
-            parameters_.output.directory + ".");
+          log_->line("The results of this one are in " + parameters_.output.directory +
+                     ".");
         throw;
       }
     return true;

@@ -32,8 +32,6 @@ namespace stiction
     /// estimates the error of that. Collective.
     ///
     /// @param state the answer, @param strain_energy uᵀKu/2 of it (J).
-    ///
-    /// Throws InputError as estimate_error() does.
     void add_mesh(const LinearElasticity &elasticity, const ContactSurface &surface,
                   bool is_certified, const State &state, double strain_energy);
 
@@ -78,7 +76,7 @@ namespace stiction
     std::vector<Mesh> meshes_;
     dealii::Vector<double> squares_;
     bool is_finished_ = false;
-    std::string remark_;
+    std::string remark_, why_not_estimated_;
   };
 } // namespace stiction
 

@@ -51,7 +51,8 @@ namespace stiction
     /// Solves the problem, on refined meshes again if that is wanted, certifies
     /// the answer and writes all files.
     /// Collective. Throws InputError, for bad input before anything is
-    /// written, and if a file cannot be written.
+    /// written, if a file cannot be written, and if an adaptive refinement makes a mesh
+    /// of no use; then what was found on the one before is written.
     ///
     /// @return whether the certificate reached the tolerance; if not,
     ///   status() knows why.
@@ -119,6 +120,7 @@ namespace stiction
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.
     bool refine_mesh();
+    /// After an InputError there is no discretization any more.
     void make_next_mesh(const std::vector<bool> &is_cut);
 
     void make_grid();
@@ -148,9 +150,9 @@ namespace stiction
     /// What the certificate does not see, in sentences.
     std::vector<std::string> warnings(double largest_displacement) const;
     RunResult result() const;
-    /// Writes summary.json and prints the report.
     /// Writes summary.json.
     void summarize(const RunResult &result);
+    /// Writes summary.json and prints the report.
     void report();
     /// The list "steps" of summary.json.
     nlohmann::json step_list() const;
@@ -178,7 +180,7 @@ namespace stiction
     bool ends_between_steps_ = false; ///< interrupted after a certified step
     std::unique_ptr<Certificate> certificate_;
 
-    Deformation largest_deformation_; ///< of all certified steps
+    Deformation largest_deformation_; ///< of all certified steps of this run
 
     std::unique_ptr<StepHistory> steps_;     ///< if there are several
     std::unique_ptr<EnergyBalance> balance_; ///< of these steps

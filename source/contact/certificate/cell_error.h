@@ -27,7 +27,7 @@ namespace stiction
     virtual ~CellError() = default;
 
     /// η_K² of a cell that this rank owns, J. Throws InputError where a formula
-    /// has no finite value.
+    /// has no finite value, or an obstacle no normal.
     virtual double square(const dealii::DoFHandler<3>::active_cell_iterator &cell) = 0;
 
     /// u with what the own cells and their neighbours need of it.

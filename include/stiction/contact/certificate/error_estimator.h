@@ -54,8 +54,8 @@ namespace stiction
   ///
   /// @param state the solution.
   /// @return the squares η_K², J, by active cells; zero for those of other
-  ///   ranks. Throws InputError where a formula has no finite value.
-  ///   Collective.
+  ///   ranks. Throws InputError where a formula has no finite value, or an
+  ///   obstacle no normal. Collective.
   dealii::Vector<double> estimate_error(const LinearElasticity &elasticity,
                                         const ContactSurface &surface,
                                         const State &state);

@@ -10,6 +10,8 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -255,7 +257,7 @@ namespace stiction
     for (const unsigned int n_vertices : {4, 6, 8})
       parts[n_vertices] = parts_of(CellData<3>(n_vertices));
     const auto parts_in = [&](const std::size_t cell) -> const std::vector<Part> & {
-      return parts[mesh_.cells[cell].vertices.size()];
+      return parts.at(mesh_.cells[cell].vertices.size());
     };
     const std::size_t n = parts[8].size(); // the most
     boost::disjoint_sets_with_storage<> around(n * mesh_.cells.size());
