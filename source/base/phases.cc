@@ -87,7 +87,7 @@ namespace stiction
       "reading",     "mesh",           "assembly",   "contact_solve",
       "certificate", "error_estimate", "yardsticks", "output"};
     std::map<std::string, std::optional<double>> all(seconds_.begin(), seconds_.end());
-    for (const Running &phase : running_)
+    for (const Running &phase : running_) // what they took until now
       *all[phase.name] += seconds_since(phase.begin);
     for (const char *phase :
          {"reading", "mesh", "assembly", "stiffness_setup", "dual_operator",

@@ -120,7 +120,8 @@ namespace stiction
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.
     bool refine_mesh();
-    /// After an InputError there is no discretization any more.
+    /// Cuts these cells and makes what lives on a mesh anew. After an InputError there
+    /// is no discretization any more.
     void make_next_mesh(const std::vector<bool> &is_cut);
 
     void make_grid();
@@ -130,7 +131,7 @@ namespace stiction
     void describe_machine();
     void describe_body();
 
-    // Says how many contact nodes overlap their obstacles before the body gives way.
+    /// Says how many contact nodes overlap their obstacles before the body gives way.
     void describe_interference();
     void assemble_system();
     void make_contact_surface();
@@ -140,9 +141,8 @@ namespace stiction
     void estimate_mesh();
     void measure_reference_costs();
     void output_results();
-    // The nodal forces of contact on the body, N.
+    /// The nodal forces of contact on the body, N.
     LA::Vector contact_force() const;
-
     void compute_reactions();
     /// The files of what was found, with this behind the words of their names.
     void write_fields(const std::string &tag) const;

@@ -132,23 +132,23 @@ namespace stiction
       {
         const Four own = padded_x_.row(i);
         std::array<Four, 3> sums{{Four::Zero(), Four::Zero(), Four::Zero()}};
-        Four of_diagonal = Four::Zero();
+        Four to_column = Four::Zero();
         for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
           {
             const float *const block = &blocks_[9 * k];
             const std::array<Four, 3> rows{
               {four(block), four(block + 3), four(block + 6)}};
             const Eigen::Index j = columns_[k];
-            of_diagonal          = own[0] * rows[0] + own[1] * rows[1] + own[2] * rows[2];
+            to_column            = own[0] * rows[0] + own[1] * rows[1] + own[2] * rows[2];
             if (j == i)
               break;
             const Four other = padded_x_.row(j);
             for (unsigned int a = 0; a < 3; ++a)
               sums[a] += rows[a].cwiseProduct(other);
-            padded_y_.row(j) += of_diagonal.transpose();
+            padded_y_.row(j) += to_column.transpose();
           }
         padded_y_.row(i) +=
-          (of_diagonal + Four(sums[0].sum(), sums[1].sum(), sums[2].sum(), 0.f))
+          (to_column + Four(sums[0].sum(), sums[1].sum(), sums[2].sum(), 0.f))
             .transpose();
       }
     y = padded_y_.leftCols<3>();

@@ -39,7 +39,8 @@ namespace stiction
     void require_boundaries_fit(std::vector<dealii::CellData<2>> &boundary) const;
 
   private:
-    using Key = std::array<unsigned int, 4>; // sorted, a triangle with a last one
+    // Sorted; the last entry of a triangle is larger than any vertex.
+    using Key = std::array<unsigned int, 4>;
 
     struct Face
     {
