@@ -6,6 +6,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/rigid_balance.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
 #include <stiction/elasticity/model/materials.h>
@@ -36,6 +37,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <nlohmann/json.hpp>
+
+#include <Eigen/Cholesky>
 
 #include <stdexcept>
 
@@ -114,8 +117,32 @@ namespace stiction
     open_output();
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
+    leave_in_place();
     if (steps_)
       add_effort(timer.wall_time());
+  }
+
+  void ContactProblem::leave_in_place()
+  {
+    const auto &[elasticity, surface, solver] = *discretization_;
+    const Eigen::MatrixXd motions             = unresisted_motions(*elasticity, *surface);
+    const Eigen::Index n                      = motions.cols();
+    if (n == 0)
+      return;
+    // the mean motion of all nodes along each of them
+    LA::Vector moved = state_.u;
+    if (!ends_.empty())
+      moved -= ends_.front().state.u;
+    const Eigen::VectorXd mean =
+      motions.transpose() * elasticity->work_along_free_motions(moved);
+    Eigen::MatrixXd size(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        LA::Vector motion = elasticity->zero_vector();
+        elasticity->add_free_motion(motions.col(j), motion);
+        size.col(j) = motions.transpose() * elasticity->work_along_free_motions(motion);
+      }
+    elasticity->add_free_motion(-motions * size.ldlt().solve(mean), state_.u);
   }
 
   void ContactProblem::certify()
@@ -139,6 +166,8 @@ namespace stiction
   {
     if (!state_.lambda.allFinite() || (status_.interrupted && !status_.converged))
       return; // the gap only informs, and takes an elastic solve
+    if (discretization_->elasticity->free_motions().n() > 0)
+      return; // forces that are not balanced to the last digit bound nothing
     const auto phase                    = phases_.scope("certificate");
     auto &[elasticity, surface, solver] = *discretization_;
     try
@@ -269,7 +298,7 @@ namespace stiction
     const auto phase         = phases_.scope("mesh");
     discretization_->surface = std::make_unique<ContactSurface>(
       *discretization_->elasticity, parameters_.of_contact());
-    discretization_->elasticity->require_support();
+    discretization_->elasticity->choose_anchors(discretization_->surface->first_dofs());
     require_load(parameters_, body_->boundary_names(), *discretization_->surface);
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(
@@ -282,6 +311,15 @@ namespace stiction
                       : law == "given" ? "given friction"
                       : law == "mixed" ? "several laws of friction"
                                        : "no friction"));
+    const Eigen::MatrixXd unresisted =
+      unresisted_motions(*discretization_->elasticity, *discretization_->surface);
+    if (unresisted.cols() > 0)
+      log_->line("  nothing resists where the body can " +
+                 discretization_->elasticity->free_motions().in_words(unresisted) +
+                 ": there it is left where it is");
+    if (!has_steps())
+      if (const std::string reason = why_no_equilibrium(); !reason.empty())
+        throw InputError(parameters_.source.file() + ": " + reason + ".");
     if (discretization_->surface->n_facing_away() > 0)
       log_->line(format(
         "  %llu nodes face away from the obstacle and are none",
@@ -292,6 +330,13 @@ namespace stiction
                        ", problem files know one law of friction for all nodes, "
                        "so 'Friction/Law' must not have both 'given' and "
                        "'coulomb'.");
+  }
+
+  std::string ContactProblem::why_no_equilibrium() const
+  {
+    return stiction::why_no_equilibrium(*discretization_->elasticity,
+                                        *discretization_->surface,
+                                        Units::named(parameters_.output.units));
   }
 
   void ContactProblem::describe_interference()
@@ -353,7 +398,7 @@ namespace stiction
         phases_.set("elastic_solve", cost.seconds);
         phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);
       }
-    if (parameters_.performance.measure_factorizations)
+    if (parameters_.performance.measure_factorizations && discretization_->solver)
       {
         const DualOperator *const Q  = discretization_->solver->dual_operator();
         const FactorizationCost cost = measure_factorizations(

@@ -130,7 +130,7 @@ namespace stiction
   void ContactProblem::export_problem()
   {
     const std::string &directory = parameters_.output.export_directory;
-    if (directory.empty())
+    if (directory.empty() || !discretization_->solver)
       return;
     const auto phase = phases_.scope("output");
     do_on_first_rank(communicator_, [&]() {
@@ -202,7 +202,8 @@ namespace stiction
       result.reason = format("the steps to t = %.6g are certified, those after it were "
                              "not taken",
                              ends_.front().time);
-    discretization_->solver->add_to(result);
+    if (discretization_->solver)
+      discretization_->solver->add_to(result);
     result.solver.law                      = parameters_.friction.name();
     result.solver.elastic_solve_iterations = elastic_solve_iterations_;
     if (elastic_solve_iterations_ > 0)

@@ -107,6 +107,8 @@ namespace stiction
     const SlipHistory history =
       ends_.empty() ? SlipHistory() : ends_.front().state.history;
     discretization_->set_time(parameters_.of_contact(), time, history);
+    if (const std::string reason = why_no_equilibrium(); !reason.empty())
+      return refuse_step(reason);
     if (!ends_.empty())
       state_ = first_guess(time);
     const SlipHistory here = on_nodes(history, *discretization_->surface);
@@ -124,6 +126,20 @@ namespace stiction
     if (parameters_.output.print_progress)
       log_->line("The step is solved once more, without what was known of it.");
     solve_from({{}, {}, state_.distances, {}});
+  }
+
+  void ContactProblem::refuse_step(const std::string &reason)
+  {
+    const auto &[elasticity, surface, solver] = *discretization_;
+    open_output();
+    state_ = ends_.empty() ? State{elasticity->zero_vector(),
+                                   Eigen::VectorXd::Zero(3 * surface->n_nodes()),
+                                   Eigen::VectorXd::Zero(surface->motion().n_pressed()),
+                                   {}}
+                           : ends_.front().state;
+    status_        = {};
+    status_.reason = reason;
+    certify();
   }
 
   void ContactProblem::solve_and_certify()

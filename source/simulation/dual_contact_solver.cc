@@ -7,12 +7,17 @@
 #include <stiction/contact/dual/schur_complement.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/rigid_balance.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/place_search.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/output/results/run_result.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/qp/operators/augmented_operator.h>
+#include <stiction/qp/operators/deflated_operator.h>
+#include <stiction/qp/operators/spectral_norm.h>
+#include <stiction/qp/unbalanced_load.h>
 #include <stiction/simulation/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
 
@@ -88,11 +93,12 @@ namespace stiction
   SolveStatus DualContactSolver::solve(State &state, const Observer &observer)
   {
     const auto phase = setting_.phases.scope("dual_iteration");
-    if (setting_.surface.motion().n_pressed() > 0)
-      return solve_pressed(state, observer);
+    if (setting_.surface.motion().n_pressed() > 0 ||
+        setting_.elasticity.free_motions().n() > 0)
+      return solve_balanced(state, observer);
     BodyVerifier verifier(setting_.elasticity, setting_.surface, *stiffness_solver_,
                           state,
-                          [](const Eigen::VectorXd &) { return Eigen::VectorXd(); });
+                          [](const Eigen::VectorXd &) { return BodyVerifier::Places(); });
     Eigen::VectorXd lambda = state.lambda;
     return solve_with(*Q_, verifier, setting_.parameters.contact_solver.tolerance,
                       observer, lambda);
@@ -118,42 +124,96 @@ namespace stiction
     method_.reset();
   }
 
-  Eigen::VectorXd DualContactSolver::yielding(const Eigen::MatrixXd &lambda) const
+  Eigen::VectorXd DualContactSolver::yielding(const DualOperator &Q,
+                                              const Eigen::MatrixXd &lambda) const
   {
     Eigen::VectorXd ways(lambda.cols()), Q_lambda;
     for (Eigen::Index j = 0; j < ways.size(); ++j)
       {
-        Q_->vmult(DualBlock::all, DualBlock::all, Q_lambda, lambda.col(j));
+        Q.vmult(DualBlock::all, DualBlock::all, Q_lambda, lambda.col(j));
         ways(j) = lambda.col(j).dot(Q_lambda) / setting_.surface.motion().forces()(j);
       }
     return ways;
   }
 
-  SolveStatus DualContactSolver::solve_pressed(State &state, const Observer &observer)
+  BodyVerifier::Places DualContactSolver::places(const Eigen::VectorXd &multipliers,
+                                                 const Eigen::VectorXd &lambda) const
+  {
+    const Eigen::Index p = setting_.surface.motion().n_pressed();
+    if (!deflated_)
+      return {multipliers, {}};
+    return {multipliers.head(p),
+            deflated_->multipliers(multipliers.tail(multipliers.size() - p), lambda)};
+  }
+
+  void DualContactSolver::augment(const State &state, const Eigen::VectorXd &lambda)
+  {
+    const ContactSurface &surface     = setting_.surface;
+    const ObstacleMotion &motion      = surface.motion();
+    const LinearElasticity &body      = setting_.elasticity;
+    const Eigen::Index p              = motion.n_pressed();
+    const EqualityConstraint balance  = rigid_balance(body, surface);
+    const Eigen::Index n              = balance.e.size() - p;
+    const double best                 = best_spring_compliance(setting_.parameters.contact_solver);
+
+    EqualityConstraint constraint{balance.G.leftCols(p), balance.e.head(p)};
+    Eigen::VectorXd multipliers =
+      state.distances.size() > 0
+        ? state.distances
+        : ways_to_press(motion, surface.gaps(), surface.areas(),
+                        surface.stiffness().youngs_moduli.maxCoeff());
+    deflated_.reset();
+    if (n > 0)
+      deflated_ = std::make_unique<DeflatedOperator>(
+        *Q_, EqualityConstraint{balance.G.rightCols(n), balance.e.tail(n)});
+    const DualOperator &Q = deflated_ ? static_cast<const DualOperator &>(*deflated_) : *Q_;
+    Eigen::VectorXd weights =
+      best * yielding(Q, uniform_pressures(motion, surface.areas()))
+               .cwiseQuotient(motion.forces());
+    if (n > 0)
+      {
+        const EqualityConstraint &of_basis = deflated_->constraint();
+        const Eigen::Index k               = of_basis.e.size();
+        const Eigen::VectorXd known =
+          state.u.size() > 0 ? body.free_motion_of(state.u) : Eigen::VectorXd::Zero(n);
+        const double norm = qp::spectral_norm(DualOperatorBlock(Q, DualBlock::all));
+        constraint.G.conservativeResize(3 * surface.n_nodes(), p + k);
+        constraint.G.rightCols(k) = of_basis.G;
+        constraint.e.conservativeResize(p + k);
+        constraint.e.tail(k) = of_basis.e;
+        multipliers.conservativeResize(p + k);
+        multipliers.tail(k) = deflated_->multipliers_of_basis(known, lambda);
+        weights.conservativeResize(p + k);
+        weights.tail(k).setConstant(best * norm);
+      }
+    if (augmented_)
+      earlier_multiplications_ += augmented_->n_multiplications();
+    augmented_ = std::make_unique<AugmentedOperator>(Q, std::move(constraint),
+                                                     std::move(multipliers), weights);
+  }
+
+  SolveStatus DualContactSolver::solve_balanced(State &state, const Observer &observer)
   {
     const ContactSurface &surface         = setting_.surface;
     const ObstacleMotion &motion          = surface.motion();
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
     const double tolerance                = chosen.tolerance;
 
-    const Eigen::MatrixXd pressures = uniform_pressures(motion, surface.areas());
-    Eigen::VectorXd lambda =
-      state.lambda.size() > 0 ? state.lambda : Eigen::VectorXd(pressures.rowwise().sum());
-    Eigen::VectorXd place =
-      state.distances.size() > 0
-        ? state.distances
-        : ways_to_press(motion, surface.gaps(), surface.areas(),
-                        surface.stiffness().youngs_moduli.maxCoeff());
-    Eigen::VectorXd weights =
-      best_spring_compliance(chosen) * yielding(pressures).cwiseQuotient(motion.forces());
+    Eigen::VectorXd lambda = state.lambda;
+    if (lambda.size() == 0)
+      lambda = setting_.elasticity.free_motions().n() > 0
+                 ? qp::unbalanced_load(rigid_balance(setting_.elasticity, surface),
+                                       surface.slip_bound())
+                     .lambda
+                 : Eigen::VectorXd(
+                     uniform_pressures(motion, surface.areas()).rowwise().sum());
+    forget_method();
+    augment(state, lambda);
     BodyVerifier verifier(
       setting_.elasticity, surface, *stiffness_solver_, state,
-      [&](const Eigen::VectorXd &forces) { return augmented_->multipliers(forces); });
-    forget_method();
-    if (augmented_)
-      earlier_multiplications_ += augmented_->n_multiplications();
-    augmented_ = std::make_unique<AugmentedOperator>(
-      *Q_, EqualityConstraint{motion.directions(), -motion.forces()}, place, weights);
+      [&](const Eigen::VectorXd &forces) {
+        return places(augmented_->multipliers(forces), forces);
+      });
 
     State best; // where the forces are least wrong
     PlaceSearch search(motion.forces());
@@ -163,36 +223,37 @@ namespace stiction
     SolveStatus status;
     for (unsigned int k = 0; k < max_releases; ++k)
       {
-        augmented_->set_multipliers(place);
         status = solve_with(*augmented_, verifier, std::max(share * accuracy, floor),
                             observer, lambda);
         print_places(state);
 
         const Certificate &certificate = verifier.certificate();
         const Eigen::VectorXd missing  = motion.missing_forces(lambda);
-        const double error             = motion.relative_error(missing);
-        const bool falls               = error <= required_fall * last_error;
+        const double error = std::max(motion.relative_error(missing),
+                                      certificate.unbalanced_part());
+        const bool falls   = error <= required_fall * last_error;
         if (error < smallest)
           best = state;
         smallest = std::min(smallest, error);
-        if (status.interrupted ||
-            (error <= tolerance && certificate.is_solved(tolerance)))
+        if (status.interrupted || certificate.converged(tolerance))
           return status;
         // where rounding ends a solve the forces may come nearer nevertheless
         const double reach = reach_of_rounding(certificate.rounding());
         if (!status.converged && !(falls && certificate.is_solved(reach)))
           break;
 
-        place = search.next(state.distances, missing, accuracy);
+        Eigen::VectorXd next = augmented_->multipliers(lambda);
+        next.head(motion.n_pressed()) = search.next(state.distances, missing, accuracy);
+        augmented_->set_multipliers(next);
         // beside larger loads the forces may have been below the accuracy
-        share = std::min(motion.forces().minCoeff() / certificate.force_scale(), 1.);
+        if (motion.n_pressed() > 0)
+          share = std::min(motion.forces().minCoeff() / certificate.force_scale(), 1.);
         floor = 10. * certificate.rounding();
         if (!falls && accuracy == tolerance)
           {
             if (++n_softened > max_softened)
               break;
-            weights *= softening;
-            augmented_->set_weights(weights);
+            augmented_->scale_weights(softening);
             forget_method();
           }
         accuracy =
@@ -201,8 +262,10 @@ namespace stiction
         last_error = error;
       }
     if (status.converged)
-      status.reason = "no place of the obstacle was found where it presses with its "
-                      "force, " +
+      status.reason = (motion.n_pressed() > 0
+                         ? "no place of the obstacle was found where it presses with its "
+                           "force, "
+                         : "no place of the body was found where contact holds it, ") +
                       other_method();
     status.converged = false;
     state            = best;

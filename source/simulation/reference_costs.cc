@@ -15,9 +15,10 @@ namespace stiction
                                          const LA::Vector &contact_force,
                                          const bool matrix_free)
   {
-    const LA::Vector &load = elasticity.constrained_load().linfty_norm() > 0.
-                               ? elasticity.constrained_load()
-                               : contact_force;
+    LA::Vector load = elasticity.constrained_load();
+    // loads that nothing but contact balances go with its forces
+    if (elasticity.free_motions().n() > 0 || load.linfty_norm() == 0.)
+      load += contact_force;
     ElasticSolveCost best;
     for (unsigned int run = 0; run < 2; ++run)
       {

@@ -1,6 +1,7 @@
 #ifndef stiction_simulation_dual_contact_solver_h
 #define stiction_simulation_dual_contact_solver_h
 
+#include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/qp/solvers/solver_run.h>
 #include <stiction/simulation/contact_solver.h>
 
@@ -9,13 +10,13 @@
 namespace stiction
 {
   class AugmentedOperator;
-  class BodyVerifier;
+  class DeflatedOperator;
   class DualMethod;
 
   /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ, newton where 'newton
-  /// multigrid' hands over. Forces that press obstacles on are equality constraints,
-  /// which the method of multipliers meets: any dual method works on the augmented
-  /// operator.
+  /// multigrid' hands over. Forces that press obstacles on, and the balance of a body
+  /// that contact alone holds, are equality constraints, which the method of multipliers
+  /// meets: any dual method works on the augmented operator.
   class DualContactSolver : public ContactSolver
   {
   public:
@@ -37,8 +38,15 @@ namespace stiction
     void set_up_stiffness_solver();
     void set_up_dual_operator();
 
-    /// With forces that press obstacles on.
-    SolveStatus solve_pressed(State &state, const Observer &observer);
+    /// With forces that press obstacles on, or a body that contact alone holds.
+    SolveStatus solve_balanced(State &state, const Observer &observer);
+
+    /// Makes the augmented operator. @param state, lambda where the solve begins.
+    void augment(const State &state, const Eigen::VectorXd &lambda);
+
+    /// Multipliers of the augmented operator as places.
+    BodyVerifier::Places places(const Eigen::VectorXd &multipliers,
+                                const Eigen::VectorXd &lambda) const;
 
     void print_places(const State &state) const;
 
@@ -51,10 +59,11 @@ namespace stiction
     void forget_method();
 
     /// How far the obstacles go under these contact forces, one column each, m.
-    Eigen::VectorXd yielding(const Eigen::MatrixXd &lambda) const;
+    Eigen::VectorXd yielding(const DualOperator &Q, const Eigen::MatrixXd &lambda) const;
 
     std::unique_ptr<DualOperator> Q_;
-    std::unique_ptr<AugmentedOperator> augmented_; ///< of pressed obstacles
+    std::unique_ptr<DeflatedOperator> deflated_; ///< of a body with free motions
+    std::unique_ptr<AugmentedOperator> augmented_;
     std::unique_ptr<DualMethod> method_;           ///< of the last solve
     qp::IterationCounts earlier_;                  ///< of methods before it
     double earlier_multiplications_ = 0.;          ///< of augmented operators before

@@ -11,12 +11,12 @@ namespace stiction
 {
   BodyVerifier::BodyVerifier(const LinearElasticity &elasticity,
                              const ContactSurface &surface, StiffnessSolver &solver,
-                             State &state, Distances distances)
+                             State &state, PlacesOf places)
     : elasticity_(elasticity)
     , surface_(surface)
     , solver_(solver)
     , state_(state)
-    , distances_(std::move(distances))
+    , places_(std::move(places))
   {
   }
 
@@ -29,8 +29,10 @@ namespace stiction
     state_.u = elasticity_.zero_vector();
     solver_.solve(state_.u, force);
     elasticity_.distribute(state_.u);
+    const Places places = places_(lambda);
+    elasticity_.add_free_motion(places.free_motion, state_.u);
     state_.lambda    = lambda;
-    state_.distances = distances_(lambda);
+    state_.distances = places.distances;
     certificate_     = std::make_unique<Certificate>(elasticity_, surface_, state_);
     return *certificate_;
   }

@@ -9,6 +9,8 @@
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/contact_conditions.h>
 #include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/rigid_place.h>
+#include <stiction/qp/unbalanced_load.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
@@ -65,6 +67,7 @@ namespace stiction
       if (elasticity.is_prescribed(dof))
         fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
     find_inner_nodes();
+    find_free_motions();
     update();
   }
 
@@ -105,6 +108,7 @@ namespace stiction
     B_ = ContactOperator(DofSubset::of_nodes(dof_hierarchy.first_dofs(level)),
                          std::move(frames));
     find_inner_nodes();
+    find_free_motions();
     update();
   }
 
@@ -115,6 +119,45 @@ namespace stiction
     else
       take_conditions_of_finer_level();
     load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
+
+    const Eigen::Index n = elasticity_.free_motions().n(), p = motion_.n_pressed();
+    balance_               = {Eigen::MatrixXd(3 * n_nodes(), p + n), Eigen::VectorXd(p + n)};
+    balance_.G.leftCols(p) = motion_.directions();
+    balance_.e.head(p)     = -motion_.forces();
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        LA::Vector u = mesh().zero_vector<double>();
+        add_free_motion(Eigen::VectorXd::Unit(n, j), u);
+        balance_.G.col(p + j) = -B_.apply(u);
+        balance_.e(p + j)     = -(u * *load_);
+      }
+  }
+
+  void ContactLevel::find_free_motions()
+  {
+    foundation_ = Eigen::VectorXd::Zero(n_nodes());
+    if (elasticity_.free_motions().n() == 0)
+      return;
+    positions_         = mesh().node_positions();
+    const auto corners = elasticity_.body().bounding_box().get_boundary_points();
+    foundation_        = stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_) /
+                  corners.first.distance(corners.second);
+  }
+
+  void ContactLevel::add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const
+  {
+    const RigidMotion motion = elasticity_.free_motions().motion(amounts);
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+      {
+        const Tensor<1, 3> moved = motion.at(positions_[i]);
+        for (unsigned int c = 0; c < 3; ++c)
+          u.local_element(3 * i + c) += moved[c];
+      }
+  }
+
+  bool ContactLevel::can_be_balanced() const
+  {
+    return positions_.empty() || qp::unbalanced_load(balance_, slip_bound_).is_balanced();
   }
 
   void ContactLevel::take_conditions_of_body()
@@ -234,8 +277,19 @@ namespace stiction
   void ContactLevel::bring_into_contact(ContactState &state,
                                         const Eigen::VectorXd &a) const
   {
-    if (motion_.n_pressed() == 0 || n_nodes() == 0)
+    if (balance_.e.size() == 0 || n_nodes() == 0)
       return;
+    if (elasticity_.free_motions().n() > 0)
+      {
+        if ((a.head(n_nodes()).array() > 0.).any())
+          return;
+        const Eigen::VectorXd ways =
+          qp::rigid_place(balance_, -state.w, nodal_stiffness(), slip_bound_);
+        state.distances += ways.head(motion_.n_pressed());
+        add_free_motion(ways.tail(elasticity_.free_motions().n()), state.u);
+        state.w = penetration_and_slip(state.u, state.distances);
+        return;
+      }
     const Eigen::VectorXd ways =
       ways_to_press(motion_, -state.w.head(n_nodes()), areas_,
                     stiffness_of_cells_.youngs_moduli.maxCoeff());
@@ -258,7 +312,8 @@ namespace stiction
 
     NodalConstraint support;
     support.projection = R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
-    support.spring     = M.transpose() * spring * M;
+    support.spring =
+      M.transpose() * spring * M + foundation_(node) * Eigen::Matrix3d::Identity();
     return support;
   }
 

@@ -58,6 +58,8 @@ namespace stiction
             node.spring.bottomRightCorner<2, 2>() =
               rho_(i) * slip_bound_(i) / norm * across * across.transpose();
           }
+        // where nothing holds the body a step stays near (a proximal point method)
+        node.spring += problem_.foundation()(i) * Eigen::Matrix3d::Identity();
         node.load = at_node(force, i) - node.spring * at_node(w, i);
       }
     return result;

@@ -115,13 +115,16 @@ namespace stiction
 
   unsigned int NewtonMultigrid::first_level(const State &known)
   {
+    unsigned int coarsest = 0;
+    while (coarsest < finest_level() && !problems_[coarsest]->can_be_balanced())
+      ++coarsest;
     if (known.u.size() != n_dofs(finest_level()))
-      return 0;
+      return coarsest;
     begin(finest_level(), known);
     const ContactLevel &problem = *problems_.back();
     const double residual =
       ContactResidual(problem, *state_, problem.slip_bound()).value();
-    return residual <= warm_residual ? finest_level() : 0;
+    return residual <= warm_residual ? finest_level() : coarsest;
   }
 
   Eigen::VectorXd NewtonMultigrid::begin(const unsigned int level, const State &known)

@@ -125,6 +125,23 @@ namespace stiction
     return n_owned_nodes() + partitioner_->n_ghost_indices() / 3;
   }
 
+  std::vector<Point<3>> MeshLevel::node_positions() const
+  {
+    std::vector<Point<3>> positions;
+    if (is_active_)
+      for (const Body::Node &node : body_.locally_owned_nodes())
+        positions.push_back(node.position);
+    positions.resize(n_owned_nodes());
+    if (!is_active_)
+      for_each_cell([&](const HexahedralCell &cell) {
+        for (unsigned int v = 0; v < 8; ++v)
+          if (cell.nodes[v] < positions.size())
+            for (unsigned int c = 0; c < 3; ++c)
+              positions[cell.nodes[v]][c] = cell.vertices[v][c];
+      });
+    return positions;
+  }
+
   types::global_dof_index MeshLevel::n_dofs() const
   {
     return partitioner_->size();

@@ -4,7 +4,6 @@
 #include <stiction/elasticity/model/body_parameters.h>
 #include <stiction/elasticity/model/boundary_parameters.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
-#include <stiction/elasticity/model/rigid_body_modes.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -293,15 +292,5 @@ namespace stiction
             }
         });
       }
-  }
-
-  void PrescribedDisplacement::require_support(
-    const AffineConstraints<double> &constraints) const
-  {
-    const std::string free_motions = free_rigid_body_motions(body_, constraints);
-    if (!free_motions.empty())
-      throw InputError(location_ + ": the body is not held, free are " + free_motions +
-                       "; prescribe the displacement of a boundary other than "
-                       "the contact boundary.");
   }
 } // namespace stiction

@@ -201,24 +201,11 @@ namespace stiction
   std::vector<std::vector<double>> CoarseSolver::held_modes(
     const NodalSupports &supports) const
   {
-    std::vector<std::vector<double>> modes;
-    std::vector<Point<3>> positions(level_.n_owned_nodes());
-    if (assembled_)
-      modes = rigid_body_modes(elasticity_.body());
-    else
-      {
-        level_.for_each_cell([&](const HexahedralCell &cell) {
-          for (unsigned int v = 0; v < 8; ++v)
-            if (cell.nodes[v] < positions.size())
-              for (unsigned int c = 0; c < 3; ++c)
-                positions[cell.nodes[v]][c] = cell.vertices[v][c];
-        });
-        modes = rigid_body_modes(elasticity_.body(), positions);
-      }
+    auto modes = rigid_body_modes(elasticity_.body(), level_.node_positions());
     for (std::vector<double> &mode : modes)
       {
         for (const auto &support : support_of_)
-          if (support.first < positions.size())
+          if (support.first < level_.n_owned_nodes())
             {
               Eigen::Map<Eigen::Vector3d> at_node(&mode[3 * support.first]);
               at_node = (supports[support.second].projection * at_node).eval();

@@ -23,7 +23,7 @@ namespace stiction
     for (const auto dof : elasticity.body().locally_owned_dofs())
       {
         // a fixed unknown takes part in no motion
-        if (elasticity.constraints().is_constrained(dof))
+        if (elasticity.is_fixed(dof) || elasticity.is_hanging(dof))
           for (std::vector<double> &mode : modes)
             mode[k] = 0.;
         ++k;

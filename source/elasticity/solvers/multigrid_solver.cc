@@ -10,6 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -53,13 +54,23 @@ namespace stiction
   {
     explicit Levels(const LinearElasticity &elasticity)
       : hierarchy(elasticity.body(), elasticity.mesh())
-      , no_supports(hierarchy, {})
-      , multigrid(elasticity, hierarchy, no_supports)
+      , anchored(hierarchy, first_dofs(elasticity.anchors()))
+      , multigrid(elasticity, hierarchy, anchored)
     {
     }
 
+    // Of the nodes of unknowns, which stand together.
+    static std::vector<dealii::types::global_dof_index> first_dofs(
+      const std::vector<dealii::types::global_dof_index> &dofs)
+    {
+      std::set<dealii::types::global_dof_index> nodes;
+      for (const auto dof : dofs)
+        nodes.insert(dof - dof % 3);
+      return {nodes.begin(), nodes.end()};
+    }
+
     MeshHierarchy hierarchy;
-    DofSubsetHierarchy no_supports;
+    DofSubsetHierarchy anchored;
     Multigrid multigrid;
   };
 
@@ -71,6 +82,14 @@ namespace stiction
     , level_(levels_->hierarchy.n_levels() - 1)
     , relative_residual_(relative_residual)
   {
+    const auto &nodes = levels_->anchored.first_dofs(level_);
+    supports_.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (const auto dof : elasticity.anchors())
+        if (dof - dof % 3 == nodes[i])
+          supports_[i].projection(dof % 3, dof % 3) = 0.;
+    if (!nodes.empty())
+      preconditioner_->set_supports(level_, supports_);
   }
 
   MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
@@ -96,7 +115,7 @@ namespace stiction
     LA::Vector prescribed = elasticity_.zero_vector();
     bool is_moved         = false;
     for (const auto dof : src.locally_owned_elements())
-      if (elasticity_.is_prescribed(dof))
+      if (levels_ ? elasticity_.is_fixed(dof) : elasticity_.is_prescribed(dof))
         {
           fixed.push_back(src.get_partitioner()->global_to_local(dof));
           is_moved = is_moved || src(dof) != 0.;

@@ -35,7 +35,7 @@ namespace stiction
       dealii::IndexSet taken(interior.size());
       taken.add_indices(subset.dofs().begin(), subset.dofs().end());
       for (const auto dof : interior)
-        if (elasticity.constraints().is_constrained(dof))
+        if (elasticity.is_fixed(dof) || elasticity.is_hanging(dof))
           taken.add_index(dof);
       interior.subtract_set(taken);
       return dealii::Utilities::MPI::sum(

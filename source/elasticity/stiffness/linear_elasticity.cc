@@ -4,12 +4,18 @@
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
+#include <stiction/elasticity/stiffness/anchors.h>
 #include <stiction/elasticity/stiffness/assembled_stiffness.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
 
 namespace stiction
 {
@@ -23,6 +29,7 @@ namespace stiction
     , mesh_(std::make_unique<MeshLevel>(body))
   {
     read_conditions(time_);
+    free_motions_ = std::make_unique<FreeMotions>(body, constraints_);
     make_stiffness();
     assemble_load();
   }
@@ -53,6 +60,67 @@ namespace stiction
 
   LinearElasticity::~LinearElasticity() = default;
 
+  void LinearElasticity::choose_anchors(
+    const std::vector<types::global_dof_index> &first_dofs)
+  {
+    anchors_ = stiction::choose_anchors(body_, constraints_, *free_motions_, first_dofs);
+    constrain_load();
+  }
+
+  bool LinearElasticity::is_fixed(const types::global_dof_index dof) const
+  {
+    return is_prescribed(dof) ||
+           std::find(anchors_.begin(), anchors_.end(), dof) != anchors_.end();
+  }
+
+  Eigen::VectorXd LinearElasticity::free_motion_of(const LA::Vector &u) const
+  {
+    const auto n = free_motions_->n();
+    Eigen::MatrixXd system(n, n + 1); // the motions at the anchors, and u
+    system.setZero();
+    for (const Body::Node &node : body_.locally_owned_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        for (Eigen::Index k = 0; k < n; ++k)
+          if (anchors_[k] == node.dofs[c])
+            {
+              system.row(k).head(n) = free_motions_->at(node.position).row(c);
+              system(k, n)          = u(node.dofs[c]);
+            }
+    Utilities::MPI::sum(ArrayView<const double>(system.data(), system.size()),
+                        body_.communicator(),
+                        ArrayView<double>(system.data(), system.size()));
+    return system.leftCols(n).partialPivLu().solve(system.col(n));
+  }
+
+  Eigen::VectorXd LinearElasticity::work_along_free_motions(const LA::Vector &force) const
+  {
+    Eigen::VectorXd work = Eigen::VectorXd::Zero(free_motions_->n());
+    if (work.size() == 0)
+      return work;
+    for (const Body::Node &node : body_.locally_owned_nodes())
+      if (!is_hanging(node.dofs[0]))
+        work += free_motions_->at(node.position).transpose() *
+                Eigen::Vector3d(force(node.dofs[0]), force(node.dofs[1]),
+                                force(node.dofs[2]));
+    Utilities::MPI::sum(ArrayView<const double>(work.data(), work.size()),
+                        body_.communicator(), ArrayView<double>(work.data(), work.size()));
+    return work;
+  }
+
+  void LinearElasticity::add_free_motion(const Eigen::VectorXd &amounts,
+                                         LA::Vector &u) const
+  {
+    if (amounts.size() == 0)
+      return;
+    const RigidMotion motion = free_motions_->motion(amounts);
+    for (const Body::Node &node : body_.locally_owned_nodes())
+      {
+        const Tensor<1, 3> moved = motion.at(node.position);
+        for (unsigned int c = 0; c < 3; ++c)
+          u(node.dofs[c]) += moved[c];
+      }
+  }
+
   bool LinearElasticity::is_hanging(const types::global_dof_index dof) const
   {
     return body_.is_hanging(dof);
@@ -78,12 +146,18 @@ namespace stiction
     // with hanging nodes deal.II's diagonal entry of a prescribed unknown is not CᵀKC's
     if (stiffness_->matrix() == nullptr && body_.n_hanging_nodes() == 0)
       {
-        constrained_stiffness_ = assemble_stiffness(*mesh_, *materials_, constraints_);
+        AffineConstraints<double> constraints(body_.locally_relevant_dofs());
+        constraints.merge(constraints_);
+        for (const auto dof : anchors_)
+          if (body_.locally_relevant_dofs().is_element(dof))
+            constraints.add_line(dof);
+        constraints.close();
+        constrained_stiffness_ = assemble_stiffness(*mesh_, *materials_, constraints);
         return *constrained_stiffness_;
       }
     LA::Vector fixed = zero_vector();
     for (const auto dof : body_.locally_owned_dofs())
-      if (is_prescribed(dof))
+      if (is_fixed(dof))
         fixed(dof) = 1.;
     const auto own = stiffness_->matrix() == nullptr ? assemble() : nullptr;
     constrained_stiffness_ =
@@ -132,7 +206,7 @@ namespace stiction
 
     const LA::Vector diagonal = stiffness_diagonal();
     for (const auto dof : body_.locally_owned_dofs())
-      if (is_prescribed(dof))
+      if (is_fixed(dof))
         constrained_load_(dof) = diagonal(dof) * prescribed(dof);
   }
 
@@ -147,10 +221,5 @@ namespace stiction
   std::unique_ptr<LA::SparseMatrix> LinearElasticity::assemble() const
   {
     return assemble_stiffness(*mesh_, *materials_, body_.hanging_nodes());
-  }
-
-  void LinearElasticity::require_support() const
-  {
-    prescribed_displacement_->require_support(constraints_);
   }
 } // namespace stiction

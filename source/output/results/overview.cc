@@ -102,7 +102,9 @@ namespace stiction
 
       log.line("  " + label("all loads, those inside the body too", units.force) + ": " +
                vector(sum_of_loads(elasticity)));
-      log.line("  free rigid-body motions: none");
+      const FreeMotions &motions = elasticity.free_motions();
+      log.line("  supports leave free: " +
+               (motions.n() > 0 ? motions.in_words() : "nothing"));
     }
 
     void print_contact(Log &log, const ContactSurface &surface, const Units &units)
@@ -156,6 +158,9 @@ namespace stiction
     for (const auto &place : support.description())
       line(place.second.find('=') == std::string::npos ? "held" : "moved",
            place.first + ": " + place.second);
+    if (elasticity.free_motions().n() > 0)
+      line("free", "nothing but contact holds the body where it can " +
+                     elasticity.free_motions().in_words());
 
     // with its rounding, for what is left of it
     Tensor<1, 3> inside = sum_of_loads(elasticity);

@@ -88,13 +88,9 @@ namespace stiction
     const BoundaryParameters &boundary = parameters.boundary;
     const FrictionParameters &friction = parameters.friction;
     const MaterialParameters &material = parameters.material;
-    const std::string first            = boundaries.name(*boundaries.ids().begin());
     const Examples examples            = examples_in(parameters.output.units);
     MissingEntries missing;
 
-    if (boundary.prescribed_displacement.empty() && boundary.prescribed_points.empty())
-      missing.add(conditions, "a support",
-                  "Prescribed displacement = " + first + " : 0; 0; 0");
     if (!boundary.has_load() && !parameters.contact.has_load() &&
         !may_interfere(parameters.contact))
       add_load(missing, boundaries, examples);

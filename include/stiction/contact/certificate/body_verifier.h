@@ -21,13 +21,18 @@ namespace stiction
   class BodyVerifier : public Verifier
   {
   public:
-    /// The places of pressed obstacles that go with contact forces, m.
-    using Distances = std::function<Eigen::VectorXd(const Eigen::VectorXd &lambda)>;
+    /// What only the balance of the body finds, see rigid_balance().
+    struct Places
+    {
+      Eigen::VectorXd distances;   ///< of pressed obstacles, m
+      Eigen::VectorXd free_motion; ///< amounts of the free motions, m
+    };
+    using PlacesOf = std::function<Places(const Eigen::VectorXd &lambda)>;
 
-    /// @param state what is certified; verify() changes it. All arguments must
-    ///   outlive the object.
+    /// @param state what is certified; verify() changes it. @param places that go with
+    ///   contact forces. All arguments must outlive the object.
     BodyVerifier(const LinearElasticity &elasticity, const ContactSurface &surface,
-                 StiffnessSolver &solver, State &state, Distances distances);
+                 StiffnessSolver &solver, State &state, PlacesOf places);
     ~BodyVerifier() override;
 
     const ContactConditions &verify(const Eigen::VectorXd &lambda) override;
@@ -40,7 +45,7 @@ namespace stiction
     const ContactSurface &surface_;
     StiffnessSolver &solver_;
     State &state_;
-    const Distances distances_;
+    const PlacesOf places_;
     std::unique_ptr<Certificate> certificate_;
   };
 } // namespace stiction

@@ -6,8 +6,11 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 #include <stiction/qp/contact_scales.h>
+#include <stiction/qp/equality_constraint.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
+
+#include <deal.II/base/point.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -89,14 +92,25 @@ namespace stiction
     Eigen::VectorXd penetration_and_slip(const LA::Vector &u,
                                          const Eigen::VectorXd &distances) const;
 
+    /// Whether contact forces within the slip bound can balance the loads: a patch of
+    /// contact may be a single node of a coarse level.
+    bool can_be_balanced() const;
+
     /// Moves pressed obstacles that meet no node onto the body, see
-    /// ways_to_press().
+    /// ways_to_press(). A body that contact alone holds is moved as well, if nothing
+    /// touches, see qp::rigid_place().
     ///
     /// @param a λ + ρw, or its normal part: above zero where they meet.
     void bring_into_contact(ContactState &state, const Eigen::VectorXd &a) const;
 
+    /// Springs under the contact nodes of a body that contact alone holds, together
+    /// about as stiff as the body, N/m: they make singular systems regular, in a
+    /// preconditioner or for a step. Zero where supports hold the body.
+    const Eigen::VectorXd &foundation() const { return foundation_; }
+
     /// A support given in contact variables: @p projection a diagonal one that
-    /// treats both tangents alike, @p spring of forces y for displacements w.
+    /// treats both tangents alike, @p spring of forces y for displacements w; with the
+    /// foundation.
     NodalConstraint support(
       Eigen::Index node, const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
       const Eigen::Matrix3d &spring = Eigen::Matrix3d::Zero()) const;
@@ -121,6 +135,9 @@ namespace stiction
 
   private:
     void find_inner_nodes();
+    void find_free_motions();
+    /// u += Zα on this level.
+    void add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const;
     void take_conditions_of_body();
     void take_conditions_of_finer_level();
 
@@ -149,6 +166,10 @@ namespace stiction
     ContactStiffness stiffness_of_cells_;
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
+
+    std::vector<dealii::Point<3>> positions_; ///< of the nodes of a body with free motions
+    EqualityConstraint balance_;              ///< see rigid_balance()
+    Eigen::VectorXd foundation_;
   };
 } // namespace stiction
 

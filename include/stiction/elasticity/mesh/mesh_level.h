@@ -3,6 +3,7 @@
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
 #include <mpi.h>
@@ -63,6 +64,9 @@ namespace stiction
 
     /// Owned ones and ghosts.
     unsigned int n_local_nodes() const;
+
+    /// Where the owned nodes are, m.
+    std::vector<dealii::Point<3>> node_positions() const;
 
     /// The number of unknowns on all ranks.
     dealii::types::global_dof_index n_dofs() const;

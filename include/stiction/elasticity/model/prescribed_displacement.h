@@ -48,10 +48,6 @@ namespace stiction
     /// at a prescribed point, or one that is prescribed otherwise or hangs.
     void add_to(dealii::AffineConstraints<double> &constraints) const;
 
-    /// Throws InputError, naming the free rigid-body motions, if the
-    /// constraints do not hold the body. Collective.
-    void require_support(const dealii::AffineConstraints<double> &constraints) const;
-
     /// The unknowns of own and neighbouring cells that boundaries prescribe,
     /// with the lowest id among those that do. Hanging nodes may be among them.
     std::map<dealii::types::global_dof_index, dealii::types::boundary_id>

@@ -1,12 +1,8 @@
 #ifndef stiction_elasticity_model_rigid_body_modes_h
 #define stiction_elasticity_model_rigid_body_modes_h
 
-#include <stiction/elasticity/linear_algebra/linear_algebra.h>
-
 #include <deal.II/base/point.h>
-#include <deal.II/lac/affine_constraints.h>
 
-#include <string>
 #include <vector>
 
 namespace stiction
@@ -22,11 +18,6 @@ namespace stiction
   /// The same for any nodes, three entries each.
   std::vector<std::vector<double>> rigid_body_modes(
     const Body &body, const std::vector<dealii::Point<3>> &positions);
-
-  /// The rigid-body motions that the constraints leave free, in words; empty
-  /// if the body is held. Collective.
-  std::string free_rigid_body_motions(
-    const Body &body, const dealii::AffineConstraints<double> &constraints);
 } // namespace stiction
 
 #endif

@@ -3,11 +3,15 @@
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/model/body_parameters.h>
+#include <stiction/elasticity/model/free_motions.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <Eigen/Core>
+
 #include <memory>
+#include <vector>
 
 namespace stiction
 {
@@ -67,6 +71,36 @@ namespace stiction
     /// Gives u its prescribed values.
     void prescribe(LA::Vector &u) const;
 
+    /// The rigid motions that nothing but contact can hold.
+    const FreeMotions &free_motions() const { return *free_motions_; }
+
+    /// Chooses as many anchors as there are free motions: unknowns that
+    /// constrained_stiffness() holds, so that it is positive definite. For loads that
+    /// do no work along free motions nothing acts there, and its inverse gives the
+    /// displacement but for such a motion. Collective.
+    ///
+    /// @param first_dofs of the nodes that are left out.
+    void choose_anchors(const std::vector<dealii::types::global_dof_index> &first_dofs);
+
+    /// The anchors, the same on all ranks.
+    const std::vector<dealii::types::global_dof_index> &anchors() const
+    {
+      return anchors_;
+    }
+
+    /// The amounts α of the free motions for which u − Zα is zero at the anchors, m.
+    /// Collective.
+    Eigen::VectorXd free_motion_of(const LA::Vector &u) const;
+
+    /// Whether the displacement of an owned unknown is prescribed or it is an anchor.
+    bool is_fixed(dealii::types::global_dof_index dof) const;
+
+    /// Zᵀ f of free motions Z and nodal forces f, N. Collective.
+    Eigen::VectorXd work_along_free_motions(const LA::Vector &force) const;
+
+    /// u += Σ α_j Z_j with free motions Z.
+    void add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const;
+
     /// Whether an unknown follows from those of other nodes.
     bool is_hanging(dealii::types::global_dof_index dof) const;
 
@@ -77,9 +111,8 @@ namespace stiction
     /// The prescribed displacements and the hanging nodes.
     const dealii::AffineConstraints<double> &constraints() const { return constraints_; }
 
-    /// K with prescribed displacements eliminated symmetrically: positive
-    /// definite if the body is held. Unit: N/m. Assembled by the first call, which is
-    /// collective.
+    /// K with prescribed displacements and anchors eliminated symmetrically: positive
+    /// definite. Unit: N/m. Assembled by the first call, which is collective.
     const LA::SparseMatrix &constrained_stiffness() const;
 
     /// K without any boundary condition, assembled; rows of hanging nodes are zero.
@@ -90,7 +123,7 @@ namespace stiction
     LA::Vector stiffness_diagonal() const;
 
     /// The right-hand side that goes with it. Unit: N (m × diagonal entry in
-    /// constrained rows).
+    /// constrained rows, 0 at anchors).
     const LA::Vector &constrained_load() const { return constrained_load_; }
 
     /// The nodal forces of the loads, at constrained unknowns too. Unit:
@@ -115,10 +148,6 @@ namespace stiction
     }
     const Loads &loads() const { return *loads_; }
 
-    /// Throws InputError, naming the free rigid-body motions, if the
-    /// prescribed displacements do not hold the body.
-    void require_support() const;
-
   private:
     /// Reads supports and loads at a time.
     void read_conditions(double time);
@@ -140,6 +169,8 @@ namespace stiction
     std::unique_ptr<PrescribedDisplacement> prescribed_displacement_;
     std::unique_ptr<Loads> loads_;
     dealii::AffineConstraints<double> constraints_;
+    std::unique_ptr<FreeMotions> free_motions_;
+    std::vector<dealii::types::global_dof_index> anchors_;
     std::unique_ptr<MeshLevel> mesh_;
     std::unique_ptr<StiffnessOperator<double>> stiffness_;
     mutable std::unique_ptr<LA::SparseMatrix> constrained_stiffness_;

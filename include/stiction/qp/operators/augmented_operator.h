@@ -1,6 +1,7 @@
 #ifndef stiction_qp_operators_augmented_operator_h
 #define stiction_qp_operators_augmented_operator_h
 
+#include <stiction/qp/equality_constraint.h>
 #include <stiction/qp/operators/dual_operator.h>
 
 #include <Eigen/Core>
@@ -9,15 +10,6 @@
 
 namespace stiction
 {
-  /// An equality constraint on the contact forces, Gᵀλ = e, with free
-  /// multipliers α: r = Qλ − h + Gα. A force that presses an obstacle on is one,
-  /// α being the way that the obstacle goes.
-  struct EqualityConstraint
-  {
-    Eigen::MatrixXd G; ///< 3m × n
-    Eigen::VectorXd e; ///< N, length n
-  };
-
   /// The dual operator of the augmented Lagrangian of a problem with an equality
   /// constraint: with multipliers α and weights ρ (m/N)
   ///
@@ -40,8 +32,8 @@ namespace stiction
 
     void set_multipliers(Eigen::VectorXd multipliers);
 
-    /// Other ρ: another operator for whoever keeps something of it.
-    void set_weights(Eigen::VectorXd weights);
+    /// Multiplies ρ: another operator for whoever keeps something of it.
+    void scale_weights(double factor) { set_weights(factor * weights_); }
 
     const Eigen::MatrixXd *matrix() const override;
 
@@ -53,6 +45,8 @@ namespace stiction
                const Eigen::VectorXd &src) const override;
 
   private:
+    void set_weights(Eigen::VectorXd weights);
+
     const DualOperator &Q_;
     const EqualityConstraint constraint_;
     Eigen::VectorXd weights_, multipliers_;

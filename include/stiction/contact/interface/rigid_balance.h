@@ -1,0 +1,35 @@
+#ifndef stiction_contact_interface_rigid_balance_h
+#define stiction_contact_interface_rigid_balance_h
+
+#include <stiction/base/units.h>
+#include <stiction/qp/equality_constraint.h>
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace stiction
+{
+  class ContactSurface;
+  class LinearElasticity;
+
+  /// What contact forces have to balance, whatever the body does: first the forces that
+  /// press obstacles on, then the loads along the free motions Z of the body, with the
+  /// columns −BZ of G. Collective.
+  EqualityConstraint rigid_balance(const LinearElasticity &elasticity,
+                                   const ContactSurface &surface);
+
+  /// If no contact forces within the slip bound balance the loads: a sentence on the
+  /// motion that nothing stops. Empty: there are such forces, or friction depends on
+  /// the answer so that nothing can be said. Collective.
+  std::string why_no_equilibrium(const LinearElasticity &elasticity,
+                                 const ContactSurface &surface, const Units &units);
+
+  /// The free motions along which nothing can ever resist: at no contact node do they
+  /// change the gap, or slip where there is friction. By columns their amounts,
+  /// orthonormal, see FreeMotions. Collective.
+  Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
+                                     const ContactSurface &surface);
+} // namespace stiction
+
+#endif

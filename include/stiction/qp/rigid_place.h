@@ -1,0 +1,26 @@
+#ifndef stiction_qp_rigid_place_h
+#define stiction_qp_rigid_place_h
+
+#include <stiction/qp/equality_constraint.h>
+#include <stiction/qp/sets/slip_bound.h>
+
+#include <Eigen/Core>
+
+namespace stiction::qp
+{
+  /// Where rigid obstacles and a rigid body come to rest if every contact node has a
+  /// spring: the multipliers α (m) that make the convex energy
+  ///
+  ///     Σ ½ρ_i (r_ν,i)₋² + Σ ½ρ_i ‖(Gα)_t,i‖² + e·α,   r = r0 + Gα,
+  ///
+  /// least, the second sum over nodes with friction that touch: a place to start from,
+  /// where those nodes touch that can balance the loads.
+  ///
+  /// @param gradient r0 = (remaining gap; −slip), m. @param stiffness ρ, N/m.
+  Eigen::VectorXd rigid_place(const EqualityConstraint &constraint,
+                              const Eigen::VectorXd &gradient,
+                              const Eigen::VectorXd &stiffness,
+                              const SlipBound &slip_bound);
+} // namespace stiction::qp
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef stiction_qp_unbalanced_load_h
+#define stiction_qp_unbalanced_load_h
+
+#include <stiction/qp/equality_constraint.h>
+#include <stiction/qp/sets/slip_bound.h>
+
+#include <Eigen/Core>
+
+namespace stiction::qp
+{
+  /// What is left of the load at best, with the contact forces that do it.
+  struct UnbalancedLoad
+  {
+    /// ρ = e − Gᵀλ, the shortest there is, N; zero: λ balances the loads. Else there is
+    /// no equilibrium: −ρ is a motion along which the loads do the work e·ρ, which is
+    /// more than any forces within the slip bound can resist.
+    Eigen::VectorXd rho;
+    Eigen::VectorXd lambda; ///< N
+
+    bool is_balanced() const { return rho.isZero(0.); }
+  };
+
+  /// The contact forces with λ_ν ≥ 0 and ‖λ_t‖ ≤ g(λ_ν) that balance the load best. They
+  /// are sums of few forces on the cones of single nodes, added one by one where they
+  /// gain most, with the best amounts each time (non-negative least squares: C. L. Lawson
+  /// and R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23); given friction
+  /// enters as one force of all nodes at a time.
+  ///
+  /// A load that is left by less than 1e-8 of e is balanced.
+  UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint, const SlipBound &slip_bound);
+} // namespace stiction::qp
+
+#endif

@@ -1,0 +1,151 @@
+#include <stiction/base/log.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/rigid_balance.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/unbalanced_load.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of motions of size one: less is rounding.
+    constexpr double no_motion = 1e-8;
+
+    // A motion turns the body if this part of it or more is rotation, at the ends of the
+    // body.
+    constexpr double least_turn = 1e-3;
+
+    std::string vector(const Tensor<1, 3> &v, const double size)
+    {
+      return format_vector("%.3g", {{v[0], v[1], v[2]}}, size);
+    }
+
+    // The mean normal of the contact nodes that carry forces.
+    Tensor<1, 3> mean_normal(const ContactSurface &surface, const Eigen::VectorXd &lambda)
+    {
+      Tensor<1, 3> sum;
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        sum += lambda(i) * surface.nodes()[i].normal;
+      return sum.norm() > 0. ? sum / sum.norm() : sum;
+    }
+
+    // What no contact forces can stop, in words. @param work that they leave over.
+    std::string runaway(const RigidMotion &motion, const double work,
+                        const Tensor<1, 3> &load, const double size,
+                        const ContactSurface &surface, const Eigen::VectorXd &lambda,
+                        const Units &units)
+    {
+      const double turn = motion.rotation.norm() * size;
+      if (turn > least_turn * motion.translation.norm())
+        {
+          const Tensor<1, 3> axis = motion.rotation / motion.rotation.norm();
+          const Tensor<1, 3> to_axis =
+            cross_product_3d(motion.rotation, motion.translation) /
+            motion.rotation.norm_square();
+          return "the body turns about the axis along " + vector(axis, 1.) + " through " +
+                 vector(motion.centre + to_axis, size) + ", where the loads do " +
+                 with_unit(format("%.3g", work / motion.rotation.norm()), units.moment) +
+                 " more than contact can bear";
+        }
+      // on a rough face a motion that friction cannot stop lifts the body as well: that
+      // is the cone's, not the motion's
+      const Tensor<1, 3> normal = mean_normal(surface, lambda);
+      Tensor<1, 3> sliding =
+        motion.translation - (motion.translation * normal) * normal;
+      const bool slides = normal.norm() > 0. &&
+                          sliding.norm() > no_motion * motion.translation.norm();
+      if (!slides)
+        sliding = motion.translation;
+      const double length          = sliding.norm();
+      const Tensor<1, 3> direction = sliding / length;
+      const double pushing         = load * direction;
+      return std::string("the body ") + (slides ? "slides" : "moves away") + " along " +
+             vector(direction, 1.) + ", where the loads push with " +
+             with_unit(format("%.4g", pushing), units.force) +
+             (slides ? " and friction bears " : " and contact bears ") +
+             with_unit(format("%.4g", std::max(pushing - work / length, 0.)),
+                       units.force);
+    }
+  } // namespace
+
+  EqualityConstraint rigid_balance(const LinearElasticity &elasticity,
+                                   const ContactSurface &surface)
+  {
+    const ObstacleMotion &obstacles = surface.motion();
+    const Eigen::Index n = elasticity.free_motions().n(), p = obstacles.n_pressed();
+    EqualityConstraint balance{Eigen::MatrixXd(3 * surface.n_nodes(), p + n),
+                               Eigen::VectorXd(p + n)};
+    balance.G.leftCols(p) = obstacles.directions();
+    balance.e.head(p)     = -obstacles.forces();
+    balance.e.tail(n)     = -elasticity.work_along_free_motions(elasticity.load());
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        LA::Vector u = elasticity.zero_vector();
+        elasticity.add_free_motion(Eigen::VectorXd::Unit(n, j), u);
+        balance.G.col(p + j) = -surface.B().apply(u);
+      }
+    return balance;
+  }
+
+  std::string why_no_equilibrium(const LinearElasticity &elasticity,
+                                 const ContactSurface &surface, const Units &units)
+  {
+    const FreeMotions &motions = elasticity.free_motions();
+    if (motions.n() == 0 || surface.has_friction_of_state())
+      return "";
+    const EqualityConstraint balance = rigid_balance(elasticity, surface);
+    const auto [rho, lambda] = qp::unbalanced_load(balance, surface.slip_bound());
+    if (rho.isZero(0.))
+      return "";
+
+    const Eigen::VectorXd of_body = -rho.tail(motions.n());
+    const double work             = balance.e.dot(rho);
+    const std::string begin       = "no equilibrium exists: ";
+    if (of_body.norm() < 0.5 * rho.norm())
+      return begin + "the obstacle that is pressed on finds nothing that bears " +
+             with_unit(format("%.4g", work / rho.norm()), units.force);
+    const auto corners = elasticity.body().bounding_box().get_boundary_points();
+    Tensor<1, 3> load;
+    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        load[c] += elasticity.load()(node.dofs[c]);
+    load = Utilities::MPI::sum(load, elasticity.body().communicator());
+    return begin + runaway(motions.motion(of_body), work, load,
+                           corners.first.distance(corners.second) / 2., surface, lambda,
+                           units);
+  }
+
+  Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
+                                     const ContactSurface &surface)
+  {
+    const Eigen::Index n = elasticity.free_motions().n(), m = surface.n_nodes();
+    if (n == 0)
+      return Eigen::MatrixXd(0, 0);
+    Eigen::MatrixXd felt       = rigid_balance(elasticity, surface).G.rightCols(n);
+    const qp::SlipBound &bound = surface.slip_bound();
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (!surface.has_friction_of_state() && bound.constant()(i) == 0. &&
+          bound.coefficient()(i) == 0.)
+        felt.row(i + m) = felt.row(i + 2 * m) = Eigen::RowVectorXd::Zero(n);
+    const Eigen::MatrixXd R =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(felt).matrixQR().topRows(
+        std::min(n, felt.rows()));
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+      Eigen::MatrixXd(R.triangularView<Eigen::Upper>()), Eigen::ComputeFullV);
+    Eigen::Index rank = 0;
+    while (rank < svd.singularValues().size() &&
+           svd.singularValues()(rank) > no_motion * std::sqrt(static_cast<double>(m)))
+      ++rank;
+    return svd.matrixV().rightCols(n - rank);
+  }
+} // namespace stiction
