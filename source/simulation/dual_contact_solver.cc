@@ -141,9 +141,10 @@ namespace stiction
   {
     const Eigen::Index p = setting_.surface.motion().n_pressed();
     if (!deflated_)
-      return {multipliers, {}};
+      return {multipliers, {}, {}};
     return {multipliers.head(p),
-            deflated_->multipliers(multipliers.tail(multipliers.size() - p), lambda)};
+            deflated_->multipliers(multipliers.tail(multipliers.size() - p), lambda),
+            deflated_->lacking(lambda)};
   }
 
   void DualContactSolver::augment(const State &state, const Eigen::VectorXd &lambda)
@@ -229,8 +230,9 @@ namespace stiction
 
         const Certificate &certificate = verifier.certificate();
         const Eigen::VectorXd missing  = motion.missing_forces(lambda);
-        const double error = std::max(motion.relative_error(missing),
-                                      certificate.unbalanced_part());
+        double error                   = motion.relative_error(missing);
+        if (deflated_)
+          error = std::max(error, certificate.body_figures().equilibrium_residual);
         const bool falls   = error <= required_fall * last_error;
         if (error < smallest)
           best = state;

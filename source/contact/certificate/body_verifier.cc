@@ -25,11 +25,13 @@ namespace stiction
   const ContactConditions &BodyVerifier::verify(const Eigen::VectorXd &lambda)
   {
     LA::Vector force = elasticity_.constrained_load();
+    const Places places = places_(lambda);
     surface_.B().add_transpose(-1., lambda, force);
+    if (places.lacking.size() > 0)
+      surface_.B().add_transpose(-1., places.lacking, force);
     state_.u = elasticity_.zero_vector();
     solver_.solve(state_.u, force);
     elasticity_.distribute(state_.u);
-    const Places places = places_(lambda);
     elasticity_.add_free_motion(places.free_motion, state_.u);
     state_.lambda    = lambda;
     state_.distances = places.distances;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace stiction
 {
@@ -28,7 +29,7 @@ namespace stiction
     struct NodeSums
     {
       double loads = 0., reactions = 0.; // of the lengths of nodal forces
-      double imbalance = 0., at_anchors = 0.;
+      double imbalance = 0.;
       double rounding  = 0.;      // of K u
       double energy    = 0.;      // uᵀKu
       double work      = 0.;      // of loads and reactions
@@ -44,10 +45,6 @@ namespace stiction
       const LA::Vector Ku    = elasticity.internal_force(u);
       const LA::Vector K     = elasticity.stiffness_diagonal();
       const Point<3> centre  = body.bounding_box().center();
-      const auto &anchors    = elasticity.anchors();
-      const auto is_anchor   = [&](const types::global_dof_index dof) {
-        return std::find(anchors.begin(), anchors.end(), dof) != anchors.end();
-      };
       NodeSums sums;
       for (const Body::Node &node : body.locally_owned_nodes())
         {
@@ -76,23 +73,20 @@ namespace stiction
           // a smaller residual than the rounding of its terms says nothing, such
           // as one that is zero because λ was made from K u
           sums.imbalance += std::max(residual.norm(), inside.norm());
-          if (std::any_of(node.dofs.begin(), node.dofs.end(), is_anchor))
-            sums.at_anchors += std::max(residual.norm(), inside.norm());
           sums.rounding += (inside + held).norm();
           sums.force += all;
           sums.moment += cross_product_3d(node.position - centre, all);
         }
 
-      std::array<double, 13> all = {{sums.loads, sums.reactions, sums.imbalance,
+      std::array<double, 12> all = {{sums.loads, sums.reactions, sums.imbalance,
                                      sums.rounding, sums.energy, sums.work, sums.force[0],
                                      sums.force[1], sums.force[2], sums.moment[0],
-                                     sums.moment[1], sums.moment[2], sums.at_anchors}};
+                                     sums.moment[1], sums.moment[2]}};
       Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
                           body.communicator(), ArrayView<double>(all.data(), all.size()));
       return {all[0],
               all[1],
               all[2],
-              all[12],
               all[3],
               all[4],
               all[5],
@@ -155,7 +149,6 @@ namespace stiction
     const double size  = corners.first.distance(corners.second);
 
     body_figures_.equilibrium_residual = sums.imbalance / S;
-    residual_but_anchors_              = (sums.imbalance - sums.at_anchors) / S;
     body_figures_.force_balance        = sums.force.norm() / S;
     body_figures_.moment_balance       = sums.moment.norm() / (S * size);
     if (surface_.motion().n_pressed() > 0)
@@ -184,17 +177,14 @@ namespace stiction
 
   bool Certificate::is_solved(const double tolerance) const
   {
-    const bool is_anchored = !elasticity_.anchors().empty();
-    const auto figures     = deciding_figures();
+    const std::set<std::string> of_places =
+      elasticity_.free_motions().n() > 0
+        ? std::set<std::string>{"obstacle_force", "equilibrium_residual",
+                                "force_balance", "moment_balance"}
+        : std::set<std::string>{"obstacle_force"};
+    const auto figures = deciding_figures();
     return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {
-      const auto &[name, value] = figure;
-      if (name == "obstacle_force")
-        return true;
-      if (is_anchored && (name == "force_balance" || name == "moment_balance"))
-        return true;
-      if (is_anchored && name == "equilibrium_residual")
-        return residual_but_anchors_ <= tolerance;
-      return value <= tolerance;
+      return of_places.count(figure.first) > 0 || figure.second <= tolerance;
     });
   }
 } // namespace stiction

@@ -26,6 +26,9 @@ namespace stiction
     {
       Eigen::VectorXd distances;   ///< of pressed obstacles, m
       Eigen::VectorXd free_motion; ///< amounts of the free motions, m
+      /// What the contact forces lack to balance the loads, N: the body is brought into
+      /// equilibrium with the sum.
+      Eigen::VectorXd lacking;
     };
     using PlacesOf = std::function<Places(const Eigen::VectorXd &lambda)>;
 

@@ -73,16 +73,8 @@ namespace stiction
 
     std::vector<std::pair<std::string, double>> deciding_figures() const override;
 
-    /// As if the obstacles were where they are, and the anchors of a body that contact
-    /// alone holds were supports.
+    /// As if the obstacles, and a body that contact alone holds, were where they are.
     bool is_solved(double tolerance) const override;
-
-    /// What anchors would have to bear, over S: by how much contact forces and loads
-    /// are out of balance; 0 where supports hold the body.
-    double unbalanced_part() const
-    {
-      return body_figures_.equilibrium_residual - residual_but_anchors_;
-    }
 
     /// S, N.
     double force_scale() const { return force_scale_; }
@@ -110,7 +102,6 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;
-    double residual_but_anchors_ = 0.; ///< the part of equilibrium_residual
     double force_scale_ = 1., energy_scale_ = 0., strain_energy_ = 0., load_work_ = 0.;
     dealii::Tensor<1, 3> force_on_body_, moment_on_body_;
   };

@@ -26,6 +26,12 @@ namespace stiction
     /// The same constraint with Ĝ.
     const EqualityConstraint &constraint() const { return constraint_; }
 
+    /// The shortest forces that λ lacks to satisfy the constraint, N.
+    Eigen::VectorXd lacking(const Eigen::VectorXd &lambda) const
+    {
+      return constraint_.G * (constraint_.e - constraint_.G.transpose() * lambda);
+    }
+
     /// The multipliers α of G that go with those of Ĝ at contact forces λ.
     Eigen::VectorXd multipliers(const Eigen::VectorXd &of_basis,
                                 const Eigen::VectorXd &lambda) const;
