@@ -62,19 +62,8 @@ namespace stiction
     const Eigen::Index m = n_nodes();
     const Eigen::VectorXd stiffness =
       surface_.B().dofs().restriction(elasticity_.stiffness_diagonal());
-    const Eigen::VectorXd shape =
-      (stiffness.head(m) + stiffness.segment(m, m) + stiffness.tail(m)).cwiseInverse();
-
-    // with random signs zᵀQz is the trace of Q, but for a few per cent
-    Eigen::VectorXd z(3 * m), Qz;
-    unsigned int random = 1;
-    for (double &sign : z)
-      {
-        random = 1664525u * random + 1013904223u; // the same on all ranks
-        sign   = random >> 31 != 0 ? 1. : -1.;
-      }
-    vmult(DualBlock::all, DualBlock::all, Qz, z);
-    return shape * (z.dot(Qz) / (3. * shape.sum()));
+    return estimated_compliance(
+      (stiffness.head(m) + stiffness.segment(m, m) + stiffness.tail(m)).cwiseInverse());
   }
 
   void SchurComplement::apply(const DualBlock rows, const DualBlock columns,

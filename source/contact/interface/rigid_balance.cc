@@ -27,7 +27,7 @@ namespace stiction
 
     std::string vector(const Tensor<1, 3> &v, const double size)
     {
-      return format_vector("%.3g", {{v[0], v[1], v[2]}}, size);
+      return '(' + format_vector("%.3g", {{v[0], v[1], v[2]}}, size) + ')';
     }
 
     // The mean normal of the contact nodes that carry forces.
@@ -109,7 +109,11 @@ namespace stiction
       return "";
 
     const Eigen::VectorXd of_body = -rho.tail(motions.n());
-    const double work             = balance.e.dot(rho);
+    // what the loads do along −ρ beyond what given friction can
+    const Eigen::VectorXd moved = balance.G * rho;
+    double work                 = balance.e.dot(rho);
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      work -= surface.slip_bound().constant()(i) * at_node(moved, i).tail<2>().norm();
     const std::string begin       = "no equilibrium exists: ";
     if (of_body.norm() < 0.5 * rho.norm())
       return begin + "the obstacle that is pressed on finds nothing that bears " +

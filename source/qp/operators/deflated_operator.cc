@@ -72,12 +72,8 @@ namespace stiction
 
   Eigen::VectorXd DeflatedOperator::compute_nodal_compliance() const
   {
-    if (dense_)
-      return dense_->nodal_compliance();
-    // the same shape with the trace that is left
-    const Eigen::VectorXd of_Q = Q_.nodal_compliance();
-    const double trace         = 3. * of_Q.sum();
-    return of_Q * ((trace - (constraint_.G.cwiseProduct(Q_basis_)).sum()) / trace);
+    return dense_ ? dense_->nodal_compliance()
+                  : estimated_compliance(Q_.nodal_compliance());
   }
 
   void DeflatedOperator::apply(const DualBlock rows, const DualBlock columns,

@@ -55,6 +55,20 @@ namespace stiction
     return nodal_compliance_;
   }
 
+  Eigen::VectorXd DualOperator::estimated_compliance(const Eigen::VectorXd &shape) const
+  {
+    // with random signs zᵀQz is the trace of Q, but for a few per cent
+    Eigen::VectorXd z(3 * n_nodes_), Qz;
+    unsigned int random = 1;
+    for (double &sign : z)
+      {
+        random = 1664525u * random + 1013904223u; // the same on all ranks
+        sign   = random >> 31 != 0 ? 1. : -1.;
+      }
+    vmult(DualBlock::all, DualBlock::all, Qz, z);
+    return shape * (z.dot(Qz) / (3. * shape.sum()));
+  }
+
   DecoupledScales decoupled_scales(const DualOperator &Q)
   {
     const Eigen::Index m     = Q.n_nodes();

@@ -56,6 +56,9 @@ namespace stiction
     /// Computes what nodal_compliance() returns. Collective.
     virtual Eigen::VectorXd compute_nodal_compliance() const = 0;
 
+    /// An estimate of it from its shape, by one product. @param shape length m, > 0.
+    Eigen::VectorXd estimated_compliance(const Eigen::VectorXd &shape) const;
+
     virtual void apply(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
                        const Eigen::VectorXd &src) const = 0;
 
