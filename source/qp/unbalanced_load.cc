@@ -15,7 +15,7 @@ namespace stiction::qp
     constexpr double balanced = 1e-8;
 
     // A force gains nothing if the cosine of its work with what is left is below this.
-    constexpr double least_gain = 1e-6;
+    constexpr double least_gain = 1e-9;
 
     constexpr unsigned int max_forces = 500;
 
@@ -171,7 +171,13 @@ namespace stiction::qp
         if (k + 1 == max_forces)
           left.setZero(); // nothing is proved
       }
-    result.rho = left.head(n);
+    result.rho   = left.head(n);
+    double share = 0.; // of given friction that acts, more than all where it lacks some
+    for (const Candidate &one : used)
+      share += one.amount * one.work(n) / size;
+    for (Candidate &one : used)
+      if (one.work(n) > 0. && share > 1.)
+        one.amount /= share;
     for (const Candidate &one : used)
       for (const auto &[i, force] : one.forces)
         set_at_node(result.lambda, i,

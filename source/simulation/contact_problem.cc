@@ -319,7 +319,9 @@ namespace stiction
                  ": there it is left where it is");
     if (!has_steps())
       if (const std::string reason = why_no_equilibrium(); !reason.empty())
-        throw InputError(parameters_.source.file() + ": " + reason + ".");
+        throw InputError(parameters_.source.file() + ": " + reason +
+                         "; change the loads, or hold the body with 'Boundary "
+                         "conditions/Prescribed displacement'.");
     if (discretization_->surface->n_facing_away() > 0)
       log_->line(format(
         "  %llu nodes face away from the obstacle and are none",

@@ -8,14 +8,14 @@
 
 namespace stiction::qp
 {
-  /// What is left of the load at best, with the contact forces that do it.
+  /// What is left of loads that contact forces are to balance.
   struct UnbalancedLoad
   {
-    /// ρ = e − Gᵀλ, the shortest there is, N; zero: λ balances the loads. Else there is
-    /// no equilibrium: −ρ is a motion along which the loads do the work e·ρ, which is
-    /// more than any forces within the slip bound can resist.
+    /// Zero: λ balances the loads, Gᵀλ = e. Else there is no equilibrium: −ρ is a motion
+    /// along which the loads do the work e·ρ, which is more than that of any contact
+    /// forces within the slip bound against it, λ·Gρ. About e − Gᵀλ, N.
     Eigen::VectorXd rho;
-    Eigen::VectorXd lambda; ///< N
+    Eigen::VectorXd lambda; ///< those that come nearest, N
 
     bool is_balanced() const { return rho.isZero(0.); }
   };

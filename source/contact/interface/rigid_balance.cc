@@ -21,13 +21,20 @@ namespace stiction
     // Of motions of size one: less is rounding.
     constexpr double no_motion = 1e-8;
 
+    // Of the loads: that much less, and there may be an equilibrium.
+    constexpr double at_the_limit = 1e-6;
+
     // A motion turns the body if this part of it or more is rotation, at the ends of the
     // body.
     constexpr double least_turn = 1e-3;
 
-    std::string vector(const Tensor<1, 3> &v, const double size)
+    // A motion is known to so many digits only.
+    std::string vector(Tensor<1, 3> v, const double size)
     {
-      return '(' + format_vector("%.3g", {{v[0], v[1], v[2]}}, size) + ')';
+      for (unsigned int c = 0; c < 3; ++c)
+        if (std::abs(v[c]) < 1e-3 * size)
+          v[c] = 0.;
+      return '(' + format_vector("%.3g", {{v[0], v[1], v[2]}}) + ')';
     }
 
     // The mean normal of the contact nodes that carry forces.
@@ -53,9 +60,9 @@ namespace stiction
             cross_product_3d(motion.rotation, motion.translation) /
             motion.rotation.norm_square();
           return "the body turns about the axis along " + vector(axis, 1.) + " through " +
-                 vector(motion.centre + to_axis, size) + ", where the loads do " +
+                 vector(motion.centre + to_axis, size) + ", where the loads turn it with " +
                  with_unit(format("%.3g", work / motion.rotation.norm()), units.moment) +
-                 " more than contact can bear";
+                 " more than contact bears";
         }
       // on a rough face a motion that friction cannot stop lifts the body as well: that
       // is the cone's, not the motion's
@@ -114,7 +121,9 @@ namespace stiction
     double work                 = balance.e.dot(rho);
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       work -= surface.slip_bound().constant()(i) * at_node(moved, i).tail<2>().norm();
-    const std::string begin       = "no equilibrium exists: ";
+    const std::string begin       = rho.norm() <= at_the_limit * balance.e.norm()
+                                      ? "no equilibrium exists, by a hair: "
+                                      : "no equilibrium exists: ";
     if (of_body.norm() < 0.5 * rho.norm())
       return begin + "the obstacle that is pressed on finds nothing that bears " +
              with_unit(format("%.4g", work / rho.norm()), units.force);

@@ -62,6 +62,8 @@ namespace stiction
     // What holds the body, with which force and moment about the origin.
     void print_supports(Log &log, const RunResult &result)
     {
+      if (result.supports.empty() && result.points.empty())
+        return; // contact alone holds it
       Scale force, moment;
       force.add(result.contact.force_on_body);
       moment.add(result.contact.moment);

@@ -85,7 +85,7 @@ namespace stiction
                    "counts the nodes of a uniform mesh of trilinear cells, so "
                    "'Contact refinement' must be 0 and 'Element degree' 1, or this 0");
 
-    if (boundary.prescribed_displacement.empty() || contact.contact_boundary.empty())
+    if (contact.contact_boundary.empty())
       return; // which is missed later
 
     // n/m of the table come out only with the face clamped that goes with it

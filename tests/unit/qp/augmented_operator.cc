@@ -7,6 +7,7 @@
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/qp/verifier.h>
 
+#include "by_action.h"
 #include "qp_tests.h"
 
 using namespace stiction;
@@ -14,33 +15,6 @@ using namespace qp_tests;
 
 namespace
 {
-  // Known by its action only.
-  class ByAction : public DualOperator
-  {
-  public:
-    ByAction(const MatrixXd &Q, const VectorXd &h)
-      : DualOperator(h.size() / 3)
-      , dense_(Q, h)
-    {
-      set_right_hand_side(h);
-    }
-
-  protected:
-    VectorXd compute_nodal_compliance() const override
-    {
-      return dense_.nodal_compliance();
-    }
-
-    void apply(const DualBlock rows, const DualBlock columns, VectorXd &dst,
-               const VectorXd &src) const override
-    {
-      dense_.vmult(rows, columns, dst, src);
-    }
-
-  private:
-    const DenseDualOperator dense_;
-  };
-
   // Where nodes are open, stick and slip, in turn.
   struct Solution
   {

@@ -96,9 +96,14 @@ namespace qp_tests
     double value_ = 0.;
   };
 
+  inline const char *yes(const bool holds)
+  {
+    return holds ? "yes" : "no";
+  }
+
   inline void print(const std::string &claim, const bool holds)
   {
-    std::cout << claim << ": " << (holds ? "yes" : "no") << std::endl;
+    std::cout << claim << ": " << yes(holds) << std::endl;
   }
 
   /// The figure itself is shown only when the claim is false.
