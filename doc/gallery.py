@@ -33,6 +33,8 @@ PICTURES = {
     "sphere": "A rigid sphere in a block; its gap is exaggerated as much as "
     "the displacement, so that it lies in the dent it makes.",
     "stl": "A stamp given by triangles: the pressure is highest at its edges.",
+    "block_on_slope": "A block on a slope that nothing but contact and friction "
+    "holds: the lower edge bears most, the upper one opens, and all but a core slips.",
     "two_contact_boundaries": "A bar between a foundation and a plane, "
     "each with its own law of friction: each contact boundary has its own "
     "maps, all with the same colours of pressure.",

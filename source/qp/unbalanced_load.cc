@@ -2,6 +2,7 @@
 #include <stiction/qp/unbalanced_load.h>
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <cmath>
 #include <utility>
@@ -16,6 +17,9 @@ namespace stiction::qp
 
     // A force gains nothing if the cosine of its work with what is left is below this.
     constexpr double least_gain = 1e-9;
+
+    // Of all motions of all nodes: less is none.
+    constexpr double rounding = 1e-10;
 
     constexpr unsigned int max_forces = 500;
 
@@ -183,5 +187,22 @@ namespace stiction::qp
         set_at_node(result.lambda, i,
                     at_node(result.lambda, i) + one.amount * force);
     return result;
+  }
+
+  Eigen::MatrixXd unresisted_motions(const Eigen::MatrixXd &G,
+                                     const SlipBound &slip_bound)
+  {
+    const Eigen::Index n = G.cols(), m = slip_bound.n_nodes();
+    Eigen::MatrixXd felt = G;
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (slip_bound.constant()(i) == 0. && slip_bound.coefficient()(i) == 0.)
+        felt.row(i + m) = felt.row(i + 2 * m) = Eigen::RowVectorXd::Zero(n);
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(felt, Eigen::ComputeThinU |
+                                                     Eigen::ComputeFullV);
+    Eigen::Index rank = 0;
+    while (rank < svd.singularValues().size() &&
+           svd.singularValues()(rank) > rounding * G.norm())
+      ++rank;
+    return svd.matrixV().rightCols(n - rank);
   }
 } // namespace stiction::qp

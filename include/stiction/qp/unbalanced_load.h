@@ -27,7 +27,13 @@ namespace stiction::qp
   /// enters as one force of all nodes at a time.
   ///
   /// A load that is left by less than 1e-8 of e is balanced.
-  UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint, const SlipBound &slip_bound);
+  UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint,
+                                 const SlipBound &slip_bound);
+
+  /// The motions α along which nothing can ever resist: at no contact node does Gα
+  /// change the gap, or slip where there is friction. By columns, orthonormal.
+  Eigen::MatrixXd unresisted_motions(const Eigen::MatrixXd &G,
+                                     const SlipBound &slip_bound);
 } // namespace stiction::qp
 
 #endif

@@ -7,9 +7,6 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/unbalanced_load.h>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
 #include <cmath>
 
 namespace stiction
@@ -18,7 +15,7 @@ namespace stiction
 
   namespace
   {
-    // Of motions of size one: less is rounding.
+    // Of a motion: less is rounding.
     constexpr double no_motion = 1e-8;
 
     // Of the loads: that much less, and there may be an equilibrium.
@@ -141,24 +138,10 @@ namespace stiction
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
                                      const ContactSurface &surface)
   {
-    const Eigen::Index n = elasticity.free_motions().n(), m = surface.n_nodes();
-    if (n == 0)
-      return Eigen::MatrixXd(0, 0);
-    Eigen::MatrixXd felt       = rigid_balance(elasticity, surface).G.rightCols(n);
-    const qp::SlipBound &bound = surface.slip_bound();
-    for (Eigen::Index i = 0; i < m; ++i)
-      if (!surface.has_friction_of_state() && bound.constant()(i) == 0. &&
-          bound.coefficient()(i) == 0.)
-        felt.row(i + m) = felt.row(i + 2 * m) = Eigen::RowVectorXd::Zero(n);
-    const Eigen::MatrixXd R =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(felt).matrixQR().topRows(
-        std::min(n, felt.rows()));
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
-      Eigen::MatrixXd(R.triangularView<Eigen::Upper>()), Eigen::ComputeFullV);
-    Eigen::Index rank = 0;
-    while (rank < svd.singularValues().size() &&
-           svd.singularValues()(rank) > no_motion * std::sqrt(static_cast<double>(m)))
-      ++rank;
-    return svd.matrixV().rightCols(n - rank);
+    const Eigen::Index n = elasticity.free_motions().n();
+    if (n == 0 || surface.has_friction_of_state())
+      return Eigen::MatrixXd(n, 0);
+    return qp::unresisted_motions(rigid_balance(elasticity, surface).G.rightCols(n),
+                                  surface.slip_bound());
   }
 } // namespace stiction

@@ -16,6 +16,8 @@
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -131,6 +133,16 @@ namespace stiction
         balance_.G.col(p + j) = -B_.apply(u);
         balance_.e(p + j)     = -(u * *load_);
       }
+    if (n == 0)
+      return;
+    const Eigen::MatrixXd motions = balance_.G.rightCols(n);
+    const Eigen::MatrixXd others  = qp::unresisted_motions(motions, slip_bound_);
+    // their orthogonal complement
+    const Eigen::MatrixXd projection =
+      Eigen::MatrixXd::Identity(n, n) - others * others.transpose();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(projection);
+    const Eigen::MatrixXd basis = qr.householderQ();
+    driven_                     = motions * basis.leftCols(n - others.cols());
   }
 
   void ContactLevel::find_free_motions()

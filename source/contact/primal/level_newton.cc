@@ -167,7 +167,8 @@ namespace stiction
     const Eigen::VectorXd rho = c_ * problem_.nodal_stiffness();
     problem_.bring_into_contact(state, lambda.head(rho.size()) +
                                          rho.cwiseProduct(state.w.head(rho.size())));
-    const PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
+    PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
+    linearization.tether(problem_.driven_motions(), problem_.foundation(), state.w);
     const double force_scale  = residual.force_scale;
     const qp::Scaling scaling = residual.conditions.scaling();
     const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;

@@ -1,10 +1,23 @@
 #include <stiction/contact/primal/primal_active_set.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/sets/slip_bound.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
 namespace stiction
 {
+  namespace
+  {
+    // Of the foundation: what holds a motion with less leaves it free.
+    constexpr double no_stiffness = 1e-9;
+
+    // Of the foundation: the softer, the less a step is short of Newton's in other
+    // motions.
+    constexpr double tether_stiffness = 0.01;
+  } // namespace
+
   PrimalActiveSet::PrimalActiveSet(const Eigen::VectorXd &lambda,
                                    const Eigen::VectorXd &w, const Eigen::VectorXd &rho,
                                    const qp::SlipBound &slip_bound)
@@ -43,6 +56,36 @@ namespace stiction
             node.test.bottomLeftCorner<2, 1>() = -slip_bound.coefficient()(i) * t;
             node.load.tail<2>()                = slip_bound.constant()(i) * t;
           }
+      }
+  }
+
+  void PrimalActiveSet::tether(const Eigen::MatrixXd &motions,
+                               const Eigen::VectorXd &foundation,
+                               const Eigen::VectorXd &w)
+  {
+    const Eigen::Index n = motions.cols();
+    if (n == 0)
+      return;
+    const auto m         = static_cast<Eigen::Index>(nodes.size());
+    Eigen::MatrixXd held = Eigen::MatrixXd::Zero(n, n), all = held, at(3, n);
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        at << motions.row(i), motions.row(i + m), motions.row(i + 2 * m);
+        const Eigen::Matrix3d M =
+          foundation(i) * (Eigen::Matrix3d::Identity() - nodes[i].projection) +
+          nodes[i].spring;
+        held.noalias() += at.transpose() * M * at;
+        all.noalias() += foundation(i) * at.transpose() * at;
+      }
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+      held, all, Eigen::EigenvaluesOnly);
+    if (eigen.eigenvalues()(0) > no_stiffness)
+      return;
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        const double spring = tether_stiffness * foundation(i);
+        nodes[i].spring += spring * Eigen::Matrix3d::Identity();
+        nodes[i].load -= spring * (at_node(w, i) + nodes[i].shift);
       }
   }
 } // namespace stiction

@@ -25,9 +25,8 @@ namespace stiction
   std::string why_no_equilibrium(const LinearElasticity &elasticity,
                                  const ContactSurface &surface, const Units &units);
 
-  /// The free motions along which nothing can ever resist: at no contact node do they
-  /// change the gap, or slip where there is friction. By columns their amounts,
-  /// orthonormal, see FreeMotions. Collective.
+  /// The free motions of the body that qp::unresisted_motions() names, none where
+  /// friction depends on the answer. Collective.
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
                                      const ContactSurface &surface);
 } // namespace stiction

@@ -108,6 +108,10 @@ namespace stiction
     /// preconditioner or for a step. Zero where supports hold the body.
     const Eigen::VectorXd &foundation() const { return foundation_; }
 
+    /// How the contact nodes move under the motions of the body that can be driven,
+    /// 3m × any: all free ones but those that nothing ever resists.
+    const Eigen::MatrixXd &driven_motions() const { return driven_; }
+
     /// A support given in contact variables: @p projection a diagonal one that
     /// treats both tangents alike, @p spring of forces y for displacements w; with the
     /// foundation.
@@ -170,6 +174,7 @@ namespace stiction
     std::vector<dealii::Point<3>> positions_; ///< of the nodes of a body with free motions
     EqualityConstraint balance_;              ///< see rigid_balance()
     Eigen::VectorXd foundation_;
+    Eigen::MatrixXd driven_;
   };
 } // namespace stiction
 

@@ -55,6 +55,13 @@ namespace stiction
     PrimalActiveSet(const Eigen::VectorXd &lambda, const Eigen::VectorXd &w,
                     const Eigen::VectorXd &rho, const qp::SlipBound &slip_bound);
 
+    /// Where nodes that are held or have springs leave one of these motions free, all
+    /// get a soft spring that draws them to where they are, so that the step is bounded.
+    ///
+    /// @param motions of the nodes, 3m × n. @param foundation N/m, length m.
+    void tether(const Eigen::MatrixXd &motions, const Eigen::VectorXd &foundation,
+                const Eigen::VectorXd &w);
+
     std::vector<Node> nodes;
   };
 } // namespace stiction
