@@ -63,8 +63,7 @@ namespace stiction::qp
         for (Eigen::Index i = 0; i < m; ++i)
           if (depth(i) > 0.)
             for (Eigen::Index c = 0; c < (is_rough_(i) ? 3 : 1); ++c)
-              H.noalias() +=
-                rho_(i) * G_.row(i + c * m).transpose() * G_.row(i + c * m);
+              H.noalias() += rho_(i) * G_.row(i + c * m).transpose() * G_.row(i + c * m);
         return H;
       }
 
@@ -87,8 +86,8 @@ namespace stiction::qp
     for (unsigned int k = 0; k < max_steps; ++k)
       {
         const Eigen::VectorXd slope = energy.slope(alpha);
-        const double size =
-          std::max(constraint.e.norm(), energy.forces(alpha).head(stiffness.size()).sum());
+        const double size           = std::max(constraint.e.norm(),
+                                               energy.forces(alpha).head(stiffness.size()).sum());
         if (slope.norm() <= balanced * size)
           break;
         const Eigen::VectorXd step = energy.curvature(alpha).llt().solve(-slope);

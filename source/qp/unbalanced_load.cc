@@ -91,27 +91,28 @@ namespace stiction::qp
     }
   } // namespace
 
-  UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint, const SlipBound &slip_bound)
+  UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint,
+                                 const SlipBound &slip_bound)
   {
     const auto &[G, e]      = constraint;
-    const Eigen::Index n     = e.size();
-    const Eigen::Index m     = slip_bound.n_nodes();
-    const double size        = e.norm();
-    UnbalancedLoad result    = {e, Eigen::VectorXd::Zero(3 * m)};
-    const bool has_constant  = !slip_bound.constant().isZero(0.);
+    const Eigen::Index n    = e.size();
+    const Eigen::Index m    = slip_bound.n_nodes();
+    const double size       = e.norm();
+    UnbalancedLoad result   = {e, Eigen::VectorXd::Zero(3 * m)};
+    const bool has_constant = !slip_bound.constant().isZero(0.);
     if (!(size > 0.))
       return {Eigen::VectorXd::Zero(n), result.lambda};
 
-    const auto candidate = [&, &G = G](
-                             std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces,
-                             const double share) {
-      Candidate all{Eigen::VectorXd::Zero(n + 1), std::move(forces)};
-      for (const auto &[i, force] : all.forces)
-        for (Eigen::Index c = 0; c < 3; ++c)
-          all.work.head(n) += force(c) * G.row(i + c * m).transpose();
-      all.work(n) = share;
-      return all;
-    };
+    const auto candidate =
+      [&, &G = G](std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces,
+                  const double share) {
+        Candidate all{Eigen::VectorXd::Zero(n + 1), std::move(forces)};
+        for (const auto &[i, force] : all.forces)
+          for (Eigen::Index c = 0; c < 3; ++c)
+            all.work.head(n) += force(c) * G.row(i + c * m).transpose();
+        all.work(n) = share;
+        return all;
+      };
     // given friction acts as a whole or in part: the parts and what is left are one
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
     b.head(n)         = e;
@@ -137,7 +138,8 @@ namespace stiction::qp
             const Eigen::Vector3d force  = along(motion, 1., slip_bound.coefficient()(i));
             if (force.dot(motion) <= 0.)
               continue;
-            work = force(0) * G.row(i) + force(1) * G.row(i + m) + force(2) * G.row(i + 2 * m);
+            work =
+              force(0) * G.row(i) + force(1) * G.row(i + m) + force(2) * G.row(i + 2 * m);
             if (force.dot(motion) > most * work.norm())
               {
                 most = force.dot(motion) / work.norm();
@@ -184,8 +186,7 @@ namespace stiction::qp
         one.amount /= share;
     for (const Candidate &one : used)
       for (const auto &[i, force] : one.forces)
-        set_at_node(result.lambda, i,
-                    at_node(result.lambda, i) + one.amount * force);
+        set_at_node(result.lambda, i, at_node(result.lambda, i) + one.amount * force);
     return result;
   }
 
@@ -197,8 +198,8 @@ namespace stiction::qp
     for (Eigen::Index i = 0; i < m; ++i)
       if (slip_bound.constant()(i) == 0. && slip_bound.coefficient()(i) == 0.)
         felt.row(i + m) = felt.row(i + 2 * m) = Eigen::RowVectorXd::Zero(n);
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(felt, Eigen::ComputeThinU |
-                                                     Eigen::ComputeFullV);
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(felt,
+                                             Eigen::ComputeThinU | Eigen::ComputeFullV);
     Eigen::Index rank = 0;
     while (rank < svd.singularValues().size() &&
            svd.singularValues()(rank) > rounding * G.norm())

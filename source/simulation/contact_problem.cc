@@ -5,8 +5,8 @@
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
+#include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/interface/rigid_balance.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
 #include <stiction/elasticity/model/materials.h>
@@ -37,8 +37,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <nlohmann/json.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <stdexcept>
 
@@ -117,32 +115,12 @@ namespace stiction
     open_output();
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
-    leave_in_place();
+    if (ends_.empty())
+      leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_.u);
+    else
+      leave_in_place(*elasticity, *surface, ends_.front().state.u, state_.u);
     if (steps_)
       add_effort(timer.wall_time());
-  }
-
-  void ContactProblem::leave_in_place()
-  {
-    const auto &[elasticity, surface, solver] = *discretization_;
-    const Eigen::MatrixXd motions             = unresisted_motions(*elasticity, *surface);
-    const Eigen::Index n                      = motions.cols();
-    if (n == 0)
-      return;
-    // the mean motion of all nodes along each of them
-    LA::Vector moved = state_.u;
-    if (!ends_.empty())
-      moved -= ends_.front().state.u;
-    const Eigen::VectorXd mean =
-      motions.transpose() * elasticity->work_along_free_motions(moved);
-    Eigen::MatrixXd size(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      {
-        LA::Vector motion = elasticity->zero_vector();
-        elasticity->add_free_motion(motions.col(j), motion);
-        size.col(j) = motions.transpose() * elasticity->work_along_free_motions(motion);
-      }
-    elasticity->add_free_motion(-motions * size.ldlt().solve(mean), state_.u);
   }
 
   void ContactProblem::certify()

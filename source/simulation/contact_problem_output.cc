@@ -5,6 +5,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -132,13 +133,16 @@ namespace stiction
     const std::string &directory = parameters_.output.export_directory;
     if (directory.empty() || !discretization_->solver)
       return;
-    const auto phase = phases_.scope("output");
+    const auto phase        = phases_.scope("output");
+    const auto &elasticity  = *discretization_->elasticity;
+    const Eigen::MatrixXd G = rigid_balance(elasticity, *discretization_->surface).G;
+    Eigen::VectorXd places(G.cols()); // of obstacles and body, as they are
+    places << state_.distances, elasticity.free_motion_of(state_.u);
     do_on_first_rank(communicator_, [&]() {
       const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
-      problem.Q = *Q.matrix();
-      problem.h = Q.right_hand_side() -
-                  discretization_->surface->motion().displacement(state_.distances);
+      problem.Q          = *Q.matrix();
+      problem.h          = Q.right_hand_side() - G.lazyProduct(places);
       problem.slip_bound = discretization_->surface->slip_bound();
       problem.areas      = discretization_->surface->areas();
       problem.positions.resize(discretization_->surface->n_nodes(), 3);
@@ -263,6 +267,7 @@ namespace stiction
                               {"dofs", body_->dof_handler().n_dofs()},
                               {"contact_nodes", discretization_->surface->n_nodes()},
                               {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
+                              {"free_motions", elasticity().free_motions().in_words()},
                               {"boundaries", json::array()}};
     const MeshNames &names = body_->boundary_names();
     for (const auto id : names.ids())

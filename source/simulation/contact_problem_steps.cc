@@ -132,11 +132,11 @@ namespace stiction
   {
     const auto &[elasticity, surface, solver] = *discretization_;
     open_output();
-    state_ = ends_.empty() ? State{elasticity->zero_vector(),
+    state_         = ends_.empty() ? State{elasticity->zero_vector(),
                                    Eigen::VectorXd::Zero(3 * surface->n_nodes()),
                                    Eigen::VectorXd::Zero(surface->motion().n_pressed()),
                                    {}}
-                           : ends_.front().state;
+                                   : ends_.front().state;
     status_        = {};
     status_.reason = reason;
     certify();

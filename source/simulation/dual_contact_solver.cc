@@ -5,9 +5,9 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/dual_method_factory.h>
 #include <stiction/contact/dual/schur_complement.h>
+#include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/interface/rigid_balance.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/place_search.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
@@ -149,13 +149,13 @@ namespace stiction
 
   void DualContactSolver::augment(const State &state, const Eigen::VectorXd &lambda)
   {
-    const ContactSurface &surface     = setting_.surface;
-    const ObstacleMotion &motion      = surface.motion();
-    const LinearElasticity &body      = setting_.elasticity;
-    const Eigen::Index p              = motion.n_pressed();
-    const EqualityConstraint balance  = rigid_balance(body, surface);
-    const Eigen::Index n              = balance.e.size() - p;
-    const double best                 = best_spring_compliance(setting_.parameters.contact_solver);
+    const ContactSurface &surface    = setting_.surface;
+    const ObstacleMotion &motion     = surface.motion();
+    const LinearElasticity &body     = setting_.elasticity;
+    const Eigen::Index p             = motion.n_pressed();
+    const EqualityConstraint balance = rigid_balance(body, surface);
+    const Eigen::Index n             = balance.e.size() - p;
+    const double best = best_spring_compliance(setting_.parameters.contact_solver);
 
     EqualityConstraint constraint{balance.G.leftCols(p), balance.e.head(p)};
     Eigen::VectorXd multipliers =
@@ -167,7 +167,8 @@ namespace stiction
     if (n > 0)
       deflated_ = std::make_unique<DeflatedOperator>(
         *Q_, EqualityConstraint{balance.G.rightCols(n), balance.e.tail(n)});
-    const DualOperator &Q = deflated_ ? static_cast<const DualOperator &>(*deflated_) : *Q_;
+    const DualOperator &Q =
+      deflated_ ? static_cast<const DualOperator &>(*deflated_) : *Q_;
     Eigen::VectorXd weights =
       best * yielding(Q, uniform_pressures(motion, surface.areas()))
                .cwiseQuotient(motion.forces());
@@ -202,19 +203,18 @@ namespace stiction
 
     Eigen::VectorXd lambda = state.lambda;
     if (lambda.size() == 0)
-      lambda = setting_.elasticity.free_motions().n() > 0
-                 ? qp::unbalanced_load(rigid_balance(setting_.elasticity, surface),
-                                       surface.slip_bound())
-                     .lambda
-                 : Eigen::VectorXd(
-                     uniform_pressures(motion, surface.areas()).rowwise().sum());
+      lambda =
+        setting_.elasticity.free_motions().n() > 0
+          ? qp::unbalanced_load(rigid_balance(setting_.elasticity, surface),
+                                surface.slip_bound())
+              .lambda
+          : Eigen::VectorXd(uniform_pressures(motion, surface.areas()).rowwise().sum());
     forget_method();
     augment(state, lambda);
-    BodyVerifier verifier(
-      setting_.elasticity, surface, *stiffness_solver_, state,
-      [&](const Eigen::VectorXd &forces) {
-        return places(augmented_->multipliers(forces), forces);
-      });
+    BodyVerifier verifier(setting_.elasticity, surface, *stiffness_solver_, state,
+                          [&](const Eigen::VectorXd &forces) {
+                            return places(augmented_->multipliers(forces), forces);
+                          });
 
     State best; // where the forces are least wrong
     PlaceSearch search(motion.forces());
@@ -233,7 +233,7 @@ namespace stiction
         double error                   = motion.relative_error(missing);
         if (deflated_)
           error = std::max(error, certificate.body_figures().equilibrium_residual);
-        const bool falls   = error <= required_fall * last_error;
+        const bool falls = error <= required_fall * last_error;
         if (error < smallest)
           best = state;
         smallest = std::min(smallest, error);
@@ -244,7 +244,7 @@ namespace stiction
         if (!status.converged && !(falls && certificate.is_solved(reach)))
           break;
 
-        Eigen::VectorXd next = augmented_->multipliers(lambda);
+        Eigen::VectorXd next          = augmented_->multipliers(lambda);
         next.head(motion.n_pressed()) = search.next(state.distances, missing, accuracy);
         augmented_->set_multipliers(next);
         // beside larger loads the forces may have been below the accuracy

@@ -20,13 +20,11 @@ namespace
   const std::string block = shipped("block_on_slope.prm");
 
   // A cube of weight 1.
-  const Settings cube = {"Geometry/Lengths=1,1,1",
-                         "Geometry/Subdivisions=2,2,2",
-                         "Geometry/Global refinement=1",
-                         "Material/Young's modulus=1000",
-                         "Material/Density=1",
-                         "Boundary conditions/Gravity=0;0;-1",
-                         "Contact solver/Tolerance=1e-9"};
+  const Settings cube = {
+    "Geometry/Lengths=1,1,1",       "Geometry/Subdivisions=2,2,2",
+    "Geometry/Global refinement=1", "Material/Young's modulus=1000",
+    "Material/Density=1",           "Boundary conditions/Gravity=0;0;-1",
+    "Contact solver/Tolerance=1e-9"};
 
   const Settings on_slope = {"Boundary conditions/Gravity=0.25;0;-1"};
 
@@ -74,14 +72,14 @@ namespace
       {"Boundary conditions/Obstacle=plane : 0; 0; -0.1; 0; 0; 1"},
       {"Boundary conditions/Initial gap=0.01"}};
     bool are_certified = true, are_left = true;
-    double error = 0.;
+    double error     = 0.;
     const auto check = [&](const Settings &settings) {
       const Run run(block, column + settings);
       are_certified       = are_certified && run.converged;
       const auto &surface = run.problem->contact_surface();
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        error = std::max(error,
-                         std::abs(lambda(run)(i) / surface.areas()(i) / 1000. - 1.));
+        error =
+          std::max(error, std::abs(lambda(run)(i) / surface.areas()(i) / 1000. - 1.));
       const double energy = run.summary()["energy"]["strain"];
       error               = std::max(error, std::abs(energy / 0.5 - 1.));
       const auto mean     = mean_displacement(run);
@@ -104,7 +102,7 @@ namespace
                                             "Boundary conditions/Traction=right : 0; 0; "
                                             "-0.3 * z"};
     const Settings held   = {"Boundary conditions/Prescribed points=0;0;1 : 0;0;free "
-                             "| 1;0;1 : free;0;free"};
+                               "| 1;0;1 : free;0;free"};
     for (const std::string method : {"newton", "newton multigrid"})
       {
         const Settings by = {"Contact solver/Method=" + method};
@@ -136,13 +134,13 @@ namespace
   {
     for (const std::string method : {"newton multigrid", "newton"})
       {
-        const Settings by =
-          cube + Settings{"Contact solver/Method=" + method, "Contact solver/Tolerance=1e-8"};
+        const Settings by = cube + Settings{"Contact solver/Method=" + method,
+                                            "Contact solver/Tolerance=1e-8"};
         out() << method << ":" << std::endl;
         for (const std::string slope : {"0.299", "0.2999", "0.3001"})
           out() << "  slope " << slope << ": "
-                << refusal(by + Settings{"Boundary conditions/Gravity=" + slope +
-                                         ";0;-1"})
+                << refusal(by +
+                           Settings{"Boundary conditions/Gravity=" + slope + ";0;-1"})
                 << std::endl;
         for (const std::string height : {"3.98", "4.02"})
           out() << "  height " << height << ": "
@@ -152,8 +150,9 @@ namespace
     out() << "pulled off: "
           << refusal(cube + Settings{"Boundary conditions/Gravity=0;0;0.5"}) << std::endl;
     out() << "twisted off: "
-          << refusal(cube + Settings{"Boundary conditions/Traction=top : -1 * (y - 0.5); x "
-                                     "- 0.5; 0"})
+          << refusal(cube +
+                     Settings{"Boundary conditions/Traction=top : -1 * (y - 0.5); x "
+                              "- 0.5; 0"})
           << std::endl;
   }
 
@@ -163,12 +162,11 @@ namespace
       {}, {"Friction/Law=given", "Friction/Slip stress=0.26"}};
     for (const Settings &law : laws)
       {
-        const Run reference(block,
-                            cube + on_slope + law +
-                              Settings{"Contact solver/Method=newton multigrid"});
+        const Run reference(block, cube + on_slope + law +
+                                     Settings{"Contact solver/Method=newton multigrid"});
         out() << reference.problem->contact_surface().n_nodes() << " nodes, "
-              << reference.summary()["method"]["law"].get<std::string>()
-              << ": certified " << yes(reference.converged) << std::endl;
+              << reference.summary()["method"]["law"].get<std::string>() << ": certified "
+              << yes(reference.converged) << std::endl;
         for (const Method &method : all_methods())
           if (law.empty() || method.solves_given)
             {
@@ -176,8 +174,9 @@ namespace
               out() << "  " << method.name << ": certified " << yes(run.converged)
                     << ", the same forces to 1e-5 "
                     << yes(distance(run, reference) < 1e-5) << ", the same place "
-                    << yes((mean_displacement(run) - mean_displacement(reference)).norm() <
-                           1e-6 * mean_displacement(reference).norm())
+                    << yes(
+                         (mean_displacement(run) - mean_displacement(reference)).norm() <
+                         1e-6 * mean_displacement(reference).norm())
                     << std::endl;
             }
       }
@@ -185,8 +184,7 @@ namespace
 
   void try_meshes()
   {
-    const Settings ball = {"Geometry/Type=generator",
-                           "Geometry/Generator=hyper_ball",
+    const Settings ball = {"Geometry/Type=generator", "Geometry/Generator=hyper_ball",
                            "Geometry/Generator arguments=0,0,1 : 1 : false",
                            "Boundary conditions/Contact boundary=0",
                            "Boundary conditions/Obstacle=plane : 0; 0; 0; 0; 0; 1"};
@@ -207,8 +205,8 @@ namespace
         const Settings load = is_ball ? Settings() : on_slope;
         const Run primal(block, cube + load + settings +
                                   Settings{"Contact solver/Method=newton multigrid"});
-        const Run dual(block, cube + load + settings +
-                                Settings{"Contact solver/Method=newton"});
+        const Run dual(block,
+                       cube + load + settings + Settings{"Contact solver/Method=newton"});
         out() << name << ": certified " << yes(primal.converged && dual.converged)
               << ", the same forces to 1e-5 " << yes(distance(primal, dual) < 1e-5)
               << std::endl;
@@ -237,7 +235,8 @@ namespace
               << yes(pressed.converged && squeezed.converged) << ", pressed with 3 "
               << yes(std::abs(force(pressed)[2] / 3. - 1.) < 1e-6)
               << ", squeezed alike from both sides "
-              << yes((below + above).norm() < 1e-6 * above.norm()) << ", by the half each "
+              << yes((below + above).norm() < 1e-6 * above.norm())
+              << ", by the half each "
               << yes(std::abs(mean_displacement(squeezed)[2] / -5e-4 - 1.) < 1e-5)
               << std::endl;
       }
@@ -255,7 +254,8 @@ namespace
         const auto on_body = force(run);
         out() << method << ", half held: certified " << yes(run.converged)
               << ", forces where supports have none "
-              << yes(std::abs(on_body[1] + 0.1) < 1e-7 && std::abs(on_body[2] - 1.) < 1e-7)
+              << yes(std::abs(on_body[1] + 0.1) < 1e-7 &&
+                     std::abs(on_body[2] - 1.) < 1e-7)
               << ", a part of the others "
               << yes(on_body[0] > -0.69 && on_body[0] < -0.01) << std::endl;
       }
@@ -264,9 +264,9 @@ namespace
   // Gravity that turns until it slides at 0.75, or falls away from 1 to −1.
   void follow_histories()
   {
-    const Settings steps = cube + Settings{"Time/Steps=2", "Time/End=1",
-                                           "Time/Smallest step=0.01",
-                                           "Contact solver/Tolerance=1e-7"};
+    const Settings steps =
+      cube + Settings{"Time/Steps=2", "Time/End=1", "Time/Smallest step=0.01",
+                      "Contact solver/Tolerance=1e-7"};
     for (const std::string method : {"newton multigrid", "newton"})
       for (const auto &[what, gravity] :
            {std::make_pair("slides", "0.4 * t; 0; -1"),
@@ -284,8 +284,8 @@ namespace
               reached = step["t"];
           const std::string reason = run.problem->status().reason;
           out() << method << ", " << what << ": reached t = " << reached
-                << (reason.empty() ? "" : ", ") << reason.substr(0, reason.find(", where"))
-                << std::endl;
+                << (reason.empty() ? "" : ", ")
+                << reason.substr(0, reason.find(", where")) << std::endl;
         }
   }
 } // namespace

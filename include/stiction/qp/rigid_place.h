@@ -1,7 +1,7 @@
 #ifndef stiction_qp_rigid_place_h
 #define stiction_qp_rigid_place_h
 
-#include <stiction/qp/equality_constraint.h>
+#include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>

@@ -113,9 +113,6 @@ namespace stiction
     /// answer itself.
     void solve_and_certify();
     void solve();
-    /// Where nothing resists a motion of the body, it is that of the last step on the
-    /// mean of its nodes.
-    void leave_in_place();
     /// See stiction::why_no_equilibrium().
     std::string why_no_equilibrium() const;
     /// Makes the end of the last step what was reached, where nothing stops the body.

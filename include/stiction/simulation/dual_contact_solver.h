@@ -64,9 +64,9 @@ namespace stiction
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<DeflatedOperator> deflated_; ///< of a body with free motions
     std::unique_ptr<AugmentedOperator> augmented_;
-    std::unique_ptr<DualMethod> method_;           ///< of the last solve
-    qp::IterationCounts earlier_;                  ///< of methods before it
-    double earlier_multiplications_ = 0.;          ///< of augmented operators before
+    std::unique_ptr<DualMethod> method_;  ///< of the last solve
+    qp::IterationCounts earlier_;         ///< of methods before it
+    double earlier_multiplications_ = 0.; ///< of augmented operators before
   };
 } // namespace stiction
 

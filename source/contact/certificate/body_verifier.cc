@@ -24,7 +24,7 @@ namespace stiction
 
   const ContactConditions &BodyVerifier::verify(const Eigen::VectorXd &lambda)
   {
-    LA::Vector force = elasticity_.constrained_load();
+    LA::Vector force    = elasticity_.constrained_load();
     const Places places = places_(lambda);
     surface_.B().add_transpose(-1., lambda, force);
     if (places.lacking.size() > 0)

@@ -179,8 +179,8 @@ namespace stiction
   {
     const std::set<std::string> of_places =
       elasticity_.free_motions().n() > 0
-        ? std::set<std::string>{"obstacle_force", "equilibrium_residual",
-                                "force_balance", "moment_balance"}
+        ? std::set<std::string>{"obstacle_force", "equilibrium_residual", "force_balance",
+                                "moment_balance"}
         : std::set<std::string>{"obstacle_force"};
     const auto figures = deciding_figures();
     return std::all_of(figures.begin(), figures.end(), [&](const auto &figure) {

@@ -5,6 +5,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace stiction
@@ -31,6 +32,14 @@ namespace stiction
 
     // Q = M C Mᵀ with C the block of K⁻¹ at the contact unknowns
     Eigen::MatrixXd Q = solver.compliance(surface.B().dofs());
+    const auto &dofs  = surface.B().dofs().dofs();
+    for (const auto anchor : elasticity.anchors())
+      if (const auto place = std::find(dofs.begin(), dofs.end(), anchor);
+          place != dofs.end())
+        {
+          Q.row(place - dofs.begin()).setZero();
+          Q.col(place - dofs.begin()).setZero();
+        }
     surface.B().rotate_to_local(Q);
     Q.diagonal() += held_compliance(elasticity, surface);
     return std::make_unique<DenseDualOperator>(

@@ -123,7 +123,7 @@ namespace stiction
     load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
 
     const Eigen::Index n = elasticity_.free_motions().n(), p = motion_.n_pressed();
-    balance_               = {Eigen::MatrixXd(3 * n_nodes(), p + n), Eigen::VectorXd(p + n)};
+    balance_ = {Eigen::MatrixXd(3 * n_nodes(), p + n), Eigen::VectorXd(p + n)};
     balance_.G.leftCols(p) = motion_.directions();
     balance_.e.head(p)     = -motion_.forces();
     for (Eigen::Index j = 0; j < n; ++j)

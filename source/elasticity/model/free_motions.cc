@@ -129,9 +129,11 @@ namespace stiction
 
   std::string FreeMotions::in_words(const Eigen::MatrixXd &amounts) const
   {
-    const Eigen::MatrixXd space     = Subspaces(basis_ * amounts).range;
-    const Subspaces rotations       = Subspaces(space.bottomRows(3));
-    const Eigen::MatrixXd no_turns  = space.topRows(3) * rotations.kernel;
+    if (amounts.cols() == 0)
+      return "";
+    const Eigen::MatrixXd space    = Subspaces(basis_ * amounts).range;
+    const Subspaces rotations      = Subspaces(space.bottomRows(3));
+    const Eigen::MatrixXd no_turns = space.topRows(3) * rotations.kernel;
     std::string text;
     if (no_turns.cols() > 0)
       text = "move along " + axes(Subspaces(no_turns).range);

@@ -27,7 +27,17 @@ namespace stiction
 
   void StiffnessSolver::solve(LA::Vector &dst, const LA::Vector &src)
   {
-    n_iterations_ += do_solve(dst, src);
+    if (elasticity_.anchors().empty())
+      n_iterations_ += do_solve(dst, src);
+    else
+      {
+        // of loads in balance what acts there is the same as what the others ask for
+        LA::Vector without_anchors = src;
+        for (const auto dof : elasticity_.anchors())
+          if (src.in_local_range(dof))
+            without_anchors(dof) = 0.;
+        n_iterations_ += do_solve(dst, without_anchors);
+      }
     ++n_solves_;
   }
 

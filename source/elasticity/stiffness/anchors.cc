@@ -1,4 +1,3 @@
-#include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/free_motions.h>
 #include <stiction/elasticity/stiffness/anchors.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace stiction
 {
@@ -95,18 +95,17 @@ namespace stiction
     const Body &body, const AffineConstraints<double> &constraints,
     const FreeMotions &free_motions, const std::vector<types::global_dof_index> &excluded)
   {
-    std::vector<types::global_dof_index> anchors;
     const auto n = free_motions.n();
-    for (const bool only_coarse : {true, false})
+    for (const auto &[only_coarse, left_out] :
+         {std::make_pair(true, excluded), std::make_pair(false, excluded),
+          std::make_pair(false, std::vector<types::global_dof_index>())})
       {
-        anchors = choose(
-          candidates(body, constraints, free_motions, excluded, only_coarse), n,
-          body.communicator());
+        const std::vector<types::global_dof_index> anchors =
+          choose(candidates(body, constraints, free_motions, left_out, only_coarse), n,
+                 body.communicator());
         if (static_cast<Eigen::Index>(anchors.size()) == n)
           return anchors;
       }
-    throw InputError("The body can " + free_motions.in_words() +
-                     ", and almost all of its nodes are contact nodes, must have others "
-                     "that hold it while it is factorised: refine the mesh.");
+    return {}; // a motion that vanishes at all vertices is none
   }
 } // namespace stiction

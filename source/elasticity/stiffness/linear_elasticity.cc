@@ -76,6 +76,8 @@ namespace stiction
   Eigen::VectorXd LinearElasticity::free_motion_of(const LA::Vector &u) const
   {
     const auto n = free_motions_->n();
+    if (n == 0)
+      return Eigen::VectorXd();
     Eigen::MatrixXd system(n, n + 1); // the motions at the anchors, and u
     system.setZero();
     for (const Body::Node &node : body_.locally_owned_nodes())
@@ -99,11 +101,12 @@ namespace stiction
       return work;
     for (const Body::Node &node : body_.locally_owned_nodes())
       if (!is_hanging(node.dofs[0]))
-        work += free_motions_->at(node.position).transpose() *
-                Eigen::Vector3d(force(node.dofs[0]), force(node.dofs[1]),
-                                force(node.dofs[2]));
+        work +=
+          free_motions_->at(node.position).transpose() *
+          Eigen::Vector3d(force(node.dofs[0]), force(node.dofs[1]), force(node.dofs[2]));
     Utilities::MPI::sum(ArrayView<const double>(work.data(), work.size()),
-                        body_.communicator(), ArrayView<double>(work.data(), work.size()));
+                        body_.communicator(),
+                        ArrayView<double>(work.data(), work.size()));
     return work;
   }
 

@@ -17,16 +17,17 @@ namespace stiction
     : DualOperator(Q.n_nodes())
     , Q_(Q)
   {
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(constraint.G, Eigen::ComputeThinU |
-                                                             Eigen::ComputeThinV);
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(constraint.G,
+                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::VectorXd &sigma = svd.singularValues();
     Eigen::Index rank            = 0;
     while (rank < sigma.size() && sigma(rank) > dependent * sigma(0))
       ++rank;
     const Eigen::MatrixXd V = svd.matrixV().leftCols(rank);
     constraint_.G           = svd.matrixU().leftCols(rank);
-    constraint_.e = sigma.head(rank).cwiseInverse().cwiseProduct(V.transpose() * constraint.e);
-    to_basis_     = sigma.head(rank).asDiagonal() * V.transpose();
+    constraint_.e =
+      sigma.head(rank).cwiseInverse().cwiseProduct(V.transpose() * constraint.e);
+    to_basis_ = sigma.head(rank).asDiagonal() * V.transpose();
 
     const Eigen::MatrixXd &G = constraint_.G;
     Q_basis_.resize(G.rows(), rank);

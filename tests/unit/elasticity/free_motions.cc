@@ -43,7 +43,7 @@ namespace
             moved = std::max(moved, std::abs(u(dof)));
         elasticity.add_free_motion((1. + j) * alpha, all);
       }
-    moved = dealii::Utilities::MPI::max(moved, MPI_COMM_WORLD);
+    moved                       = dealii::Utilities::MPI::max(moved, MPI_COMM_WORLD);
     const Eigen::VectorXd found = elasticity.free_motion_of(all);
     double wrong                = 0.;
     for (Eigen::Index j = 0; j < motions.n(); ++j)

@@ -22,7 +22,7 @@ namespace
   }
 
   VectorXd product(const DualOperator &Q, const VectorXd &v,
-                   const DualBlock rows = DualBlock::all,
+                   const DualBlock rows    = DualBlock::all,
                    const DualBlock columns = DualBlock::all)
   {
     VectorXd result;
@@ -42,7 +42,7 @@ int main()
   const DenseDualOperator dense(Q, h);
   const ByAction by_action(Q, h);
   // another inverse of the stiffness of a free body differs by rigid motions
-  const MatrixXd X = matrix(random, 3 * m, n);
+  const MatrixXd X       = matrix(random, 3 * m, n);
   const MatrixXd other_Q = Q + G * X.transpose() + X * G.transpose();
   const DenseDualOperator other(other_Q, h + X * e);
   // motions that depend on each other
@@ -68,42 +68,43 @@ int main()
              .norm() < 1e-11 * gradient.norm();
   };
   std::cout << "forces that lacked nothing: "
-        << yes((G.transpose() * lambda - e).norm() < 1e-12 * e.norm()) << std::endl;
+            << yes((G.transpose() * lambda - e).norm() < 1e-12 * e.norm()) << std::endl;
   std::cout << "basis orthonormal: "
-        << yes((basis.transpose() * basis - MatrixXd::Identity(n, n)).norm() < 1e-13)
-        << ", of rank 6 where 7 motions depend: "
-        << yes(dependent.constraint().G.cols() == n) << std::endl;
-  std::cout << "the gradient: with a matrix " << yes(is_gradient(deflated)) << ", without "
-        << yes(is_gradient(without_matrix)) << std::endl;
+            << yes((basis.transpose() * basis - MatrixXd::Identity(n, n)).norm() < 1e-13)
+            << ", of rank 6 where 7 motions depend: "
+            << yes(dependent.constraint().G.cols() == n) << std::endl;
+  std::cout << "the gradient: with a matrix " << yes(is_gradient(deflated))
+            << ", without " << yes(is_gradient(without_matrix)) << std::endl;
   std::cout << "multipliers there and back: "
-        << yes((deflated.multipliers(deflated.multipliers_of_basis(alpha, lambda),
-                                     lambda) -
-                alpha)
-                 .norm() < 1e-11 * alpha.norm())
-        << std::endl;
+            << yes((deflated.multipliers(deflated.multipliers_of_basis(alpha, lambda),
+                                         lambda) -
+                    alpha)
+                     .norm() < 1e-11 * alpha.norm())
+            << std::endl;
   const VectorXd v = random.vector(3 * m);
   std::cout << "no rigid motion is felt: "
-        << yes(product(deflated, G * alpha).norm() < 1e-11 * (Q * G * alpha).norm())
-        << ", the inverse does not matter: "
-        << yes((product(same, v) - product(deflated, v)).norm() <
-               1e-10 * product(deflated, v).norm())
-        << std::endl;
+            << yes(product(deflated, G * alpha).norm() < 1e-11 * (Q * G * alpha).norm())
+            << ", the inverse does not matter: "
+            << yes((product(same, v) - product(deflated, v)).norm() <
+                   1e-10 * product(deflated, v).norm())
+            << std::endl;
   double error = 0.;
   for (const DualBlock rows : {DualBlock::normal, DualBlock::tangential, DualBlock::all})
     for (const DualBlock columns :
          {DualBlock::normal, DualBlock::tangential, DualBlock::all})
       {
-        const Index size = columns == DualBlock::normal       ? m
-                           : columns == DualBlock::tangential ? 2 * m
-                                                              : 3 * m;
+        const Index size    = columns == DualBlock::normal       ? m
+                              : columns == DualBlock::tangential ? 2 * m
+                                                                 : 3 * m;
         const VectorXd part = random.vector(size);
         error = std::max(error, (product(without_matrix, part, rows, columns) -
                                  product(deflated, part, rows, columns))
                                   .norm());
       }
-  std::cout << "by blocks as by its matrix: " << yes(error < 1e-10 * Q.norm()) << std::endl;
+  std::cout << "by blocks as by its matrix: " << yes(error < 1e-10 * Q.norm())
+            << std::endl;
   std::cout << "nodal compliance positive: "
-        << yes((deflated.nodal_compliance().array() > 0.).all() &&
-               (without_matrix.nodal_compliance().array() > 0.).all())
-        << std::endl;
+            << yes((deflated.nodal_compliance().array() > 0.).all() &&
+                   (without_matrix.nodal_compliance().array() > 0.).all())
+            << std::endl;
 }

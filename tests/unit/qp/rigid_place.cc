@@ -22,7 +22,7 @@ namespace
     for (Index i = 0; i < 4; ++i)
       {
         const double x = i % 2 == 0 ? -1. : 1.;
-        balance.G.row(i) << 0., 1., -x;      // −n·u with n = −z, u_z = α_1 − x α_2
+        balance.G.row(i) << 0., 1., -x; // −n·u with n = −z, u_z = α_1 − x α_2
         balance.G.row(i + 4) << -1., 0., 0.; // −t1·u
       }
     return balance;
@@ -44,31 +44,32 @@ namespace
 int main()
 {
   const VectorXd rho = VectorXd::Constant(4, stiffness);
-  const auto smooth = qp::SlipBound::given(VectorXd::Zero(4));
-  const auto rough  = qp::SlipBound::coulomb(VectorXd::Constant(4, 0.3));
-  const auto near   = [](const VectorXd &a, const VectorXd &b) {
+  const auto smooth  = qp::SlipBound::given(VectorXd::Zero(4));
+  const auto rough   = qp::SlipBound::coulomb(VectorXd::Constant(4, 0.3));
+  const auto near    = [](const VectorXd &a, const VectorXd &b) {
     return yes((a - b).norm() < 1e-3 * b.norm());
   };
 
   // weight 40: four springs give way by 0.01
   std::cout << "falls: "
-        << near(qp::rigid_place(block(three(0., -40., 0.)), gradient(), rho, smooth),
-                three(0., -gap - 0.01, 0.))
-        << std::endl;
+            << near(qp::rigid_place(block(three(0., -40., 0.)), gradient(), rho, smooth),
+                    three(0., -gap - 0.01, 0.))
+            << std::endl;
   // the moment 20 about y: 4 k x² turn = 20
   const VectorXd turned =
     qp::rigid_place(block(three(0., -40., 20.)), gradient(), rho, smooth);
   std::cout << "falls and turns: " << near(turned, three(0., -gap - 0.01, 0.005))
-        << std::endl;
+            << std::endl;
   // rough: 4 k x = 4 beside what it went while it fell
   const VectorXd pushed =
     qp::rigid_place(block(three(4., -40., 0.)), gradient(), rho, rough);
   std::cout << "sticks: " << yes(std::abs(4. * stiffness * pushed(0) - 4.) < 0.1)
-        << ", and presses: " << yes(std::abs(pushed(1) + gap + 0.01) < 1e-4) << std::endl;
-  std::cout << "no load, no touch: "
-        << yes(qp::rigid_place(block(three(0., 0., 0.)), gradient(), rho, rough)
-                 .isZero(0.))
-        << std::endl;
+            << ", and presses: " << yes(std::abs(pushed(1) + gap + 0.01) < 1e-4)
+            << std::endl;
+  std::cout
+    << "no load, no touch: "
+    << yes(qp::rigid_place(block(three(0., 0., 0.)), gradient(), rho, rough).isZero(0.))
+    << std::endl;
   // overlaps of 0.02 below two nodes, and of 0.01 above the two others
   VectorXd overlap = VectorXd::Zero(12);
   overlap.head(4) << -0.02, -0.02, -0.01, -0.01;
@@ -77,6 +78,6 @@ int main()
   const VectorXd between = qp::rigid_place(plates, overlap, rho, smooth);
   const VectorXd r       = overlap + plates.G * between;
   std::cout << "between two plates forces balance: "
-        << yes(std::abs(r(0) + r(1) - r(2) - r(3)) < 1e-4) << ", it moved: "
-        << yes(std::abs(between(1) - 0.005) < 1e-4) << std::endl;
+            << yes(std::abs(r(0) + r(1) - r(2) - r(3)) < 1e-4)
+            << ", it moved: " << yes(std::abs(between(1) - 0.005) < 1e-4) << std::endl;
 }

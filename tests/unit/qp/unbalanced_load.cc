@@ -53,8 +53,9 @@ namespace
     const double size        = balance.e.norm();
     bool are_allowed         = true;
     for (Index i = 0; i < m; ++i)
-      are_allowed = are_allowed && lambda(i) >= 0. &&
-                    at_node(lambda, i).tail<2>().norm() <= g(i) * (1. + 1e-12) + 1e-15 * size;
+      are_allowed =
+        are_allowed && lambda(i) >= 0. &&
+        at_node(lambda, i).tail<2>().norm() <= g(i) * (1. + 1e-12) + 1e-15 * size;
     const VectorXd left = balance.e - balance.G.transpose() * lambda;
     if (rho.isZero(0.))
       return are_allowed && left.norm() <= 2e-8 * size;
@@ -65,8 +66,8 @@ namespace
       {
         const Eigen::Vector3d at = at_node(v, i);
         most += bound.constant()(i) * at.tail<2>().norm();
-        resists = resists ||
-                  at(0) + bound.coefficient()(i) * at.tail<2>().norm() > 1e-3 * rho.norm();
+        resists = resists || at(0) + bound.coefficient()(i) * at.tail<2>().norm() >
+                               1e-3 * rho.norm();
       }
     return are_allowed && !resists && balance.e.dot(rho) > most;
   }
@@ -74,16 +75,16 @@ namespace
   void check(const std::string &what, const EqualityConstraint &balance,
              const qp::SlipBound &bound)
   {
-    const double unit  = 1e9;
-    const auto result  = qp::unbalanced_load(balance, bound);
-    const auto larger  = qp::unbalanced_load(
+    const double unit = 1e9;
+    const auto result = qp::unbalanced_load(balance, bound);
+    const auto larger = qp::unbalanced_load(
       {balance.G, unit * balance.e},
       qp::SlipBound::mixed(unit * bound.constant(), bound.coefficient()));
     std::cout << what << ": balanced " << yes(result.is_balanced()) << ", right "
-          << yes(is_right(balance, bound)) << ", the same in other units "
-          << yes((larger.rho - unit * result.rho).norm() <=
-                 1e-6 * unit * balance.e.norm())
-          << std::endl;
+              << yes(is_right(balance, bound)) << ", the same in other units "
+              << yes((larger.rho - unit * result.rho).norm() <=
+                     1e-6 * unit * balance.e.norm())
+              << std::endl;
   }
 } // namespace
 
@@ -93,8 +94,8 @@ int main()
     {
       const Index m    = n * n;
       const auto rough = qp::SlipBound::coulomb(VectorXd::Constant(m, coefficient));
-      const auto glued = qp::SlipBound::given(
-        VectorXd::Constant(m, coefficient / static_cast<double>(m)));
+      const auto glued =
+        qp::SlipBound::given(VectorXd::Constant(m, coefficient / static_cast<double>(m)));
       const auto smooth = qp::SlipBound::given(VectorXd::Zero(m));
       std::cout << n * n << " nodes" << std::endl;
       check("at rest", block(n, 0.5, load(0., 0., -1.)), rough);

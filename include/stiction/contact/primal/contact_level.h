@@ -6,7 +6,7 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 #include <stiction/qp/contact_scales.h>
-#include <stiction/qp/equality_constraint.h>
+#include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
 
@@ -171,8 +171,9 @@ namespace stiction
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
 
-    std::vector<dealii::Point<3>> positions_; ///< of the nodes of a body with free motions
-    EqualityConstraint balance_;              ///< see rigid_balance()
+    std::vector<dealii::Point<3>>
+      positions_;                ///< of the nodes of a body with free motions
+    EqualityConstraint balance_; ///< see rigid_balance()
     Eigen::VectorXd foundation_;
     Eigen::MatrixXd driven_;
   };

@@ -17,9 +17,7 @@ namespace stiction
   /// them. Collective.
   ///
   /// @param constraints the prescribed displacements and hanging nodes.
-  /// @param excluded first unknowns of nodes that are left out.
-  ///
-  /// Throws InputError if there are no such unknowns.
+  /// @param excluded first unknowns of nodes that are left out if others are enough.
   std::vector<dealii::types::global_dof_index> choose_anchors(
     const Body &body, const dealii::AffineConstraints<double> &constraints,
     const FreeMotions &free_motions,

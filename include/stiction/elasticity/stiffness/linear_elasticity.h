@@ -79,7 +79,7 @@ namespace stiction
     /// do no work along free motions nothing acts there, and its inverse gives the
     /// displacement but for such a motion. Collective.
     ///
-    /// @param first_dofs of the nodes that are left out.
+    /// @param first_dofs of nodes that are left out if others are enough.
     void choose_anchors(const std::vector<dealii::types::global_dof_index> &first_dofs);
 
     /// The anchors, the same on all ranks.

@@ -1,7 +1,7 @@
 #ifndef stiction_qp_operators_augmented_operator_h
 #define stiction_qp_operators_augmented_operator_h
 
-#include <stiction/qp/equality_constraint.h>
+#include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/operators/dual_operator.h>
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 #ifndef stiction_qp_operators_deflated_operator_h
 #define stiction_qp_operators_deflated_operator_h
 
-#include <stiction/qp/equality_constraint.h>
+#include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/operators/dual_operator.h>
 
 #include <Eigen/Core>
@@ -54,8 +54,8 @@ namespace stiction
 
     const DualOperator &Q_;
     EqualityConstraint constraint_;
-    Eigen::MatrixXd to_basis_; ///< T with G = Ĝ T
-    Eigen::MatrixXd Q_basis_;  ///< Q Ĝ
+    Eigen::MatrixXd to_basis_;                 ///< T with G = Ĝ T
+    Eigen::MatrixXd Q_basis_;                  ///< Q Ĝ
     std::unique_ptr<DenseDualOperator> dense_; ///< if Q is known as a matrix
   };
 } // namespace stiction

@@ -1,8 +1,9 @@
-#ifndef stiction_contact_interface_rigid_balance_h
-#define stiction_contact_interface_rigid_balance_h
+#ifndef stiction_contact_dual_rigid_balance_h
+#define stiction_contact_dual_rigid_balance_h
 
 #include <stiction/base/units.h>
-#include <stiction/qp/equality_constraint.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/qp/operators/equality_constraint.h>
 
 #include <Eigen/Core>
 
@@ -29,6 +30,11 @@ namespace stiction
   /// friction depends on the answer. Collective.
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
                                      const ContactSurface &surface);
+
+  /// Takes the part of these motions off u that it has beyond another displacement, on
+  /// the mean of the nodes. Collective.
+  void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
+                      const LA::Vector &before, LA::Vector &u);
 } // namespace stiction
 
 #endif

@@ -1,11 +1,13 @@
 #include <stiction/base/log.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/interface/rigid_balance.h>
+#include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/unbalanced_load.h>
+
+#include <Eigen/Cholesky>
 
 #include <cmath>
 
@@ -57,17 +59,17 @@ namespace stiction
             cross_product_3d(motion.rotation, motion.translation) /
             motion.rotation.norm_square();
           return "the body turns about the axis along " + vector(axis, 1.) + " through " +
-                 vector(motion.centre + to_axis, size) + ", where the loads turn it with " +
+                 vector(motion.centre + to_axis, size) +
+                 ", where the loads turn it with " +
                  with_unit(format("%.3g", work / motion.rotation.norm()), units.moment) +
                  " more than contact bears";
         }
       // on a rough face a motion that friction cannot stop lifts the body as well: that
       // is the cone's, not the motion's
       const Tensor<1, 3> normal = mean_normal(surface, lambda);
-      Tensor<1, 3> sliding =
-        motion.translation - (motion.translation * normal) * normal;
-      const bool slides = normal.norm() > 0. &&
-                          sliding.norm() > no_motion * motion.translation.norm();
+      Tensor<1, 3> sliding = motion.translation - (motion.translation * normal) * normal;
+      const bool slides =
+        normal.norm() > 0. && sliding.norm() > no_motion * motion.translation.norm();
       if (!slides)
         sliding = motion.translation;
       const double length          = sliding.norm();
@@ -108,7 +110,7 @@ namespace stiction
     if (motions.n() == 0 || surface.has_friction_of_state())
       return "";
     const EqualityConstraint balance = rigid_balance(elasticity, surface);
-    const auto [rho, lambda] = qp::unbalanced_load(balance, surface.slip_bound());
+    const auto [rho, lambda]         = qp::unbalanced_load(balance, surface.slip_bound());
     if (rho.isZero(0.))
       return "";
 
@@ -118,9 +120,9 @@ namespace stiction
     double work                 = balance.e.dot(rho);
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       work -= surface.slip_bound().constant()(i) * at_node(moved, i).tail<2>().norm();
-    const std::string begin       = rho.norm() <= at_the_limit * balance.e.norm()
-                                      ? "no equilibrium exists, by a hair: "
-                                      : "no equilibrium exists: ";
+    const std::string begin = rho.norm() <= at_the_limit * balance.e.norm()
+                                ? "no equilibrium exists, by a hair: "
+                                : "no equilibrium exists: ";
     if (of_body.norm() < 0.5 * rho.norm())
       return begin + "the obstacle that is pressed on finds nothing that bears " +
              with_unit(format("%.4g", work / rho.norm()), units.force);
@@ -143,5 +145,26 @@ namespace stiction
       return Eigen::MatrixXd(n, 0);
     return qp::unresisted_motions(rigid_balance(elasticity, surface).G.rightCols(n),
                                   surface.slip_bound());
+  }
+
+  void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
+                      const LA::Vector &before, LA::Vector &u)
+  {
+    const Eigen::MatrixXd motions = unresisted_motions(elasticity, surface);
+    const Eigen::Index n          = motions.cols();
+    if (n == 0)
+      return;
+    LA::Vector moved = u;
+    moved -= before;
+    const Eigen::VectorXd along =
+      motions.transpose() * elasticity.work_along_free_motions(moved);
+    Eigen::MatrixXd size(n, n); // what a unit of each motion has
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        moved = 0.;
+        elasticity.add_free_motion(motions.col(j), moved);
+        size.col(j) = motions.transpose() * elasticity.work_along_free_motions(moved);
+      }
+    elasticity.add_free_motion(-motions * size.ldlt().solve(along), u);
   }
 } // namespace stiction

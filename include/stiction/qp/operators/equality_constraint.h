@@ -1,5 +1,5 @@
-#ifndef stiction_qp_equality_constraint_h
-#define stiction_qp_equality_constraint_h
+#ifndef stiction_qp_operators_equality_constraint_h
+#define stiction_qp_operators_equality_constraint_h
 
 #include <Eigen/Core>
 
