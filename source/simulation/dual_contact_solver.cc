@@ -5,6 +5,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/dual_method_factory.h>
 #include <stiction/contact/dual/schur_complement.h>
+#include <stiction/contact/dual/motion_search.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -17,6 +18,7 @@
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
+#include <stiction/qp/rigid_place.h>
 #include <stiction/qp/unbalanced_load.h>
 #include <stiction/simulation/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -147,6 +149,28 @@ namespace stiction
             deflated_->lacking(lambda)};
   }
 
+  Eigen::VectorXd DualContactSolver::first_places(const State &state,
+                                                  const EqualityConstraint &balance) const
+  {
+    const ContactSurface &surface     = setting_.surface;
+    const LinearElasticity &body      = setting_.elasticity;
+    const ContactStiffness &stiffness = surface.stiffness();
+    Eigen::VectorXd places(balance.e.size());
+    if (state.distances.size() == surface.motion().n_pressed() && state.u.size() > 0)
+      places << state.distances, body.free_motion_of(state.u);
+    else if (body.free_motions().n() > 0)
+      places =
+        qp::rigid_place(balance, surface.motion().offset_at_start(),
+                        stiffness.youngs_moduli.cwiseProduct(surface.areas().cwiseSqrt()),
+                        surface.slip_bound());
+    else if (state.distances.size() > 0)
+      places = state.distances;
+    else
+      places = ways_to_press(surface.motion(), surface.gaps(), surface.areas(),
+                             stiffness.youngs_moduli.maxCoeff());
+    return places;
+  }
+
   void DualContactSolver::augment(const State &state, const Eigen::VectorXd &lambda)
   {
     const ContactSurface &surface    = setting_.surface;
@@ -158,11 +182,8 @@ namespace stiction
     const double best = best_spring_compliance(setting_.parameters.contact_solver);
 
     EqualityConstraint constraint{balance.G.leftCols(p), balance.e.head(p)};
-    Eigen::VectorXd multipliers =
-      state.distances.size() > 0
-        ? state.distances
-        : ways_to_press(motion, surface.gaps(), surface.areas(),
-                        surface.stiffness().youngs_moduli.maxCoeff());
+    const Eigen::VectorXd start = first_places(state, balance);
+    Eigen::VectorXd multipliers = start.head(p);
     deflated_.reset();
     if (n > 0)
       deflated_ = std::make_unique<DeflatedOperator>(
@@ -176,15 +197,13 @@ namespace stiction
       {
         const EqualityConstraint &of_basis = deflated_->constraint();
         const Eigen::Index k               = of_basis.e.size();
-        const Eigen::VectorXd known =
-          state.u.size() > 0 ? body.free_motion_of(state.u) : Eigen::VectorXd::Zero(n);
         const double norm = qp::spectral_norm(DualOperatorBlock(Q, DualBlock::all));
         constraint.G.conservativeResize(3 * surface.n_nodes(), p + k);
         constraint.G.rightCols(k) = of_basis.G;
         constraint.e.conservativeResize(p + k);
         constraint.e.tail(k) = of_basis.e;
         multipliers.conservativeResize(p + k);
-        multipliers.tail(k) = deflated_->multipliers_of_basis(known, lambda);
+        multipliers.tail(k) = deflated_->multipliers_of_basis(start.tail(n), lambda);
         weights.conservativeResize(p + k);
         weights.tail(k).setConstant(best * norm);
       }
@@ -218,6 +237,7 @@ namespace stiction
 
     State best; // where the forces are least wrong
     PlaceSearch search(motion.forces());
+    MotionSearch motion_search;
     double last_error = std::numeric_limits<double>::infinity(), smallest = last_error;
     double accuracy = std::max(first_accuracy, tolerance), share = 1., floor = 0.;
     unsigned int n_softened = 0;
@@ -244,8 +264,12 @@ namespace stiction
         if (!status.converged && !(falls && certificate.is_solved(reach)))
           break;
 
-        Eigen::VectorXd next          = augmented_->multipliers(lambda);
-        next.head(motion.n_pressed()) = search.next(state.distances, missing, accuracy);
+        const Eigen::Index p = motion.n_pressed(),
+                           n = augmented_->multipliers().size() - p;
+        Eigen::VectorXd next = augmented_->multipliers(lambda);
+        next.tail(n) =
+          motion_search.next(augmented_->multipliers().tail(n), next.tail(n));
+        next.head(p) = search.next(state.distances, missing, accuracy);
         augmented_->set_multipliers(next);
         // beside larger loads the forces may have been below the accuracy
         if (motion.n_pressed() > 0)

@@ -12,6 +12,7 @@ namespace stiction
   class AugmentedOperator;
   class DeflatedOperator;
   class DualMethod;
+  struct EqualityConstraint;
 
   /// Solves for contact forces: a dual method on Q = B K⁻¹ Bᵀ, newton where 'newton
   /// multigrid' hands over. Forces that press obstacles on, and the balance of a body
@@ -40,6 +41,11 @@ namespace stiction
 
     /// With forces that press obstacles on, or a body that contact alone holds.
     SolveStatus solve_balanced(State &state, const Observer &observer);
+
+    /// Where obstacles and a body with free motions are at the start, m: as is known, or
+    /// as rigid ones come to rest.
+    Eigen::VectorXd first_places(const State &state,
+                                 const EqualityConstraint &balance) const;
 
     /// Makes the augmented operator. @param state, lambda where the solve begins.
     void augment(const State &state, const Eigen::VectorXd &lambda);

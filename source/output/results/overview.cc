@@ -103,8 +103,8 @@ namespace stiction
       log.line("  " + label("all loads, those inside the body too", units.force) + ": " +
                vector(sum_of_loads(elasticity)));
       const FreeMotions &motions = elasticity.free_motions();
-      log.line("  supports leave free: " +
-               (motions.n() > 0 ? motions.in_words() : "nothing"));
+      log.line(motions.n() > 0 ? "  the supports leave it free to " + motions.in_words()
+                               : std::string("  the supports hold it"));
     }
 
     void print_contact(Log &log, const ContactSurface &surface, const Units &units)

@@ -30,6 +30,8 @@ namespace stiction
     /// α⁺ of contact forces. Unit: m.
     Eigen::VectorXd multipliers(const Eigen::VectorXd &lambda) const;
 
+    /// α.
+    const Eigen::VectorXd &multipliers() const { return multipliers_; }
     void set_multipliers(Eigen::VectorXd multipliers);
 
     /// Multiplies ρ: another operator for whoever keeps something of it.
