@@ -76,10 +76,9 @@ namespace stiction::qp
     };
   } // namespace
 
-  Eigen::VectorXd rigid_place(const EqualityConstraint &constraint,
-                              const Eigen::VectorXd &gradient,
-                              const Eigen::VectorXd &stiffness,
-                              const SlipBound &slip_bound)
+  RigidPlace rigid_place(const EqualityConstraint &constraint,
+                         const Eigen::VectorXd &gradient,
+                         const Eigen::VectorXd &stiffness, const SlipBound &slip_bound)
   {
     const SpringEnergy energy(constraint, gradient, stiffness, slip_bound);
     Eigen::VectorXd alpha = Eigen::VectorXd::Zero(constraint.e.size());
@@ -103,6 +102,8 @@ namespace stiction::qp
           }
         alpha += part * step;
       }
-    return alpha;
+    Eigen::VectorXd lambda = energy.forces(alpha);
+    project(lambda, slip_bound);
+    return {alpha, lambda};
   }
 } // namespace stiction::qp

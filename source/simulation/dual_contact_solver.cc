@@ -18,8 +18,6 @@
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
-#include <stiction/qp/rigid_place.h>
-#include <stiction/qp/unbalanced_load.h>
 #include <stiction/simulation/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
 
@@ -149,40 +147,47 @@ namespace stiction
             deflated_->lacking(lambda)};
   }
 
-  Eigen::VectorXd DualContactSolver::first_places(const State &state,
-                                                  const EqualityConstraint &balance) const
+  qp::RigidPlace DualContactSolver::first_guess(const State &state,
+                                                const EqualityConstraint &balance) const
   {
     const ContactSurface &surface     = setting_.surface;
     const LinearElasticity &body      = setting_.elasticity;
     const ContactStiffness &stiffness = surface.stiffness();
-    Eigen::VectorXd places(balance.e.size());
-    if (state.distances.size() == surface.motion().n_pressed() && state.u.size() > 0)
-      places << state.distances, body.free_motion_of(state.u);
-    else if (body.free_motions().n() > 0)
-      places =
-        qp::rigid_place(balance, surface.motion().offset_at_start(),
-                        stiffness.youngs_moduli.cwiseProduct(surface.areas().cwiseSqrt()),
-                        surface.slip_bound());
-    else if (state.distances.size() > 0)
-      places = state.distances;
-    else
-      places = ways_to_press(surface.motion(), surface.gaps(), surface.areas(),
-                             stiffness.youngs_moduli.maxCoeff());
-    return places;
+    const bool is_warm                = state.lambda.size() > 0;
+    if (body.free_motions().n() > 0)
+      {
+        if (is_warm && state.distances.size() == surface.motion().n_pressed())
+          {
+            Eigen::VectorXd places(balance.e.size());
+            places << state.distances, body.free_motion_of(state.u);
+            return {places, state.lambda};
+          }
+        return qp::rigid_place(
+          balance, surface.motion().offset_at_start(),
+          stiffness.youngs_moduli.cwiseProduct(surface.areas().cwiseSqrt()),
+          surface.slip_bound());
+      }
+    return {state.distances.size() > 0
+              ? state.distances
+              : ways_to_press(surface.motion(), surface.gaps(), surface.areas(),
+                              stiffness.youngs_moduli.maxCoeff()),
+            is_warm
+              ? state.lambda
+              : Eigen::VectorXd(
+                  uniform_pressures(surface.motion(), surface.areas()).rowwise().sum())};
   }
 
-  void DualContactSolver::augment(const State &state, const Eigen::VectorXd &lambda)
+  void DualContactSolver::augment(const EqualityConstraint &balance,
+                                  const Eigen::VectorXd &start,
+                                  const Eigen::VectorXd &lambda)
   {
-    const ContactSurface &surface    = setting_.surface;
-    const ObstacleMotion &motion     = surface.motion();
-    const LinearElasticity &body     = setting_.elasticity;
-    const Eigen::Index p             = motion.n_pressed();
-    const EqualityConstraint balance = rigid_balance(body, surface);
-    const Eigen::Index n             = balance.e.size() - p;
-    const double best = best_spring_compliance(setting_.parameters.contact_solver);
+    const ContactSurface &surface         = setting_.surface;
+    const ObstacleMotion &motion          = surface.motion();
+    const Eigen::Index p                  = motion.n_pressed();
+    const Eigen::Index n                  = balance.e.size() - p;
+    const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
 
     EqualityConstraint constraint{balance.G.leftCols(p), balance.e.head(p)};
-    const Eigen::VectorXd start = first_places(state, balance);
     Eigen::VectorXd multipliers = start.head(p);
     deflated_.reset();
     if (n > 0)
@@ -190,9 +195,9 @@ namespace stiction
         *Q_, EqualityConstraint{balance.G.rightCols(n), balance.e.tail(n)});
     const DualOperator &Q =
       deflated_ ? static_cast<const DualOperator &>(*deflated_) : *Q_;
-    Eigen::VectorXd weights =
-      best * yielding(Q, uniform_pressures(motion, surface.areas()))
-               .cwiseQuotient(motion.forces());
+    Eigen::VectorXd weights = best_spring_compliance(chosen) *
+                              yielding(Q, uniform_pressures(motion, surface.areas()))
+                                .cwiseQuotient(motion.forces());
     if (n > 0)
       {
         const EqualityConstraint &of_basis = deflated_->constraint();
@@ -205,7 +210,7 @@ namespace stiction
         multipliers.conservativeResize(p + k);
         multipliers.tail(k) = deflated_->multipliers_of_basis(start.tail(n), lambda);
         weights.conservativeResize(p + k);
-        weights.tail(k).setConstant(best * norm);
+        weights.tail(k).setConstant(best_balance_weight(chosen) * norm);
       }
     if (augmented_)
       earlier_multiplications_ += augmented_->n_multiplications();
@@ -220,16 +225,13 @@ namespace stiction
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
     const double tolerance                = chosen.tolerance;
 
-    Eigen::VectorXd lambda = state.lambda;
-    if (lambda.size() == 0)
-      lambda =
-        setting_.elasticity.free_motions().n() > 0
-          ? qp::unbalanced_load(rigid_balance(setting_.elasticity, surface),
-                                surface.slip_bound())
-              .lambda
-          : Eigen::VectorXd(uniform_pressures(motion, surface.areas()).rowwise().sum());
     forget_method();
-    augment(state, lambda);
+    const EqualityConstraint balance = rigid_balance(setting_.elasticity, surface);
+    const auto [start, first_lambda] = first_guess(state, balance);
+    augment(balance, start, first_lambda);
+    Eigen::VectorXd lambda = first_lambda;
+    if (lambda.isZero(0.))
+      lambda.resize(0); // nothing is known
     BodyVerifier verifier(setting_.elasticity, surface, *stiffness_solver_, state,
                           [&](const Eigen::VectorXd &forces) {
                             return places(augmented_->multipliers(forces), forces);

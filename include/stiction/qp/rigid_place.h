@@ -8,6 +8,12 @@
 
 namespace stiction::qp
 {
+  struct RigidPlace
+  {
+    Eigen::VectorXd alpha;  ///< m
+    Eigen::VectorXd lambda; ///< of the springs, within the slip bound, N
+  };
+
   /// Where rigid obstacles and a rigid body come to rest if every contact node has a
   /// spring: the multipliers α (m) that make the convex energy
   ///
@@ -17,10 +23,9 @@ namespace stiction::qp
   /// where those nodes touch that can balance the loads.
   ///
   /// @param gradient r0 = (remaining gap; −slip), m. @param stiffness ρ, N/m.
-  Eigen::VectorXd rigid_place(const EqualityConstraint &constraint,
-                              const Eigen::VectorXd &gradient,
-                              const Eigen::VectorXd &stiffness,
-                              const SlipBound &slip_bound);
+  RigidPlace rigid_place(const EqualityConstraint &constraint,
+                         const Eigen::VectorXd &gradient,
+                         const Eigen::VectorXd &stiffness, const SlipBound &slip_bound);
 } // namespace stiction::qp
 
 #endif

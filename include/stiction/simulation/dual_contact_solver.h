@@ -2,6 +2,7 @@
 #define stiction_simulation_dual_contact_solver_h
 
 #include <stiction/contact/certificate/body_verifier.h>
+#include <stiction/qp/rigid_place.h>
 #include <stiction/qp/solvers/solver_run.h>
 #include <stiction/simulation/contact_solver.h>
 
@@ -42,13 +43,14 @@ namespace stiction
     /// With forces that press obstacles on, or a body that contact alone holds.
     SolveStatus solve_balanced(State &state, const Observer &observer);
 
-    /// Where obstacles and a body with free motions are at the start, m: as is known, or
-    /// as rigid ones come to rest.
-    Eigen::VectorXd first_places(const State &state,
-                                 const EqualityConstraint &balance) const;
+    /// Where obstacles and a body with free motions are at the start, with contact
+    /// forces: as is known, or as rigid ones come to rest.
+    qp::RigidPlace first_guess(const State &state,
+                               const EqualityConstraint &balance) const;
 
-    /// Makes the augmented operator. @param state, lambda where the solve begins.
-    void augment(const State &state, const Eigen::VectorXd &lambda);
+    /// Makes the augmented operator. @param start, lambda where the solve begins.
+    void augment(const EqualityConstraint &balance, const Eigen::VectorXd &start,
+                 const Eigen::VectorXd &lambda);
 
     /// Multipliers of the augmented operator as places.
     BodyVerifier::Places places(const Eigen::VectorXd &multipliers,

@@ -60,4 +60,11 @@ namespace stiction
   {
     return parameters.method == "admm" ? 1. : 30.;
   }
+
+  double best_balance_weight(const ContactSolverParameters &parameters)
+  {
+    return parameters.method == "admm"           ? 1.
+           : parameters.method == "gauss seidel" ? 5.
+                                                 : 30.;
+  }
 } // namespace stiction

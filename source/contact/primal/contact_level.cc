@@ -296,7 +296,7 @@ namespace stiction
         if ((a.head(n_nodes()).array() > 0.).any())
           return;
         const Eigen::VectorXd ways =
-          qp::rigid_place(balance_, -state.w, nodal_stiffness(), slip_bound_);
+          qp::rigid_place(balance_, -state.w, nodal_stiffness(), slip_bound_).alpha;
         state.distances += ways.head(motion_.n_pressed());
         add_free_motion(ways.tail(elasticity_.free_motions().n()), state.u);
         state.w = penetration_and_slip(state.u, state.distances);

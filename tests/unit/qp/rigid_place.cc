@@ -51,31 +51,32 @@ int main()
   };
 
   // weight 40: four springs give way by 0.01
-  std::cout << "falls: "
-            << near(qp::rigid_place(block(three(0., -40., 0.)), gradient(), rho, smooth),
-                    three(0., -gap - 0.01, 0.))
-            << std::endl;
+  std::cout
+    << "falls: "
+    << near(qp::rigid_place(block(three(0., -40., 0.)), gradient(), rho, smooth).alpha,
+            three(0., -gap - 0.01, 0.))
+    << std::endl;
   // the moment 20 about y: 4 k x² turn = 20
   const VectorXd turned =
-    qp::rigid_place(block(three(0., -40., 20.)), gradient(), rho, smooth);
+    qp::rigid_place(block(three(0., -40., 20.)), gradient(), rho, smooth).alpha;
   std::cout << "falls and turns: " << near(turned, three(0., -gap - 0.01, 0.005))
             << std::endl;
   // rough: 4 k x = 4 beside what it went while it fell
   const VectorXd pushed =
-    qp::rigid_place(block(three(4., -40., 0.)), gradient(), rho, rough);
+    qp::rigid_place(block(three(4., -40., 0.)), gradient(), rho, rough).alpha;
   std::cout << "sticks: " << yes(std::abs(4. * stiffness * pushed(0) - 4.) < 0.1)
             << ", and presses: " << yes(std::abs(pushed(1) + gap + 0.01) < 1e-4)
             << std::endl;
-  std::cout
-    << "no load, no touch: "
-    << yes(qp::rigid_place(block(three(0., 0., 0.)), gradient(), rho, rough).isZero(0.))
-    << std::endl;
+  std::cout << "no load, no touch: "
+            << yes(qp::rigid_place(block(three(0., 0., 0.)), gradient(), rho, rough)
+                     .alpha.isZero(0.))
+            << std::endl;
   // overlaps of 0.02 below two nodes, and of 0.01 above the two others
   VectorXd overlap = VectorXd::Zero(12);
   overlap.head(4) << -0.02, -0.02, -0.01, -0.01;
   EqualityConstraint plates = block(three(0., 0., 0.));
   plates.G.middleRows(2, 2) *= -1.;
-  const VectorXd between = qp::rigid_place(plates, overlap, rho, smooth);
+  const VectorXd between = qp::rigid_place(plates, overlap, rho, smooth).alpha;
   const VectorXd r       = overlap + plates.G * between;
   std::cout << "between two plates forces balance: "
             << yes(std::abs(r(0) + r(1) - r(2) - r(3)) < 1e-4)

@@ -24,6 +24,11 @@ namespace stiction
   /// larger it is, the fewer solves and the worse conditioned the operator: admm
   /// has to add up the gaps of open nodes in steps.
   double best_spring_compliance(const ContactSolverParameters &parameters);
+
+  /// The weight of the balance of a body with free motions in the method of multipliers,
+  /// over the norm of its dual operator: the larger, the fewer its updates, and the
+  /// slower methods that alternate between normal and tangential forces.
+  double best_balance_weight(const ContactSolverParameters &parameters);
 } // namespace stiction
 
 #endif

@@ -16,7 +16,7 @@ namespace stiction
     Eigen::VectorXd next(const Eigen::VectorXd &tried, const Eigen::VectorXd &made);
 
   private:
-    Eigen::VectorXd last_step_, last_made_; ///< empty at the start
+    Eigen::VectorXd last_step_, last_made_;     ///< empty at the start
     Eigen::MatrixXd changes_of_step_, changes_; ///< of the calls before, the last first
   };
 } // namespace stiction
