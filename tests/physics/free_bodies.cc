@@ -223,7 +223,7 @@ namespace
   void press_between()
   {
     const Settings between =
-      cube + Settings{"Boundary conditions/Gravity=",
+      cube + Settings{"Boundary conditions/Gravity=", "Contact solver/Tolerance=1e-8",
                       "Boundary conditions/Contact boundary=bottom | top"};
     const Settings sphere = {
       "Boundary conditions/Obstacle=foundation | sphere : 0.5; 0.5; 2; 1",
