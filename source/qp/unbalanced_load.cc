@@ -194,6 +194,8 @@ namespace stiction::qp
                                      const SlipBound &slip_bound)
   {
     const Eigen::Index n = G.cols(), m = slip_bound.n_nodes();
+    if (m == 0)
+      return Eigen::MatrixXd::Identity(n, n);
     Eigen::MatrixXd felt = G;
     for (Eigen::Index i = 0; i < m; ++i)
       if (slip_bound.constant()(i) == 0. && slip_bound.coefficient()(i) == 0.)

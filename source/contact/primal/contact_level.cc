@@ -169,7 +169,9 @@ namespace stiction
 
   bool ContactLevel::can_be_balanced() const
   {
-    return positions_.empty() || qp::unbalanced_load(balance_, slip_bound_).is_balanced();
+    // the same on all ranks, also those that own no node of this level
+    return elasticity_.free_motions().n() == 0 ||
+           qp::unbalanced_load(balance_, slip_bound_).is_balanced();
   }
 
   void ContactLevel::take_conditions_of_body()

@@ -17,8 +17,9 @@ namespace stiction
 
   namespace
   {
-    // Of motions of size one: where less is left of them an unknown holds none.
-    constexpr double least_motion = 1e-3;
+    // Of motions of size one: less is rounding. A beam that turns about its axis moves
+    // by a part of its length only.
+    constexpr double least_motion = 1e-8;
 
     // The free motions along the axes of owned unknowns at vertices that are not
     // constrained, of all cells or of those of the coarse mesh alone.
