@@ -23,7 +23,7 @@ namespace stiction::qp
                    const Eigen::VectorXd &stiffness, const SlipBound &slip_bound)
         : G_(constraint.G)
         , e_(constraint.e)
-        , gaps_(gradient.head(stiffness.size()))
+        , start_(gradient)
         , rho_(stiffness)
         , is_rough_(slip_bound.constant().array() > 0. ||
                     slip_bound.coefficient().array() > 0.)
@@ -41,14 +41,14 @@ namespace stiction::qp
       {
         const Eigen::Index m = rho_.size();
         Eigen::VectorXd lambda(3 * m);
-        const Eigen::VectorXd moved = G_ * alpha;
+        const Eigen::VectorXd r = start_ + G_ * alpha;
         for (Eigen::Index i = 0; i < m; ++i)
           {
-            const double depth = -gaps_(i) - moved(i);
+            const double depth = -r(i);
             lambda(i)          = rho_(i) * std::max(depth, 0.);
             const bool sticks  = depth > 0. && is_rough_(i);
             for (const Eigen::Index k : {i + m, i + 2 * m})
-              lambda(k) = sticks ? -rho_(i) * moved(k) : 0.;
+              lambda(k) = sticks ? -rho_(i) * r(k) : 0.;
           }
         return lambda;
       }
@@ -57,7 +57,7 @@ namespace stiction::qp
       Eigen::MatrixXd curvature(const Eigen::VectorXd &alpha) const
       {
         const Eigen::Index m        = rho_.size();
-        const Eigen::VectorXd depth = -gaps_ - (G_ * alpha).head(m);
+        const Eigen::VectorXd depth = -(start_ + G_ * alpha).head(m);
         Eigen::MatrixXd H           = least_stiffness * rho_.minCoeff() *
                             Eigen::MatrixXd::Identity(e_.size(), e_.size());
         for (Eigen::Index i = 0; i < m; ++i)
@@ -70,7 +70,7 @@ namespace stiction::qp
     private:
       const Eigen::MatrixXd &G_;
       const Eigen::VectorXd &e_;
-      const Eigen::VectorXd gaps_;
+      const Eigen::VectorXd &start_;
       const Eigen::VectorXd &rho_;
       const Eigen::Array<bool, Eigen::Dynamic, 1> is_rough_;
     };

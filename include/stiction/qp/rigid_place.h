@@ -17,7 +17,7 @@ namespace stiction::qp
   /// Where rigid obstacles and a rigid body come to rest if every contact node has a
   /// spring: the multipliers α (m) that make the convex energy
   ///
-  ///     Σ ½ρ_i (r_ν,i)₋² + Σ ½ρ_i ‖(Gα)_t,i‖² + e·α,   r = r0 + Gα,
+  ///     Σ ½ρ_i (r_ν,i)₋² + Σ ½ρ_i ‖r_t,i‖² + e·α,   r = r0 + Gα,
   ///
   /// least, the second sum over nodes with friction that touch: a place to start from,
   /// where those nodes touch that can balance the loads.
