@@ -18,8 +18,11 @@
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
+#include <stiction/qp/solvers/sensitivity.h>
 #include <stiction/simulation/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
+
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -240,6 +243,7 @@ namespace stiction
     State best; // where the forces are least wrong
     PlaceSearch search(motion.forces());
     MotionSearch motion_search;
+
     double last_error = std::numeric_limits<double>::infinity(), smallest = last_error;
     double accuracy = std::max(first_accuracy, tolerance), share = 1., floor = 0.;
     unsigned int n_softened = 0;
@@ -266,12 +270,12 @@ namespace stiction
         if (!status.converged && !(falls && certificate.is_solved(reach)))
           break;
 
-        const Eigen::Index p = motion.n_pressed(),
-                           n = augmented_->multipliers().size() - p;
         Eigen::VectorXd next = augmented_->multipliers(lambda);
-        next.tail(n) =
-          motion_search.next(augmented_->multipliers().tail(n), next.tail(n));
-        next.head(p) = search.next(state.distances, missing, accuracy);
+        if (!deflated_)
+          next = search.next(state.distances, missing, accuracy);
+        else
+          next = motion_search.next(augmented_->multipliers(), next, error,
+                                    [&]() { return newton_step(lambda); });
         augmented_->set_multipliers(next);
         // beside larger loads the forces may have been below the accuracy
         if (motion.n_pressed() > 0)
@@ -298,6 +302,21 @@ namespace stiction
     status.converged = false;
     state            = best;
     return status;
+  }
+
+  Eigen::VectorXd DualContactSolver::newton_step(const Eigen::VectorXd &lambda) const
+  {
+    const AugmentedOperator &Q = *augmented_;
+    const auto &[G, e]         = Q.constraint();
+    Eigen::VectorXd gradient;
+    Q.vmult(DualBlock::all, DualBlock::all, gradient, lambda);
+    gradient -= Q.right_hand_side();
+    const Eigen::MatrixXd forces =
+      qp::sensitivity(DualOperatorBlock(Q, DualBlock::all), G, lambda, gradient,
+                      Q.nodal_compliance(), setting_.surface.slip_bound());
+    return (G.transpose() * forces)
+      .colPivHouseholderQr()
+      .solve(e - G.transpose() * lambda);
   }
 
   void DualContactSolver::print_places(const State &state) const

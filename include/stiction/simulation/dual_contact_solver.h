@@ -56,6 +56,9 @@ namespace stiction
     BodyVerifier::Places places(const Eigen::VectorXd &multipliers,
                                 const Eigen::VectorXd &lambda) const;
 
+    /// From the multipliers of the augmented operator: Newton's step on Gᵀλ(α) = e.
+    Eigen::VectorXd newton_step(const Eigen::VectorXd &lambda) const;
+
     void print_places(const State &state) const;
 
     /// With this operator in place of Q.

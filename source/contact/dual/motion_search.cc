@@ -1,47 +1,34 @@
 #include <stiction/contact/dual/motion_search.h>
 
-#include <Eigen/QR>
-
-#include <algorithm>
-#include <utility>
-
 namespace stiction
 {
   namespace
   {
-    // Of a step: what lies further is not in sight.
-    constexpr double farthest = 1000.;
+    // A step is shortened if the error falls by less.
+    constexpr double required_fall = 0.9;
 
-    // A column more, in front, of as many as there are rows.
-    void add(Eigen::MatrixXd &columns, const Eigen::VectorXd &column)
-    {
-      const Eigen::Index kept = std::min(columns.cols(), column.size() - 1);
-      Eigen::MatrixXd all(column.size(), kept + 1);
-      all.col(0) = column;
-      if (kept > 0)
-        all.rightCols(kept) = columns.leftCols(kept);
-      columns = std::move(all);
-    }
+    // By this factor, so often.
+    constexpr double shortening     = 0.25;
+    constexpr double shortest_share = 0.1;
+
+    // Of a step of the method of multipliers: Newton's that are longer lead astray.
+    constexpr double farthest = 1e6;
   } // namespace
 
   Eigen::VectorXd MotionSearch::next(const Eigen::VectorXd &tried,
-                                     const Eigen::VectorXd &made)
+                                     const Eigen::VectorXd &made, const double error,
+                                     const std::function<Eigen::VectorXd()> &newton_step)
   {
-    const Eigen::VectorXd step = made - tried;
-    Eigen::VectorXd next       = made;
-    if (last_step_.size() > 0 && step.norm() > last_step_.norm())
-      changes_ = changes_of_step_ = Eigen::MatrixXd(); // other nodes touch or slip
-    else if (last_step_.size() > 0)
+    if (share_ > 0. && !(error <= required_fall * error_))
+      share_ = shortening * share_ >= shortest_share ? shortening * share_ : 0.;
+    else
       {
-        add(changes_, made - last_made_);
-        add(changes_of_step_, step - last_step_);
-        const Eigen::VectorXd further =
-          changes_ * changes_of_step_.colPivHouseholderQr().solve(step);
-        if (further.norm() <= farthest * step.norm())
-          next -= further;
+        from_  = tried;
+        made_  = made;
+        error_ = error;
+        step_  = newton_step();
+        share_ = step_.norm() <= farthest * (made - tried).norm() ? 1. : 0.;
       }
-    last_step_ = step;
-    last_made_ = made;
-    return next;
+    return share_ > 0. ? Eigen::VectorXd(from_ + share_ * step_) : made_;
   }
 } // namespace stiction

@@ -1,64 +1,55 @@
-// Multipliers of the balance of a body: of a linear map the fixed point is found in as
-// many steps as there are multipliers and two more, however slowly the map contracts; of
-// one with a kink it is found as well.
+// Multipliers of the balance of a body: where the forces are linear in them Newton's
+// first step is the answer; with kinks, from which its steps would run away, a shorter
+// step or one of the method of multipliers is taken, and it is found nevertheless; where
+// Newton's step is beyond all measure that of the method of multipliers is taken.
 
 #include <stiction/contact/dual/motion_search.h>
 
 #include "tests.h"
 
-#include <Eigen/LU>
-
+#include <algorithm>
 #include <cmath>
 
 using namespace stiction;
 
 namespace
 {
-  template<typename Map>
-  void check(const std::string &name, const Eigen::VectorXd &fixed, const Map &map,
-             const unsigned int n_steps)
+  Eigen::VectorXd number(const double x)
+  {
+    return Eigen::VectorXd::Constant(1, x);
+  }
+
+  // Looks for the zero of a growing function with this slope.
+  void check(const std::string &name, const std::function<double(double)> &f,
+             const std::function<double(double)> &slope)
   {
     MotionSearch search;
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(fixed.size()), plain = x;
-    for (unsigned int k = 0; k < n_steps; ++k)
+    double x = 10., plain_newton = x;
+    unsigned int n = 0;
+    for (; n < 100 && std::abs(f(x)) > 1e-12; ++n)
       {
-        x     = search.next(x, map(x));
-        plain = map(plain);
+        x = search.next(number(x), number(x - f(x)), std::abs(f(x)),
+                        [&]() { return number(-f(x) / slope(x)); })(0);
+        plain_newton -= f(plain_newton) / slope(plain_newton);
       }
-    out() << name << ": found " << yes((x - fixed).norm() < 1e-8 * fixed.norm())
-          << ", without the search "
-          << ((plain - fixed).norm() < 1e-8 * fixed.norm() ? "as well" : "not")
-          << std::endl;
+    out() << name << ": found " << yes(std::abs(f(x)) <= 1e-12) << ", in one step "
+          << yes(n == 1) << ", by Newton's method alone "
+          << yes(std::abs(f(plain_newton)) <= 1e-12) << std::endl;
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const Eigen::Index n = 6;
-  Eigen::VectorXd fixed(n), rates(n);
-  fixed << 1., -2., 3., 0.5, -1., 2.;
-  rates << 0.99, 0.9, 0.7, 0.5, 0.2, 0.01;
-  Eigen::MatrixXd basis(n, n); // not orthogonal
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      basis(i, j) = std::cos(static_cast<double>(1 + i * j) + static_cast<double>(i));
-  const Eigen::MatrixXd A = basis * rates.asDiagonal() * basis.inverse();
   check(
-    "linear", fixed,
-    [&](const Eigen::VectorXd &x) -> Eigen::VectorXd { return fixed + A * (x - fixed); },
-    8);
+    "linear", [](const double x) { return 0.3 * x - 6.; }, [](double) { return 0.3; });
   check(
-    "one number", fixed.head(1),
-    [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
-      return fixed.head(1) + 0.99 * (x - fixed.head(1));
-    },
-    3);
-  check(
-    "with a kink", fixed,
-    [&](const Eigen::VectorXd &x) -> Eigen::VectorXd {
-      const Eigen::VectorXd y = A * (x - fixed);
-      return fixed + y + 0.3 * (y.cwiseAbs() - y);
-    },
-    40);
+    "saturated", [](const double x) { return std::atan(x - 2.); },
+    [](const double x) { return 1. / (1. + (x - 2.) * (x - 2.)); });
+
+  MotionSearch search;
+  const Eigen::VectorXd next =
+    search.next(number(1.), number(1.5), 1., []() { return number(1e7); });
+  out() << "a step beyond all measure: as the method of multipliers "
+        << yes(next(0) == 1.5) << std::endl;
 }

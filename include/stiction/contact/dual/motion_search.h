@@ -3,21 +3,30 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+#include <limits>
+
 namespace stiction
 {
-  /// Which multipliers of the balance of a body to try next, from those that the method
-  /// of multipliers made of the last ones: Anderson's mixing of a fixed point (H. F.
-  /// Walker and P. Ni, Anderson acceleration for fixed-point iterations, 2011), of up to
-  /// as many steps as there are multipliers, which finds that of a linear map.
+  /// Which multipliers of the balance of a body to try next: by Newton's method, whose
+  /// step is shortened where it comes no nearer, since other nodes touch or slip there;
+  /// if that does not help, those that the method of multipliers makes.
   class MotionSearch
   {
   public:
-    /// The next multipliers. @param tried, @param made of the same length in every call.
-    Eigen::VectorXd next(const Eigen::VectorXd &tried, const Eigen::VectorXd &made);
+    /// The next multipliers.
+    ///
+    /// @param tried the last ones. @param made those that the method of multipliers made
+    ///   of them. @param error of the balance with these.
+    /// @param newton_step from the last ones; called where it is needed.
+    Eigen::VectorXd next(const Eigen::VectorXd &tried, const Eigen::VectorXd &made,
+                         double error,
+                         const std::function<Eigen::VectorXd()> &newton_step);
 
   private:
-    Eigen::VectorXd last_step_, last_made_;     ///< empty at the start
-    Eigen::MatrixXd changes_of_step_, changes_; ///< of the calls before, the last first
+    Eigen::VectorXd from_, made_, step_; ///< of the last step of Newton's method
+    double error_ = std::numeric_limits<double>::infinity(); ///< where it began
+    double share_ = 0.; ///< of it that was tried; 0: none of it
   };
 } // namespace stiction
 

@@ -34,6 +34,8 @@ namespace stiction
     const Eigen::VectorXd &multipliers() const { return multipliers_; }
     void set_multipliers(Eigen::VectorXd multipliers);
 
+    const EqualityConstraint &constraint() const { return constraint_; }
+
     /// Multiplies ρ: another operator for whoever keeps something of it.
     void scale_weights(double factor) { set_weights(factor * weights_); }
 
