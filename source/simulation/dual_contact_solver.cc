@@ -4,21 +4,21 @@
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/dual_method_factory.h>
-#include <stiction/contact/dual/schur_complement.h>
 #include <stiction/contact/dual/motion_search.h>
 #include <stiction/contact/dual/rigid_balance.h>
+#include <stiction/contact/dual/schur_complement.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/place_search.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
-#include <stiction/output/results/run_result.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/results/run_result.h>
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
-#include <stiction/qp/solvers/sensitivity.h>
+#include <stiction/qp/sensitivity.h>
 #include <stiction/simulation/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
 

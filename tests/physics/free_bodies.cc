@@ -143,12 +143,12 @@ namespace
         const Settings by = cube + Settings{"Contact solver/Method=" + method,
                                             "Contact solver/Tolerance=1e-8"};
         out() << method << ":" << std::endl;
-        for (const std::string slope : {"0.299", "0.2999", "0.3001"})
+        for (const std::string slope : {"0.299", "0.2999", "0.29999", "0.30001"})
           out() << "  slope " << slope << ": "
                 << refusal(by +
                            Settings{"Boundary conditions/Gravity=" + slope + ";0;-1"})
                 << std::endl;
-        for (const std::string height : {"3.98", "4.02"})
+        for (const std::string height : {"3.9", "3.99", "4.01"})
           out() << "  height " << height << ": "
                 << refusal(by + on_slope + Settings{"Geometry/Lengths=1,1," + height})
                 << std::endl;

@@ -75,12 +75,20 @@ namespace stiction
       const double length          = sliding.norm();
       const Tensor<1, 3> direction = sliding / length;
       const double pushing         = load * direction;
+      const double borne           = std::max(pushing - work / length, 0.);
+      // so many digits that they differ
+      std::string push, bear;
+      for (unsigned int digits = 4; digits <= 12 && push == bear; ++digits)
+        {
+          const std::string form = "%." + std::to_string(digits) + "g";
+          push                   = format(form.c_str(), pushing);
+          bear                   = format(form.c_str(), borne);
+        }
       return std::string("the body ") + (slides ? "slides" : "moves away") + " along " +
              vector(direction, 1.) + ", where the loads push with " +
-             with_unit(format("%.4g", pushing), units.force) +
+             with_unit(push, units.force) +
              (slides ? " and friction bears " : " and contact bears ") +
-             with_unit(format("%.4g", std::max(pushing - work / length, 0.)),
-                       units.force);
+             with_unit(bear, units.force);
     }
   } // namespace
 

@@ -3,8 +3,8 @@
 // some nodes are open, some slip and some stick.
 
 #include <stiction/qp/methods/newton.h>
+#include <stiction/qp/sensitivity.h>
 #include <stiction/qp/sets/feasible_set.h>
-#include <stiction/qp/solvers/sensitivity.h>
 
 #include "qp_tests.h"
 

@@ -1,5 +1,5 @@
-#ifndef stiction_qp_solvers_sensitivity_h
-#define stiction_qp_solvers_sensitivity_h
+#ifndef stiction_qp_sensitivity_h
+#define stiction_qp_sensitivity_h
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 #include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sensitivity.h>
 #include <stiction/qp/sets/contact_linearization.h>
 #include <stiction/qp/solvers/krylov_methods.h>
 #include <stiction/qp/solvers/nystrom_preconditioner.h>
-#include <stiction/qp/solvers/sensitivity.h>
 
 namespace stiction::qp
 {
