@@ -200,6 +200,7 @@ namespace
       {"degree 2, hanging nodes",
        {"Geometry/Element degree=2", "Geometry/Contact refinement=1"}},
       {"adaptive", {"Refinement/Adaptive steps=2"}},
+      {"on a ridge", {"Boundary conditions/Obstacle=formula : z + 20 * (x - 0.5)^2"}},
       {"one layer, grids behind it",
        {"Geometry/Subdivisions=14,14,10", "Geometry/Global refinement=0"}},
       {"a ball", ball + Settings{"Geometry/Global refinement=2"}},
@@ -208,7 +209,8 @@ namespace
     for (const auto &[name, settings] : bodies)
       {
         const bool is_ball  = name.find("ball") != std::string::npos;
-        const Settings load = is_ball ? Settings() : on_slope;
+        const bool is_level = is_ball || name == "on a ridge";
+        const Settings load = is_level ? Settings() : on_slope;
         const Run primal(block, cube + load + settings +
                                   Settings{"Contact solver/Method=newton multigrid"});
         const Run dual(block,

@@ -106,8 +106,12 @@ namespace stiction
             return {};
           }
         if (is_rounding(residual.value(), rounding / residual.force_scale))
-          return "rounding prevents a smaller one, raise 'Contact "
-                 "solver/Tolerance' above that";
+          {
+            // a step may have thrown a body far away that contact alone holds
+            stands_still_ = problem_.driven_motions().cols() > 0;
+            return "rounding prevents a smaller one, raise 'Contact "
+                   "solver/Tolerance' above that";
+          }
 
         // change ρ, and every second time fall back as well
         history.clear();
