@@ -28,6 +28,7 @@ LAYERS = (  # from the ground up
     "elasticity/multigrid",
     "elasticity/solvers",
     "contact/obstacles",
+    "contact/pairs",
     "contact/interface",
     "contact/dual",
     "contact/primal",

@@ -17,6 +17,7 @@ namespace stiction
     const std::vector<Entry> entries = {
       {"Boundary", "Boundary conditions", "Contact boundary"},
       {"Obstacle", "Boundary conditions", "Obstacle"},
+      {"Slave side", "Boundary conditions", "Slave side"},
       {"Initial gap", "Boundary conditions", "Initial gap"},
       {"Displacement", "Boundary conditions", "Obstacle displacement"},
       {"Rotation", "Boundary conditions", "Obstacle rotation"},

@@ -197,6 +197,25 @@ namespace stiction
     places_[section + "/" + name] = {where, value};
   }
 
+  std::vector<std::string> ParameterFile::sections(const std::string &file,
+                                                   const std::string &word)
+  {
+    std::ifstream in(file);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);)
+      {
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::string keyword, first, rest;
+        words >> keyword >> first;
+        std::getline(words, rest);
+        const std::string section = first + ' ' + trim(rest);
+        if (keyword == "subsection" && first == word && !trim(rest).empty() &&
+            std::find(all.begin(), all.end(), section) == all.end())
+          all.push_back(section);
+      }
+    return all;
+  }
+
   void ParameterFile::read(const std::string &file,
                            const std::vector<std::string> &settings,
                            ParameterHandler &prm)

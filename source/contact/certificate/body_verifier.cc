@@ -26,9 +26,9 @@ namespace stiction
   {
     LA::Vector force    = elasticity_.constrained_load();
     const Places places = places_(lambda);
-    surface_.B().add_transpose(-1., lambda, force);
+    surface_.B().add_load(-1., lambda, force);
     if (places.lacking.size() > 0)
-      surface_.B().add_transpose(-1., places.lacking, force);
+      surface_.B().add_load(-1., places.lacking, force);
     state_.u = elasticity_.zero_vector();
     solver_.solve(state_.u, force);
     elasticity_.distribute(state_.u);

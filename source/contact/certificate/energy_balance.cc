@@ -113,8 +113,8 @@ namespace stiction
     const Eigen::VectorXd r =
       surface.motion().offset(state.distances) - surface.B().apply(state.u);
     const DofSubset nodes_before = DofSubset::of_nodes(before.nodes);
-    const Eigen::VectorXd moved =
-      surface.B().dofs().restriction(after.u) - surface.B().dofs().restriction(before.u);
+    const Eigen::VectorXd moved  = surface.B().relative_displacement(after.u) -
+                                  surface.B().relative_displacement(before.u);
     const Eigen::VectorXd moved_before =
       nodes_before.restriction(after.u) - nodes_before.restriction(before.u);
 

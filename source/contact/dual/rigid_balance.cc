@@ -1,4 +1,5 @@
 #include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/dual/rigid_balance.h>
@@ -9,7 +10,9 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace stiction
 {
@@ -26,6 +29,9 @@ namespace stiction
     // A motion turns the body if this part of it or more is rotation, at the ends of the
     // body.
     constexpr double least_turn = 1e-3;
+
+    // Of the body that moves the most: another one moves if it does so much of it.
+    constexpr double moves_along = 0.1;
 
     // A motion is known to so many digits only.
     std::string vector(Tensor<1, 3> v, const double size)
@@ -45,21 +51,62 @@ namespace stiction
       return sum.norm() > 0. ? sum / sum.norm() : sum;
     }
 
-    // What no contact forces can stop, in words. @param work that they leave over.
-    std::string runaway(const RigidMotion &motion, const double work,
-                        const Tensor<1, 3> &load, const double size,
-                        const ContactSurface &surface, const Eigen::VectorXd &lambda,
-                        const Units &units)
+    // A motion of all bodies that no contact forces can stop.
+    struct Runaway
     {
-      const double turn = motion.rotation.norm() * size;
+      std::string who;    // "the body", "body 'lid'", "bodies 'lid' and 'box'"
+      RigidMotion motion; // of the one that moves the most
+      double size;        // of this one
+      Tensor<1, 3> load;  // on those that move
+      double work;        // that contact leaves over
+    };
+
+    Runaway find_runaway(const LinearElasticity &elasticity,
+                         const Eigen::VectorXd &amounts, const double work)
+    {
+      const Body &body    = elasticity.body();
+      const auto motions  = elasticity.free_motions().motions(amounts);
+      const std::size_t n = motions.size();
+      std::vector<double> extents(n);
+      for (std::size_t p = 0; p < n; ++p)
+        extents[p] = motions[p].translation.norm() +
+                     motions[p].rotation.norm() * body.pieces()[p].radius();
+      const auto largest = std::max_element(extents.begin(), extents.end());
+      std::vector<double> loads(3 * n);
+      for (const Body::Node &node : body.locally_owned_nodes())
+        for (unsigned int c = 0; c < 3; ++c)
+          loads[3 * node.piece + c] += elasticity.load()(node.dofs[c]);
+      Utilities::MPI::sum(loads, body.communicator(), loads);
+
+      const auto p = static_cast<std::size_t>(largest - extents.begin());
+      Runaway runaway{"the body", motions[p], body.pieces()[p].radius(), {}, work};
+      std::vector<std::string> names;
+      for (std::size_t q = 0; q < n; ++q)
+        if (extents[q] >= moves_along * *largest)
+          {
+            names.push_back('\'' + body.pieces()[q].name + '\'');
+            for (unsigned int c = 0; c < 3; ++c)
+              runaway.load[c] += loads[3 * q + c];
+          }
+      if (n > 1)
+        runaway.who = (names.size() > 1 ? "bodies " : "body ") + listed(names);
+      return runaway;
+    }
+
+    std::string in_words(const Runaway &runaway, const ContactSurface &surface,
+                         const Eigen::VectorXd &lambda, const Units &units)
+    {
+      const auto &[who, motion, size, load, work] = runaway;
+      const std::string s = who.rfind("bodies", 0) == 0 ? " " : "s ";
+      const double turn   = motion.rotation.norm() * size;
       if (turn > least_turn * motion.translation.norm())
         {
           const Tensor<1, 3> axis = motion.rotation / motion.rotation.norm();
           const Tensor<1, 3> to_axis =
             cross_product_3d(motion.rotation, motion.translation) /
             motion.rotation.norm_square();
-          return "the body turns about the axis along " + vector(axis, 1.) + " through " +
-                 vector(motion.centre + to_axis, size) +
+          return who + " turn" + s + "about the axis along " + vector(axis, 1.) +
+                 " through " + vector(motion.centre + to_axis, size) +
                  ", where the loads turn it with " +
                  with_unit(format("%.3g", work / motion.rotation.norm()), units.moment) +
                  " more than contact bears";
@@ -84,7 +131,7 @@ namespace stiction
           push                   = format(form.c_str(), pushing);
           bear                   = format(form.c_str(), borne);
         }
-      return std::string("the body ") + (slides ? "slides" : "moves away") + " along " +
+      return who + (slides ? " slide" + s : " move" + s + "away ") + "along " +
              vector(direction, 1.) + ", where the loads push with " +
              with_unit(push, units.force) +
              (slides ? " and friction bears " : " and contact bears ") +
@@ -134,15 +181,8 @@ namespace stiction
     if (of_body.norm() < 0.5 * rho.norm())
       return begin + "the obstacle that is pressed on finds nothing that bears " +
              with_unit(format("%.4g", work / rho.norm()), units.force);
-    const auto corners = elasticity.body().bounding_box().get_boundary_points();
-    Tensor<1, 3> load;
-    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
-      for (unsigned int c = 0; c < 3; ++c)
-        load[c] += elasticity.load()(node.dofs[c]);
-    load = Utilities::MPI::sum(load, elasticity.body().communicator());
-    return begin + runaway(motions.motion(of_body), work, load,
-                           corners.first.distance(corners.second) / 2., surface, lambda,
-                           units);
+    return begin +
+           in_words(find_runaway(elasticity, of_body, work), surface, lambda, units);
   }
 
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,

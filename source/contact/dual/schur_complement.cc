@@ -30,17 +30,18 @@ namespace stiction
     if (form == "by solves")
       return std::make_unique<SchurComplement>(elasticity, surface, solver);
 
-    // Q = M C Mᵀ with C the block of K⁻¹ at the contact unknowns
-    Eigen::MatrixXd Q = solver.compliance(surface.B().dofs());
-    const auto &dofs  = surface.B().dofs().dofs();
+    // C is the block of K⁻¹ at the unknowns of the contact nodes and those opposite
+    const DofSubset traces = surface.B().all_dofs();
+    Eigen::MatrixXd C      = solver.compliance(traces);
+    const auto &dofs       = traces.dofs();
     for (const auto anchor : elasticity.anchors())
       if (const auto place = std::find(dofs.begin(), dofs.end(), anchor);
           place != dofs.end())
         {
-          Q.row(place - dofs.begin()).setZero();
-          Q.col(place - dofs.begin()).setZero();
+          C.row(place - dofs.begin()).setZero();
+          C.col(place - dofs.begin()).setZero();
         }
-    surface.B().rotate_to_local(Q);
+    Eigen::MatrixXd Q = surface.B().compliance(std::move(C));
     Q.diagonal() += held_compliance(elasticity, surface);
     return std::make_unique<DenseDualOperator>(
       std::move(Q), right_hand_side_of(elasticity, surface, solver));
@@ -83,7 +84,7 @@ namespace stiction
 
     LA::Vector force = elasticity_.zero_vector();
     LA::Vector u     = elasticity_.zero_vector();
-    surface_.B().add_transpose(1., lambda, force);
+    surface_.B().add_load(1., lambda, force);
     solver_.solve(u, force);
     dst = (surface_.B().apply(u) + held_compliance_.cwiseProduct(lambda))
             .segment(begin(rows), length(rows));

@@ -81,6 +81,16 @@ namespace stiction
              (direction.empty() ? "" : ", first direction " + direction);
     }
 
+    // NAME of 'boundary : NAME', empty for other obstacles.
+    std::string partner_in(const std::string &obstacle)
+    {
+      const std::size_t colon = obstacle.find(':');
+      return colon != std::string::npos &&
+                 Utilities::trim(obstacle.substr(0, colon)) == "boundary"
+               ? Utilities::trim(obstacle.substr(colon + 1))
+               : "";
+    }
+
     std::string text_of(const Point<3> &p)
     {
       std::ostringstream out;
@@ -106,6 +116,8 @@ namespace stiction
     };
     values("Friction/Law", parameters.friction.law_name); // counted only
     const auto obstacles = values(obstacle_entry, parameters.pairs.obstacle);
+    const auto sides =
+      values("Boundary conditions/Slave side", parameters.pairs.slave_side);
     const auto gaps =
       values("Boundary conditions/Initial gap", parameters.pairs.initial_gap);
     const auto displacements =
@@ -142,9 +154,12 @@ namespace stiction
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
 
-        boundary.obstacle_ =
-          Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
-                         size, time, body.communicator());
+        const std::string partner = partner_in(obstacles[b]);
+        boundary.slave_side_      = sides[b];
+        if (partner.empty())
+          boundary.obstacle_ =
+            Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
+                           size, time, body.communicator());
         boundary.gap_         = formula("Boundary conditions/Initial gap", gaps[b]);
         const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
         boundary.friction_    = std::make_unique<FrictionData>(
@@ -159,9 +174,46 @@ namespace stiction
           (boundary.angle_ != 0. ? ", turned " + rotations[b] : "") +
           (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
           describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
+        if (!partner.empty())
+          boundary.pair_with(partner, body);
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;
+  }
+
+  void ContactBoundary::pair_with(const std::string &other, const Body &body)
+  {
+    partner_      = body.boundary_names().id(other, source_->locate(obstacle_entry));
+    partner_name_ = body.boundary_names().name(partner_);
+    if (partner_ == id_)
+      throw InputError(source_->describe(obstacle_entry) + ", boundary '" + name_ +
+                       "' cannot touch itself, must be another one.");
+    if (slave_side_ != "automatic" && slave_side_ != "boundary" &&
+        slave_side_ != "obstacle")
+      throw InputError(source_->describe("Boundary conditions/Slave side") +
+                       ", must be 'automatic', 'boundary' or 'obstacle'.");
+    const std::string reason =
+      ", must be zero for the pair of boundary '" + name_ +
+      "', whose sides move with their bodies, as loads and supports have it.";
+    if (displacement_.norm() > 0.)
+      throw InputError(source_->describe(displacement_entry) + reason);
+    if (angle_ != 0.)
+      throw InputError(source_->describe(rotation_entry) + reason);
+    if (force_.norm() > 0.)
+      throw InputError(source_->describe(force_entry) + reason);
+  }
+
+  void ContactBoundary::take_side(const bool is_slave, const std::string &reason)
+  {
+    if (!is_slave)
+      {
+        std::swap(id_, partner_);
+        std::swap(name_, partner_name_);
+      }
+    description_ =
+      "boundary " + partner_name_ +
+      description_.substr(std::min(description_.find(','), description_.size())) +
+      "; forces on " + name_ + ", " + reason;
   }
 
   void ContactBoundary::set_rotation(const std::vector<double> &numbers)

@@ -4,6 +4,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace stiction
@@ -23,17 +25,52 @@ namespace stiction
         }
       return image;
     }
+
+    // Whether two sparse matrices have the same entries, bit by bit.
+    bool are_equal(const Eigen::SparseMatrix<double, Eigen::RowMajor> &a,
+                   const Eigen::SparseMatrix<double, Eigen::RowMajor> &b)
+    {
+      return a.rows() == b.rows() && a.cols() == b.cols() &&
+             a.nonZeros() == b.nonZeros() &&
+             std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr()) &&
+             std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(),
+                        b.innerIndexPtr());
+    }
+
+    // Â on each of three blocks.
+    template<typename Matrix>
+    Eigen::VectorXd by_blocks(const Matrix &A, const Eigen::VectorXd &v)
+    {
+      Eigen::VectorXd image(3 * A.rows());
+      for (Eigen::Index c = 0; c < 3; ++c)
+        image.segment(c * A.rows(), A.rows()) = A * v.segment(c * A.cols(), A.cols());
+      return image;
+    }
   } // namespace
 
-  ContactOperator::ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames)
+  ContactOperator::ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames,
+                                   OtherSide other)
     : dofs_(std::move(dofs))
     , frames_(std::move(frames))
+    , other_(std::move(other))
   {
+  }
+
+  DofSubset ContactOperator::all_dofs() const
+  {
+    auto all = dofs_.dofs();
+    const std::set<dealii::types::global_dof_index> own(all.begin(), all.end());
+    for (const auto dof : other_.dofs.dofs())
+      if (own.count(dof) == 0)
+        all.push_back(dof);
+    return DofSubset(std::move(all));
   }
 
   bool ContactOperator::operator==(const ContactOperator &other) const
   {
     return dofs_.dofs() == other.dofs_.dofs() &&
+           other_.dofs.dofs() == other.other_.dofs.dofs() &&
+           are_equal(other_.A, other.other_.A) &&
            std::equal(frames_.begin(), frames_.end(), other.frames_.begin(),
                       [](const ContactFrame &a, const ContactFrame &b) {
                         return a.axes() == b.axes() && a.scale == b.scale;
@@ -42,14 +79,44 @@ namespace stiction
 
   Eigen::VectorXd ContactOperator::apply(const LA::Vector &u) const
   {
-    return at_all_nodes(frames_, dofs_.restriction(u),
-                        &ContactFrame::displacement_to_local);
+    Eigen::VectorXd w =
+      at_all_nodes(frames_, dofs_.restriction(u), &ContactFrame::displacement_to_local);
+    if (has_other_side())
+      w -= at_all_nodes(frames_, by_blocks(other_.A, other_.dofs.restriction(u)),
+                        &ContactFrame::other_side_to_local);
+    return w;
+  }
+
+  Eigen::VectorXd ContactOperator::relative_displacement(const LA::Vector &u) const
+  {
+    Eigen::VectorXd relative = dofs_.restriction(u);
+    if (has_other_side())
+      relative -= by_blocks(other_.A, other_.dofs.restriction(u));
+    return relative;
+  }
+
+  Eigen::VectorXd ContactOperator::forces_on_other_side(
+    const Eigen::VectorXd &lambda) const
+  {
+    return -by_blocks(other_.A.transpose(),
+                      at_all_nodes(frames_, lambda, &ContactFrame::force_on_other_side));
   }
 
   void ContactOperator::add_transpose(const double factor, const Eigen::VectorXd &lambda,
                                       LA::Vector &dst) const
   {
     dofs_.add_extension(factor * force_to_cartesian(lambda), dst);
+    if (has_other_side())
+      other_.dofs.add_extension(factor * forces_on_other_side(lambda), dst);
+  }
+
+  void ContactOperator::add_load(const double factor, const Eigen::VectorXd &lambda,
+                                 LA::Vector &dst) const
+  {
+    dofs_.add_extension(factor * force_to_cartesian(lambda), dst);
+    if (has_other_side())
+      other_.dofs.add_extension(
+        factor * forces_on_other_side(lambda).cwiseProduct(other_.is_free), dst);
   }
 
   void ContactOperator::set_transpose(const Eigen::VectorXd &lambda,
@@ -81,6 +148,41 @@ namespace stiction
   Eigen::VectorXd ContactOperator::force_to_local(const Eigen::VectorXd &force) const
   {
     return at_all_nodes(frames_, force, &ContactFrame::force_to_local);
+  }
+
+  Eigen::MatrixXd ContactOperator::compliance(Eigen::MatrixXd C) const
+  {
+    if (!has_other_side())
+      {
+        rotate_to_local(C);
+        return C;
+      }
+    const Eigen::Index m = n_nodes(), n = other_.A.cols();
+    const auto all = all_dofs().dofs();
+    std::map<dealii::types::global_dof_index, Eigen::Index> column;
+    for (std::size_t j = 0; j < all.size(); ++j)
+      column[all[j]] = static_cast<Eigen::Index>(j);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (Eigen::Index c = 0; c < 3; ++c)
+        {
+          const ContactFrame &frame      = frames_[i];
+          const Eigen::Vector3d unit     = Eigen::Vector3d::Unit(c);
+          const Eigen::Vector3d own      = frame.displacement_to_local(unit);
+          const Eigen::Vector3d of_other = frame.other_side_to_local(unit);
+          for (Eigen::Index r = 0; r < 3; ++r)
+            {
+              entries.emplace_back(i + r * m, i + c * m, own(r));
+              for (decltype(other_.A)::InnerIterator a(other_.A, i); a; ++a)
+                entries.emplace_back(
+                  i + r * m, column.at(other_.dofs.dofs()[a.col() + c * n]),
+                  -of_other(r) * a.value() * other_.is_free(a.col() + c * n));
+            }
+        }
+    Eigen::SparseMatrix<double, Eigen::RowMajor> B(3 * m, C.rows());
+    B.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::MatrixXd BC = B * C;
+    return B * BC.transpose();
   }
 
   void ContactOperator::rotate_to_local(Eigen::MatrixXd &C) const

@@ -41,30 +41,42 @@ namespace stiction
       "gap, Displacement, Rotation, Force, Law, Coefficient, Slip stress, First "
       "direction.",
       prm, Patterns::Anything());
-    add_parameter("Obstacle", obstacle,
-                  "What the contact boundary may touch, rigid. foundation: it lies "
-                  "opposite to the boundary along its outward normal, at the distance "
-                  "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
-                  "its normal towards the body. sphere : cx; cy; cz; R, centre and "
-                  "radius. cylinder : px; py; pz; ax; ay; az; R, infinite, by a point of "
-                  "its axis, the axis' direction and the radius. R < 0: a cavity of "
-                  "radius -R with the body inside. paraboloid : px; py; pz; ax; ay; az; "
-                  "R, all points with s + r^2/(2R) < 0, s being the coordinate along the "
-                  "axis a (towards the body) from the apex p and r the distance from the "
-                  "axis; R is the radius at the apex, R < 0 a cup. formula : psi, a "
-                  "function of x, y, z, t that is positive outside the obstacle. file : "
-                  "NAME.stl, a surface of triangles, open or closed, whose vertices go "
-                  "round counterclockwise as seen from outside (looked for as "
-                  "'Geometry/Mesh file'). Unit: of length; numbers may be formulas in t. "
-                  "With psi "
-                  "the distance "
-                  "from the obstacle (or the formula), a node has the normal -grad "
-                  "psi/|grad psi| and the gap psi/|grad psi| where it is before "
-                  "deformation, which are kept: contact is linearised. Nodes whose "
-                  "outward normal is more than 84 degrees away from that normal face "
-                  "away from the obstacle and cannot touch it; they must not be inside. "
-                  "An obstacle that is moved by formulas in t drags nothing along; for "
-                  "that there are 'Obstacle displacement' and 'Obstacle rotation'.",
+    add_parameter(
+      "Obstacle", obstacle,
+      "What the contact boundary may touch. boundary : NAME, another boundary "
+      "of the mesh, of another body or of the same one: a contact pair of "
+      "elastic bodies, whose meshes need not match. All others are rigid. "
+      "foundation: it lies "
+      "opposite to the boundary along its outward normal, at the distance "
+      "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
+      "its normal towards the body. sphere : cx; cy; cz; R, centre and "
+      "radius. cylinder : px; py; pz; ax; ay; az; R, infinite, by a point of "
+      "its axis, the axis' direction and the radius. R < 0: a cavity of "
+      "radius -R with the body inside. paraboloid : px; py; pz; ax; ay; az; "
+      "R, all points with s + r^2/(2R) < 0, s being the coordinate along the "
+      "axis a (towards the body) from the apex p and r the distance from the "
+      "axis; R is the radius at the apex, R < 0 a cup. formula : psi, a "
+      "function of x, y, z, t that is positive outside the obstacle. file : "
+      "NAME.stl, a surface of triangles, open or closed, whose vertices go "
+      "round counterclockwise as seen from outside (looked for as "
+      "'Geometry/Mesh file'). Unit: of length; numbers may be formulas in t. "
+      "With psi "
+      "the distance "
+      "from the obstacle (or the formula), a node has the normal -grad "
+      "psi/|grad psi| and the gap psi/|grad psi| where it is before "
+      "deformation, which are kept: contact is linearised. Nodes whose "
+      "outward normal is more than 84 degrees away from that normal face "
+      "away from the obstacle and cannot touch it; they must not be inside. "
+      "An obstacle that is moved by formulas in t drags nothing along; for "
+      "that there are 'Obstacle displacement' and 'Obstacle rotation'.",
+      prm, Patterns::Anything());
+    add_parameter("Slave side", slave_side,
+                  "Of a contact pair the side whose nodes carry the contact forces: "
+                  "boundary, the one of 'Contact boundary', or obstacle, the one of "
+                  "'Obstacle'. automatic: the softer side if E/h of its cells is less by "
+                  "a factor of two or more, h being their size, otherwise that with "
+                  "smaller cells. Either gives the same answer but for the error of the "
+                  "mesh.",
                   prm, Patterns::Anything());
     add_parameter("Initial gap", initial_gap,
                   "Distance from the undeformed contact boundary to the "

@@ -1,4 +1,5 @@
 #include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/interface/friction_parameters.h>
@@ -157,7 +158,7 @@ namespace stiction
 
   Eigen::VectorXd ContactSurface::relative_displacement(const State &state) const
   {
-    return obstacle_displacements(state.distances) - B_.dofs().restriction(state.u);
+    return obstacle_displacements(state.distances) - B_.relative_displacement(state.u);
   }
 
   Eigen::VectorXd ContactSurface::obstacle_displacements(

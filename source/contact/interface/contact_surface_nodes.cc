@@ -9,6 +9,8 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
+#include <stiction/contact/pairs/mortar.h>
+#include <stiction/contact/pairs/slave_side.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -28,6 +30,9 @@ namespace stiction
 
   namespace
   {
+    // Of the area around a node of a pair: with less opposite it carries no forces.
+    constexpr double least_cover = 1e-3;
+
     std::vector<types::global_dof_index> first_dofs_of(
       const std::vector<ContactNode> &nodes)
     {
@@ -42,6 +47,7 @@ namespace stiction
                                  const ContactParameters &parameters)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
+    join_pairs(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
     require_nodes(parameters.source, "Boundary conditions/Contact boundary",
@@ -57,7 +63,7 @@ namespace stiction
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
     evaluate_data();
-    number_nodes();
+    number_nodes(elasticity);
     displace_obstacles(parameters.source);
   }
 
@@ -87,21 +93,59 @@ namespace stiction
                      ", " + reason + ".");
   }
 
+  void ContactSurface::join_pairs(const LinearElasticity &elasticity)
+  {
+    mortars_.resize(boundaries_.size());
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      if (ContactBoundary &boundary = boundaries_[b]; boundary.is_pair())
+        {
+          auto slave       = surface_faces(elasticity, boundary.id());
+          auto master      = surface_faces(elasticity, boundary.partner());
+          const auto &said = boundary.slave_side();
+          const SlaveSide side =
+            said == "automatic" ? choose_slave_side(slave, master)
+                                : SlaveSide{said == "boundary", "as 'Slave side' says"};
+          boundary.take_side(side.is_first, side.reason);
+          if (!side.is_first)
+            std::swap(slave, master);
+          mortars_[b] = std::make_unique<Mortar>(elasticity, slave, master);
+        }
+  }
+
+  bool ContactSurface::place_in_pair(ContactNode &node) const
+  {
+    const Mortar &mortar = *mortars_[node.boundary];
+    const Eigen::Index i = mortar.row_of(node.first_dof);
+    if (i < 0 || mortar.areas(i) < least_cover * node.area)
+      return false;
+    node.area = mortar.areas(i);
+    node.gap  = mortar.gaps(i) + boundaries_[node.boundary].initial_gap(node.position);
+    return true;
+  }
+
   void ContactSurface::place_obstacles()
   {
     std::vector<ContactNode> facing;
     for (ContactNode &node : nodes_)
       {
-        if (!boundaries_[node.boundary].place(node))
+        const ContactBoundary &boundary = boundaries_[node.boundary];
+        if (boundary.is_pair())
           {
-            boundaries_[node.boundary].require_outside(node);
+            if (!place_in_pair(node))
+              continue;
+          }
+        else if (!boundary.place(node))
+          {
+            boundary.require_outside(node);
             facing_away_.push_back(node);
             continue;
           }
         const Tensor<1, 3> normal = node.normal;
-        const ContactBoundary &of = boundaries_[node.boundary];
-        node.arm                  = of.arm(node.position + node.gap * normal, normal);
-        node.turning              = of.angle() * node.arm;
+        if (!boundary.is_pair())
+          {
+            node.arm     = boundary.arm(node.position + node.gap * normal, normal);
+            node.turning = boundary.angle() * node.arm;
+          }
         if (!set_tangents(node))
           continue;
         node.gap_growth = normal;
@@ -117,13 +161,49 @@ namespace stiction
     nodes_ = std::move(facing);
   }
 
-  void ContactSurface::number_nodes()
+  void ContactSurface::number_nodes(const LinearElasticity &elasticity)
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
     B_                = ContactOperator(DofSubset::of_nodes(first_dofs_of(nodes_)),
-                                        {nodes_.begin(), nodes_.end()});
+                                        {nodes_.begin(), nodes_.end()}, other_side(elasticity));
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));
+  }
+
+  ContactOperator::OtherSide ContactSurface::other_side(
+    const LinearElasticity &elasticity) const
+  {
+    std::map<types::global_dof_index, Eigen::Index> column;
+    for (const auto &mortar : mortars_)
+      if (mortar)
+        for (const auto dof : mortar->masters)
+          column.emplace(dof, 0);
+    if (column.empty())
+      return {};
+    std::vector<types::global_dof_index> masters;
+    for (auto &[dof, number] : column)
+      {
+        number = static_cast<Eigen::Index>(masters.size());
+        masters.push_back(dof);
+      }
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (const Mortar *const mortar = mortars_[nodes_[i].boundary].get())
+        for (decltype(mortar->A)::InnerIterator a(mortar->A,
+                                                  mortar->row_of(nodes_[i].first_dof));
+             a; ++a)
+          entries.emplace_back(i, column.at(mortar->masters[a.col()]), a.value());
+
+    ContactOperator::OtherSide other;
+    other.dofs         = DofSubset::of_nodes(masters);
+    LA::Vector is_free = elasticity.zero_vector();
+    for (const auto dof : other.dofs.dofs())
+      if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
+        is_free(dof) = 1.;
+    other.is_free = other.dofs.restriction(is_free);
+    other.A.resize(n_nodes(), static_cast<Eigen::Index>(masters.size()));
+    other.A.setFromTriplets(entries.begin(), entries.end());
+    return other;
   }
 
   void ContactSurface::evaluate_data()
@@ -155,11 +235,8 @@ namespace stiction
     Eigen::MatrixXd directions =
       Eigen::MatrixXd::Zero(3 * n_nodes(), static_cast<Eigen::Index>(forces.size()));
     std::vector<double> largest_approach(boundaries_.size(), 0.);
-    const auto seen_from = [](const ContactNode &node, const Tensor<1, 3> &displacement) {
-      Eigen::Vector3d local =
-        node.displacement_to_local({displacement[0], displacement[1], displacement[2]});
-      local(0) = node.gap_growth * displacement;
-      return local;
+    const auto seen_from = [](const ContactNode &node, const Tensor<1, 3> &U) {
+      return node.other_side_to_local({U[0], U[1], U[2]});
     };
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {

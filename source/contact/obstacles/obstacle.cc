@@ -79,11 +79,11 @@ namespace stiction
     auto shape = has_data ? make_obstacle_shape(name, data, location, time) : nullptr;
     if (!shape)
       throw InputError(entry +
-                       ", must be 'foundation' or begin with 'plane :', "
+                       ", must be 'foundation' or begin with 'boundary :', 'plane :', "
                        "'sphere :', 'cylinder :', 'paraboloid :', 'formula :' "
                        "or 'file :'" +
-                       did_you_mean(name, {"foundation", "plane", "sphere", "cylinder",
-                                           "paraboloid", "formula", "file"}) +
+                       did_you_mean(name, {"foundation", "boundary", "plane", "sphere",
+                                           "cylinder", "paraboloid", "formula", "file"}) +
                        ".");
     return shape;
   }

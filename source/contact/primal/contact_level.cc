@@ -68,6 +68,8 @@ namespace stiction
     for (const auto dof : load_->locally_owned_elements())
       if (elasticity.is_prescribed(dof))
         fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
+    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
+      pieces_.push_back(node.piece);
     find_inner_nodes();
     find_free_motions();
     update();
@@ -98,6 +100,13 @@ namespace stiction
       is_fixed.local_element(k) = 1.;
     LA::Vector coarse_is_fixed = mesh().zero_vector<double>();
     transfer_->inject(coarse_is_fixed, is_fixed);
+    LA::Vector piece        = finer.mesh().zero_vector<double>();
+    LA::Vector coarse_piece = mesh().zero_vector<double>();
+    for (std::size_t i = 0; i < finer.pieces_.size(); ++i)
+      piece.local_element(3 * i) = finer.pieces_[i];
+    transfer_->inject(coarse_piece, piece);
+    for (unsigned int i = 0; i < mesh().n_owned_nodes(); ++i)
+      pieces_.push_back(static_cast<unsigned int>(coarse_piece.local_element(3 * i)));
     for (unsigned int k = 0; k < coarse_is_fixed.locally_owned_size(); ++k)
       if (coarse_is_fixed.local_element(k) != 0.)
         fixed_.push_back(k);
@@ -158,10 +167,10 @@ namespace stiction
 
   void ContactLevel::add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const
   {
-    const RigidMotion motion = elasticity_.free_motions().motion(amounts);
+    const std::vector<RigidMotion> motions = elasticity_.free_motions().motions(amounts);
     for (std::size_t i = 0; i < positions_.size(); ++i)
       {
-        const Tensor<1, 3> moved = motion.at(positions_[i]);
+        const Tensor<1, 3> moved = motions[pieces_[i]].at(positions_[i]);
         for (unsigned int c = 0; c < 3; ++c)
           u.local_element(3 * i + c) += moved[c];
       }

@@ -49,7 +49,7 @@ namespace stiction
     make_grid(geometry, check_size);
     distribute_dofs();
     collect_nodes();
-    find_bounding_box();
+    find_bounding_boxes();
   }
 
   void Body::make_grid(const GeometryParameters &geometry,
@@ -71,7 +71,8 @@ namespace stiction
         return;
       }
 
-    const CoarseMesh coarse(geometry);
+    const CoarseMesh coarse =
+      geometry.bodies.empty() ? CoarseMesh(geometry) : CoarseMesh(geometry.bodies);
     if (check_size)
       check_size(coarse.triangulation().n_active_cells() *
                  std::pow(8., geometry.global_refinement));
@@ -80,6 +81,7 @@ namespace stiction
     triangulation_.copy_triangulation(coarse.triangulation());
     quadratic_cells_     = coarse.quadratic_cells();
     cut_elements_        = coarse.cut_elements();
+    pieces_              = MeshPieces(triangulation_, coarse.body_names());
     const auto manifolds = coarse.triangulation().get_manifold_ids();
     is_curved_           = !quadratic_cells_.empty() ||
                  std::any_of(manifolds.begin(), manifolds.end(), [](const auto id) {
@@ -112,25 +114,17 @@ namespace stiction
     mapping_ = std::move(mapping);
   }
 
-  void Body::find_bounding_box()
+  void Body::find_bounding_boxes()
   {
-    // of the coarse cells, which every rank knows, and of those at hand: a
-    // curved body grows when it is refined; nodes may lie outside of the
-    // corners of curved cells
-    auto corners = GridTools::compute_bounding_box(triangulation_).get_boundary_points();
+    // nodes may lie outside of the corners of curved cells
+    std::vector<std::vector<Point<3>>> points(pieces().size());
     if (fe_.degree > 1)
       for (const Node &node : nodes_)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            corners.first[d]  = std::min(corners.first[d], node.position[d]);
-            corners.second[d] = std::max(corners.second[d], node.position[d]);
-          }
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        corners.first[d]  = Utilities::MPI::min(corners.first[d], communicator());
-        corners.second[d] = Utilities::MPI::max(corners.second[d], communicator());
-      }
-    bounding_box_ = BoundingBox<3>(corners);
+        points[node.piece].push_back(node.position);
+    pieces_.find_boxes(triangulation_, points);
+    bounding_box_ = pieces().front().box;
+    for (const Piece &piece : pieces())
+      bounding_box_.merge_with(piece.box);
   }
 
   void Body::set_material_ids(
@@ -316,6 +310,7 @@ namespace stiction
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
+          const unsigned int piece = piece_of(cell);
           if (fe_.degree > 1)
             values.reinit(cell);
           for (unsigned int i = 0; i < dofs.size(); i += 3)
@@ -324,6 +319,7 @@ namespace stiction
                 continue;
               Node &node = nodes_[owned.index_within_set(dofs[i]) / 3];
               std::copy_n(&dofs[i], 3, node.dofs.begin());
+              node.piece    = piece;
               node.position = i / 3 < cell->n_vertices() // which come first
                                 ? cell->vertex(i / 3)
                                 : values.quadrature_point(i / 3);

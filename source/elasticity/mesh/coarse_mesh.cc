@@ -1,6 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/coarse_mesh.h>
-#include <stiction/elasticity/mesh/geometry_parameters.h>
+#include <stiction/elasticity/mesh/shape_parameters.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -82,28 +82,34 @@ namespace stiction
     }
   } // namespace
 
-  CoarseMesh::CoarseMesh(const GeometryParameters &geometry)
+  CoarseMesh::CoarseMesh(const ShapeParameters &shape)
     : triangulation_(Triangulation<3>::none, false)
   {
     std::map<std::string, MeshNames::Id> boundaries, materials;
     std::string how_to_name;
     try
       {
-        if (geometry.type == "cylinder")
+        if (shape.is_brick())
           {
-            make_cylinder(*geometry.radius, *geometry.length);
+            make_brick(shape);
+            boundaries = {{"left", 0}, {"right", 1},  {"front", 2},
+                          {"back", 3}, {"bottom", 4}, {"top", 5}};
+          }
+        else if (shape.type == "cylinder")
+          {
+            make_cylinder(*shape.radius, *shape.length);
             boundaries = {{"side", 0}, {"bottom", 1}, {"top", 2}};
           }
-        else if (geometry.type == "half ball")
+        else if (shape.type == "half ball")
           {
-            make_half_ball(*geometry.radius);
+            make_half_ball(*shape.radius);
             boundaries = {{"curved", 0}, {"flat", 1}};
           }
-        else if (geometry.type == "generator")
-          generate(geometry);
+        else if (shape.type == "generator")
+          generate(shape);
         else
           {
-            const MeshData mesh = read_mesh_file(geometry.mesh_file, geometry.location);
+            const MeshData mesh = read_mesh_file(shape.mesh_file, shape.location);
             triangulation_.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
             quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
             cut_elements_    = mesh.cut_elements;
@@ -114,12 +120,24 @@ namespace stiction
       }
     catch (const ExceptionBase &exception)
       {
-        throw InputError(geometry.location +
-                         ", makes no mesh: " + in_one_line(exception) + ".");
+        throw InputError(shape.location + ", makes no mesh: " + in_one_line(exception) +
+                         ".");
       }
     require_valid_cells(triangulation_, quadratic_cells_,
-                        geometry.location + (cut_elements_.empty() ? "" : ", when cut"));
+                        shape.location + (cut_elements_.empty() ? "" : ", when cut"));
     set_names(boundaries, materials, how_to_name);
+    for (const auto &[name, id] : materials)
+      body_names_[id] = name;
+  }
+
+  void CoarseMesh::make_brick(const ShapeParameters &shape)
+  {
+    GridGenerator::subdivided_hyper_rectangle(
+      triangulation_, shape.subdivisions, Point<3>(),
+      Point<3>(shape.lengths[0], shape.lengths[1], shape.lengths[2]), true);
+    // deal.II colours the octants, too
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      cell->set_material_id(0);
   }
 
   void CoarseMesh::make_cylinder(const double radius, const double length)
@@ -145,27 +163,27 @@ namespace stiction
     triangulation_.set_manifold(0, SphericalManifold<3>(Point<3>(0., 0., radius)));
   }
 
-  void CoarseMesh::generate(const GeometryParameters &geometry)
+  void CoarseMesh::generate(const ShapeParameters &shape)
   {
     Triangulation<3> generated(Triangulation<3>::none, false);
     try
       {
-        GridGenerator::generate_from_name_and_arguments(generated, geometry.generator,
-                                                        geometry.generator_arguments);
+        GridGenerator::generate_from_name_and_arguments(generated, shape.generator,
+                                                        shape.generator_arguments);
       }
     catch (const ExceptionBase &)
       {
-        throw InputError(geometry.location + ", does not take 'Generator arguments' = '" +
-                         geometry.generator_arguments +
-                         "', must get what deal.II's GridGenerator::" +
-                         geometry.generator + "() has after the mesh, separated by ':'.");
+        throw InputError(shape.location + ", does not take 'Generator arguments' = '" +
+                         shape.generator_arguments +
+                         "', must get what deal.II's GridGenerator::" + shape.generator +
+                         "() has after the mesh, separated by ':'.");
       }
     if (generated.n_active_cells() == 0)
-      throw InputError(geometry.location + ", makes a mesh without cells.");
+      throw InputError(shape.location + ", makes a mesh without cells.");
     if (!generated.all_reference_cells_are_hyper_cube())
-      throw InputError(geometry.location + ", makes other cells than "
-                                           "hexahedra, must be a generator "
-                                           "of hexahedra.");
+      throw InputError(shape.location + ", makes other cells than "
+                                        "hexahedra, must be a generator "
+                                        "of hexahedra.");
     // what comes refined becomes a coarse mesh that every rank can share
     GridGenerator::flatten_triangulation(generated, triangulation_);
     for (const auto manifold : generated.get_manifold_ids())

@@ -1,14 +1,13 @@
 #include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/free_motions.h>
-#include <stiction/elasticity/model/rigid_body_modes.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
-#include <array>
 #include <vector>
 
 namespace stiction
@@ -59,63 +58,95 @@ namespace stiction
                  ? vector(directions.col(0))
                  : "all directions across " +
                      vector(Subspaces(directions.transpose()).kernel.col(0));
-      std::string text = names.front();
-      for (std::size_t k = 1; k < names.size(); ++k)
-        text += (k + 1 < names.size() ? ", " : " and ") + names[k];
+      return listed(names);
+    }
+
+    // Of a space of motions, by columns translations and rotations × radius.
+    std::string words_of(const Eigen::MatrixXd &motions)
+    {
+      if (motions.size() == 0 || motions.isZero(rounding))
+        return "";
+      const Eigen::MatrixXd space    = Subspaces(motions).range;
+      const Subspaces rotations      = Subspaces(space.bottomRows(3));
+      const Eigen::MatrixXd no_turns = space.topRows(3) * rotations.kernel;
+      std::string text;
+      if (no_turns.cols() > 0)
+        text = "move along " + axes(Subspaces(no_turns).range);
+      if (rotations.range.cols() > 0)
+        text +=
+          (text.empty() ? "turn about " : " and turn about ") + axes(rotations.range);
       return text;
     }
   } // namespace
 
   FreeMotions::FreeMotions(const Body &body, const AffineConstraints<double> &constraints)
-    : centre_(body.bounding_box().center())
   {
-    const auto corners = body.bounding_box().get_boundary_points();
-    radius_            = corners.first.distance(corners.second) / 2.;
-    const auto modes   = rigid_body_modes(body);
+    for (const Piece &piece : body.pieces())
+      pieces_.push_back({piece.name, piece.box.center(), piece.radius(), {}, 0});
 
     // A motion is free if it vanishes at every prescribed unknown: the null space of the
     // Gram matrix of the modes restricted to them.
-    std::array<double, 36> gram{};
-    std::size_t k = 0;
-    for (const auto dof : body.locally_owned_dofs())
+    using Matrix6 = Eigen::Matrix<double, 6, 6>;
+    std::vector<Matrix6> grams(pieces_.size(), Matrix6::Zero());
+    for (const Body::Node &node : body.locally_owned_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        if (constraints.is_constrained(node.dofs[c]) && !body.is_hanging(node.dofs[c]))
+          {
+            const OfPiece &piece = pieces_[node.piece];
+            const Tensor<1, 3> x = (node.position - piece.centre) / piece.radius;
+            // component c of e_a and of e_a × x
+            Eigen::Matrix<double, 6, 1> modes = Eigen::Matrix<double, 6, 1>::Zero();
+            modes(c)                          = 1.;
+            modes(3 + (c + 1) % 3)            = x[(c + 2) % 3];
+            modes(3 + (c + 2) % 3)            = -x[(c + 1) % 3];
+            grams[node.piece] += modes * modes.transpose();
+          }
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
       {
-        if (constraints.is_constrained(dof) && !body.is_hanging(dof))
-          for (unsigned int a = 0; a < 6; ++a)
-            for (unsigned int b = 0; b < 6; ++b)
-              gram[6 * a + b] += modes[a][k] * modes[b][k];
-        ++k;
+        Utilities::MPI::sum(ArrayView<const double>(grams[p].data(), 36),
+                            body.communicator(), ArrayView<double>(grams[p].data(), 36));
+        const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(grams[p]);
+        const double scale = eigen.eigenvalues()(5);
+        Eigen::Index n     = 0;
+        while (n < 6 && eigen.eigenvalues()(n) <= rounding * scale)
+          ++n;
+        pieces_[p].basis = scale > 0. ? Eigen::MatrixXd(eigen.eigenvectors().leftCols(n))
+                                      : Eigen::MatrixXd(Eigen::MatrixXd::Identity(6, 6));
+        pieces_[p].begin = n_;
+        n_ += pieces_[p].basis.cols();
       }
-    Utilities::MPI::sum(ArrayView<const double>(gram.data(), gram.size()),
-                        body.communicator(), ArrayView<double>(gram.data(), gram.size()));
-    const Eigen::Map<const Eigen::Matrix<double, 6, 6>> matrix(gram.data());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(matrix);
-    const double scale = eigen.eigenvalues()(5);
-    Eigen::Index n     = 0;
-    while (n < 6 && eigen.eigenvalues()(n) <= rounding * scale)
-      ++n;
-    basis_ = scale > 0. ? Eigen::MatrixXd(eigen.eigenvectors().leftCols(n))
-                        : Eigen::MatrixXd(Eigen::MatrixXd::Identity(6, 6));
   }
 
-  RigidMotion FreeMotions::motion(const Eigen::VectorXd &amounts) const
+  RigidMotion FreeMotions::motion(const OfPiece &piece,
+                                  const Eigen::VectorXd &amounts) const
   {
-    const Eigen::VectorXd v = basis_ * amounts;
+    const Eigen::VectorXd v =
+      piece.basis * amounts.segment(piece.begin, piece.basis.cols());
     RigidMotion motion;
     for (unsigned int c = 0; c < 3; ++c)
       {
         motion.translation[c] = v(c);
-        motion.rotation[c]    = v(3 + c) / radius_;
+        motion.rotation[c]    = v(3 + c) / piece.radius;
       }
-    motion.centre = centre_;
+    motion.centre = piece.centre;
     return motion;
   }
 
-  Eigen::MatrixXd FreeMotions::at(const Point<3> &x) const
+  std::vector<RigidMotion> FreeMotions::motions(const Eigen::VectorXd &amounts) const
   {
-    Eigen::MatrixXd displacements(3, n());
-    for (Eigen::Index j = 0; j < n(); ++j)
+    std::vector<RigidMotion> all;
+    for (const OfPiece &piece : pieces_)
+      all.push_back(motion(piece, amounts));
+    return all;
+  }
+
+  Eigen::MatrixXd FreeMotions::at(const Point<3> &x, const unsigned int piece) const
+  {
+    const OfPiece &of             = pieces_[piece];
+    Eigen::MatrixXd displacements = Eigen::MatrixXd::Zero(3, n());
+    for (Eigen::Index j = of.begin; j < of.begin + of.basis.cols(); ++j)
       {
-        const Tensor<1, 3> u = motion(Eigen::VectorXd::Unit(n(), j)).at(x);
+        const Tensor<1, 3> u = motion(of, Eigen::VectorXd::Unit(n(), j)).at(x);
         for (unsigned int c = 0; c < 3; ++c)
           displacements(c, j) = u[c];
       }
@@ -129,16 +160,15 @@ namespace stiction
 
   std::string FreeMotions::in_words(const Eigen::MatrixXd &amounts) const
   {
-    if (amounts.cols() == 0)
-      return "";
-    const Eigen::MatrixXd space    = Subspaces(basis_ * amounts).range;
-    const Subspaces rotations      = Subspaces(space.bottomRows(3));
-    const Eigen::MatrixXd no_turns = space.topRows(3) * rotations.kernel;
     std::string text;
-    if (no_turns.cols() > 0)
-      text = "move along " + axes(Subspaces(no_turns).range);
-    if (rotations.range.cols() > 0)
-      text += (text.empty() ? "turn about " : " and turn about ") + axes(rotations.range);
+    for (const OfPiece &piece : pieces_)
+      {
+        const std::string words =
+          words_of(piece.basis * amounts.middleRows(piece.begin, piece.basis.cols()));
+        if (!words.empty())
+          text += (text.empty() ? "" : "; ") + words +
+                  (pieces_.size() > 1 ? " (" + piece.name + ")" : "");
+      }
     return text;
   }
 } // namespace stiction

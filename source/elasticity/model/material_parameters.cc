@@ -1,12 +1,15 @@
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/numbers.h>
 #include <stiction/base/text/parameter_file.h>
+#include <stiction/elasticity/mesh/placed_body.h>
 #include <stiction/elasticity/model/material_parameters.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <iomanip>
+#include <sstream>
 
 namespace stiction
 {
@@ -54,6 +57,28 @@ namespace stiction
                   "makes two layers. Empty: the ids that the mesh has; all "
                   "cells of a brick have 0.",
                   prm, Patterns::Anything());
+  }
+
+  void MaterialParameters::add_bodies(
+    const std::vector<std::unique_ptr<PlacedBody>> &bodies)
+  {
+    const auto add = [](std::string &list, const std::string &name,
+                        const std::vector<double> &values, const std::string &begin) {
+      std::ostringstream text;
+      text << std::setprecision(17) << (list.empty() ? "" : " | ") << name << " : "
+           << begin;
+      for (const double value : values)
+        text << (&value == values.data() ? "" : "; ") << value;
+      list += text.str();
+    };
+    for (const auto &body : bodies)
+      {
+        if (body->youngs_modulus && body->poisson_ratio)
+          add(materials, body->name, {*body->youngs_modulus, *body->poisson_ratio},
+              "isotropic; ");
+        if (body->density)
+          add(densities, body->name, {*body->density}, "");
+      }
   }
 
   double MaterialParameters::largest_poisson_ratio() const

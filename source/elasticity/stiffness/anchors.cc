@@ -44,7 +44,8 @@ namespace stiction
                   left_out.count(first_dof) > 0 || rows.count(first_dof) > 0 ||
                   (only_coarse && coarse_vertices.count(cell->vertex_index(v)) == 0))
                 continue;
-              const Eigen::MatrixXd motions = free_motions.at(cell->vertex(v));
+              const Eigen::MatrixXd motions =
+                free_motions.at(cell->vertex(v), body.piece_of(cell));
               for (unsigned int c = 0; c < 3; ++c)
                 if (!constraints.is_constrained(cell->vertex_dof_index(v, c)))
                   rows[cell->vertex_dof_index(v, c)] = motions.row(c);

@@ -85,7 +85,7 @@ namespace stiction
         for (Eigen::Index k = 0; k < n; ++k)
           if (anchors_[k] == node.dofs[c])
             {
-              system.row(k).head(n) = free_motions_->at(node.position).row(c);
+              system.row(k).head(n) = free_motions_->at(node.position, node.piece).row(c);
               system(k, n)          = u(node.dofs[c]);
             }
     Utilities::MPI::sum(ArrayView<const double>(system.data(), system.size()),
@@ -102,7 +102,7 @@ namespace stiction
     for (const Body::Node &node : body_.locally_owned_nodes())
       if (!is_hanging(node.dofs[0]))
         work +=
-          free_motions_->at(node.position).transpose() *
+          free_motions_->at(node.position, node.piece).transpose() *
           Eigen::Vector3d(force(node.dofs[0]), force(node.dofs[1]), force(node.dofs[2]));
     Utilities::MPI::sum(ArrayView<const double>(work.data(), work.size()),
                         body_.communicator(),
@@ -115,10 +115,10 @@ namespace stiction
   {
     if (amounts.size() == 0)
       return;
-    const RigidMotion motion = free_motions_->motion(amounts);
+    const std::vector<RigidMotion> motions = free_motions_->motions(amounts);
     for (const Body::Node &node : body_.locally_owned_nodes())
       {
-        const Tensor<1, 3> moved = motion.at(node.position);
+        const Tensor<1, 3> moved = motions[node.piece].at(node.position);
         for (unsigned int c = 0; c < 3; ++c)
           u(node.dofs[c]) += moved[c];
       }

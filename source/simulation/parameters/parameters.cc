@@ -17,6 +17,7 @@ namespace stiction
                         const bool has_body)
   {
     dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
+    geometry.declare_bodies(ParameterFile::sections(file, PlacedBody::section_name));
     source.read(file, settings, prm);
     if (output)
       source.assign("--output", "Output", "Directory", *output, prm);
@@ -25,6 +26,7 @@ namespace stiction
     if (has_body)
       {
         geometry.complete(source);
+        material.add_bodies(geometry.bodies);
         check_body();
       }
     this->output.check(source);

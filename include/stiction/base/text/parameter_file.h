@@ -25,6 +25,11 @@ namespace stiction
     /// An unread file: everything has its default.
     ParameterFile() = default;
 
+    /// The sections of a file that begin with this word and go on with a name, each
+    /// once, in its order; none of a file that cannot be read.
+    static std::vector<std::string> sections(const std::string &file,
+                                             const std::string &word);
+
     /// Reads @p file (nothing if that is empty), then applies each of @p
     /// settings ("Section/Entry=value") in the order given. Sections 'Contact pair
     /// NAME' become the lists of 'Boundary conditions' and 'Friction'.

@@ -73,6 +73,20 @@ namespace stiction
     /// foundation.
     const Obstacle *obstacle() const { return obstacle_.get(); }
 
+    /// Whether it is the slave of a contact pair: what it may touch is another boundary.
+    bool is_pair() const { return partner_ != dealii::numbers::invalid_boundary_id; }
+
+    /// The master of the pair.
+    dealii::types::boundary_id partner() const { return partner_; }
+    const std::string &partner_name() const { return partner_name_; }
+
+    /// "automatic", "boundary" or "obstacle".
+    const std::string &slave_side() const { return slave_side_; }
+
+    /// Says why the slave of a pair is one, after exchanging the sides if this one is
+    /// not.
+    void take_side(bool is_slave, const std::string &reason);
+
     /// The value of 'Initial gap' at a place, by which the obstacle is farther
     /// away than its own surface. Throws InputError if it has none.
     double initial_gap(const dealii::Point<3> &p) const;
@@ -104,11 +118,16 @@ namespace stiction
   private:
     ContactBoundary();
 
+    /// Makes it one side of a pair. Throws InputError if the mesh has no such other
+    /// boundary, or if the pair is said to move.
+    void pair_with(const std::string &other, const Body &body);
+
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_;
-    dealii::types::boundary_id id_;
+    std::string name_, description_, partner_name_, slave_side_;
+    dealii::types::boundary_id id_      = dealii::numbers::invalid_boundary_id;
+    dealii::types::boundary_id partner_ = dealii::numbers::invalid_boundary_id;
 
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
     std::unique_ptr<ParsedFunction> gap_;

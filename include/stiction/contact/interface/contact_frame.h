@@ -29,6 +29,9 @@ namespace stiction
     dealii::Tensor<1, 3> tangent1;         ///< t1, unit
     dealii::Tensor<1, 3> tangent2;         ///< t2 = t1 × n
     std::array<double, 2> scale{{1., 1.}}; ///< s1, s2 ≥ 0; 0: held
+    /// By how much the gap grows with displacements of the other side: n, and where a
+    /// part of n is held, n over its cosine with what is left.
+    dealii::Tensor<1, 3> gap_growth;
     /// Which Cartesian components of the displacement are prescribed.
     std::array<bool, 3> prescribed{{false, false, false}};
 
@@ -61,6 +64,22 @@ namespace stiction
     Eigen::Vector3d displacement_to_local(const Eigen::Vector3d &u) const
     {
       return rotate(u).cwiseProduct(scales());
+    }
+
+    /// What a displacement U of the other side is to the node, (gap_growth·U; s1 t1·U;
+    /// s2 t2·U), so that w of the node relative to it is M u less that.
+    Eigen::Vector3d other_side_to_local(const Eigen::Vector3d &U) const
+    {
+      Eigen::Vector3d local = displacement_to_local(U);
+      local(0) = gap_growth[0] * U(0) + gap_growth[1] * U(1) + gap_growth[2] * U(2);
+      return local;
+    }
+
+    /// The force on the other side that does the same work there as y here.
+    Eigen::Vector3d force_on_other_side(const Eigen::Vector3d &y) const
+    {
+      return force_to_cartesian({0., y(1), y(2)}) +
+             y(0) * Eigen::Vector3d(gap_growth[0], gap_growth[1], gap_growth[2]);
     }
 
     /// The u in the free directions of the frame with M u = w.

@@ -6,13 +6,16 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <vector>
 
 namespace stiction
 {
   /// B: from displacements of the body to displacements (n·u; s1 t1·u; s2 t2·u)
-  /// of its contact nodes in their frames, and Bᵀ from contact forces to loads.
+  /// of its contact nodes in their frames, and Bᵀ from contact forces to loads. Where
+  /// another body is opposite, u is relative to Âu of its nodes, and the forces act on
+  /// both.
   ///
   /// Vectors over the contact nodes have length 3m, by blocks (ν; t1; t2) or
   /// (x; y; z), and every rank holds them in full.
@@ -21,15 +24,32 @@ namespace stiction
   public:
     ContactOperator() = default;
 
+    /// The nodes of other bodies, or of other boundaries, that lie opposite.
+    struct OtherSide
+    {
+      DofSubset dofs;          ///< by blocks
+      Eigen::VectorXd is_free; ///< 0 for each of them that is prescribed, otherwise 1
+      Eigen::SparseMatrix<double, Eigen::RowMajor> A; ///< Â, m × their number
+    };
+
     /// @param dofs the displacement unknowns of the nodes, by blocks.
-    ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames);
+    ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames,
+                    OtherSide other = {});
 
     Eigen::Index n_nodes() const { return dofs_.size() / 3; }
 
     /// Whether it is the same map, bit by bit.
     bool operator==(const ContactOperator &other) const;
 
+    /// Those of the contact nodes.
     const DofSubset &dofs() const { return dofs_; }
+
+    /// Those of the contact nodes and behind them those opposite.
+    DofSubset all_dofs() const;
+
+    const OtherSide &other_side() const { return other_; }
+
+    bool has_other_side() const { return other_.dofs.size() > 0; }
 
     const std::vector<ContactFrame> &frames() const { return frames_; }
 
@@ -39,6 +59,13 @@ namespace stiction
     /// dst += factor Bᵀ λ. Collective.
     void add_transpose(double factor, const Eigen::VectorXd &lambda,
                        LA::Vector &dst) const;
+
+    /// The same where unknowns are free. Collective.
+    void add_load(double factor, const Eigen::VectorXd &lambda, LA::Vector &dst) const;
+
+    /// u of the contact nodes relative to what lies opposite, by blocks (x; y; z).
+    /// Collective.
+    Eigen::VectorXd relative_displacement(const LA::Vector &u) const;
 
     /// Sets the entries of the contact nodes to those of Bᵀ λ, in held
     /// directions to 0. Collective.
@@ -56,18 +83,24 @@ namespace stiction
     Eigen::VectorXd force_to_cartesian(const Eigen::VectorXd &lambda) const;
     Eigen::VectorXd force_to_local(const Eigen::VectorXd &force) const;
 
-    /// Replaces a matrix of order 3m, of displacements (x; y; z) under forces
-    /// (x; y; z), by M C Mᵀ with the nodal matrices M of B, in one pass: C may
-    /// be large.
-    void rotate_to_local(Eigen::MatrixXd &C) const;
+    /// B C Bᵀ with the compliance C of all_dofs(): displacements (x; y; z) under forces
+    /// (x; y; z). In place where nothing lies opposite: C may be large.
+    Eigen::MatrixXd compliance(Eigen::MatrixXd C) const;
 
     /// 1 for each contact variable in whose direction the node is held, 0 for
     /// the others.
     Eigen::VectorXd held() const;
 
   private:
+    /// Forces on what lies opposite, by blocks (x; y; z).
+    Eigen::VectorXd forces_on_other_side(const Eigen::VectorXd &lambda) const;
+
+    /// M C Mᵀ with the nodal matrices M of B, in one pass.
+    void rotate_to_local(Eigen::MatrixXd &C) const;
+
     DofSubset dofs_;
     std::vector<ContactFrame> frames_;
+    OtherSide other_;
   };
 } // namespace stiction
 

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ namespace stiction
   class ContactBoundary;
   struct ContactParameters;
   class LinearElasticity;
+  struct Mortar;
   class ParameterFile;
   struct State;
 
@@ -37,9 +39,6 @@ namespace stiction
     dealii::types::global_dof_index first_dof = 0;
     dealii::Point<3> position; ///< undeformed, m
     double gap = 0.;           ///< d along n, m; negative: interference
-    /// By how much the gap grows with displacements of the obstacle: n, and
-    /// where a part of n is held, n over its cosine with what is left.
-    dealii::Tensor<1, 3> gap_growth;
     /// How far the surface of an obstacle that turns moves past it a radian, m, and
     /// has moved: the point that it faces. The torque of a force is arm·F.
     dealii::Tensor<1, 3> arm, turning;
@@ -160,7 +159,7 @@ namespace stiction
     /// The contact boundary with this id; there must be one.
     const ContactBoundary &boundary(dealii::types::boundary_id id) const;
 
-    /// Whether a boundary of the mesh is a contact boundary.
+    /// Whether a boundary of the mesh is a contact boundary, not so for masters of pairs.
     bool is_contact_boundary(dealii::types::boundary_id id) const;
 
     /// Nodes left out because they face away from the obstacle.
@@ -185,6 +184,8 @@ namespace stiction
     double largest_coefficient() const;
 
   private:
+    /// Chooses the sides of pairs and finds what lies opposite to the slaves.
+    void join_pairs(const LinearElasticity &elasticity);
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.
@@ -196,13 +197,19 @@ namespace stiction
 
     void evaluate_data();
 
+    /// Takes area and gap of a node of a pair from its mortar.
+    /// @return whether enough of what is around it has something opposite.
+    bool place_in_pair(ContactNode &node) const;
     /// Gives the nodes that are left their numbers and makes B.
-    void number_nodes();
+    void number_nodes(const LinearElasticity &elasticity);
+    ContactOperator::OtherSide other_side(const LinearElasticity &elasticity) const;
 
     /// Throws InputError if a force presses no node.
     void displace_obstacles(const ParameterFile &source);
 
     std::vector<ContactBoundary> boundaries_;
+    std::vector<std::unique_ptr<Mortar>>
+      mortars_; ///< of each, none of those with obstacles
     std::vector<ContactNode> nodes_, facing_away_;
     DofSubset facing_away_dofs_;
     ContactOperator B_;

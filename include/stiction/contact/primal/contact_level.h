@@ -171,9 +171,9 @@ namespace stiction
     double boundary_area_ = 0.;
     qp::SlipBound slip_bound_;
 
-    std::vector<dealii::Point<3>>
-      positions_;                ///< of the nodes of a body with free motions
-    EqualityConstraint balance_; ///< see rigid_balance()
+    std::vector<unsigned int> pieces_;        ///< of the owned nodes
+    std::vector<dealii::Point<3>> positions_; ///< of them, if a body has free motions
+    EqualityConstraint balance_;              ///< see rigid_balance()
     Eigen::VectorXd foundation_;
     Eigen::MatrixXd driven_;
   };

@@ -3,6 +3,7 @@
 
 #include <stiction/base/text/mesh_names.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/mesh/mesh_pieces.h>
 #include <stiction/elasticity/mesh/readers/quadratic_cells.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -113,10 +114,12 @@ namespace stiction
     /// Hanging nodes of the whole mesh.
     dealii::types::global_dof_index n_hanging_nodes() const { return n_hanging_nodes_; }
 
-    /// A mesh node: its unknowns along x, y, z and where it is, in m.
+    /// A mesh node: its unknowns along x, y, z, the place of its piece in pieces(), and
+    /// where it is, in m.
     struct Node
     {
       std::array<dealii::types::global_dof_index, 3> dofs;
+      unsigned int piece;
       dealii::Point<3> position;
     };
 
@@ -139,6 +142,15 @@ namespace stiction
 
     /// The smallest box around the body, in m.
     const dealii::BoundingBox<3> &bounding_box() const { return bounding_box_; }
+
+    /// The elastic bodies that the mesh is of.
+    const std::vector<Piece> &pieces() const { return pieces_.list(); }
+
+    /// The place in pieces() of a cell of any level.
+    unsigned int piece_of(const dealii::Triangulation<3>::cell_iterator &cell) const
+    {
+      return pieces_.of(cell);
+    }
 
     /// How many elements of a file were cut into hexahedra before these were
     /// refined, by kinds: "tetrahedra". Empty if none were.
@@ -167,7 +179,7 @@ namespace stiction
     // Gives cells that were refined the shape of the coarse ones.
     void shape_cells();
 
-    void find_bounding_box();
+    void find_bounding_boxes();
 
     void distribute_dofs();
 
@@ -198,6 +210,7 @@ namespace stiction
     dealii::AffineConstraints<double> hanging_nodes_;
     dealii::types::global_dof_index n_hanging_nodes_ = 0;
     std::vector<Node> nodes_;
+    MeshPieces pieces_;
     dealii::BoundingBox<3> bounding_box_;
     MeshNames boundary_names_;
     MeshNames material_names_;

@@ -8,25 +8,33 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace stiction
 {
-  struct GeometryParameters;
+  struct PlacedBody;
+  struct ShapeParameters;
 
-  /// The mesh of a body other than the brick before it is refined and
-  /// distributed: hexahedra with boundary ids, material ids and manifolds.
+  /// The mesh of a body, or of several, before it is refined and distributed:
+  /// hexahedra with boundary ids, material ids and manifolds.
   class CoarseMesh
   {
   public:
-    /// Makes the cylinder, the half ball or the mesh of a generator, or reads
+    /// Makes the brick, the cylinder, the half ball or the mesh of a generator, or reads
     /// the file, the same on every rank.
     ///
     /// Throws InputError if there is no such generator or it does not take the
     /// arguments, if the file cannot be used (see read_mesh_file()), if the
     /// mesh has other cells than hexahedra, or if a hexahedron is inverted or
     /// degenerate.
-    explicit CoarseMesh(const GeometryParameters &geometry);
+    explicit CoarseMesh(const ShapeParameters &shape);
+
+    /// Puts several bodies side by side, glued nowhere: their boundaries and materials
+    /// get other numbers and the names 'BODY.NAME', or the name of the body if it has
+    /// but one material. Throws as for each alone.
+    explicit CoarseMesh(const std::vector<std::unique_ptr<PlacedBody>> &bodies);
 
     const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
 
@@ -43,12 +51,25 @@ namespace stiction
 
     const MeshNames &material_names() const { return material_names_; }
 
+    /// How bodies are called of which these are the materials.
+    const std::map<dealii::types::material_id, std::string> &body_names() const
+    {
+      return body_names_;
+    }
+
   private:
+    /// What several bodies have together while they are added one by one.
+    struct Parts;
+
+    void add_to(Parts &parts, const PlacedBody &placed) const;
+
+    void make_brick(const ShapeParameters &shape);
+
     void make_cylinder(double radius, double length);
 
     void make_half_ball(double radius);
 
-    void generate(const GeometryParameters &geometry);
+    void generate(const ShapeParameters &shape);
 
     void set_names(const std::map<std::string, MeshNames::Id> &boundaries,
                    const std::map<std::string, MeshNames::Id> &materials,
@@ -58,6 +79,7 @@ namespace stiction
     QuadraticCells quadratic_cells_;
     std::map<std::string, std::size_t> cut_elements_;
     MeshNames boundary_names_, material_names_;
+    std::map<dealii::types::material_id, std::string> body_names_;
   };
 
   /// Throws InputError naming a cell whose trilinear map has a determinant that

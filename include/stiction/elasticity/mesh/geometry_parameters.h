@@ -1,19 +1,18 @@
 #ifndef stiction_elasticity_mesh_geometry_parameters_h
 #define stiction_elasticity_mesh_geometry_parameters_h
 
-#include <deal.II/base/parameter_acceptor.h>
+#include <stiction/elasticity/mesh/placed_body.h>
+#include <stiction/elasticity/mesh/shape_parameters.h>
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace stiction
 {
-  class ParameterFile;
-
   /// The section 'Geometry'. What an entry means stands, here as in all
   /// sections, in its documentation string, which --print-parameters shows.
-  struct GeometryParameters : dealii::ParameterAcceptor
+  struct GeometryParameters : ShapeParameters
   {
     GeometryParameters();
 
@@ -23,10 +22,9 @@ namespace stiction
     /// Throws InputError about what is missing and what a pattern cannot see.
     void complete(const ParameterFile &source);
 
-    /// Unknowns are numbered with 32 bits, in Trilinos and in MUMPS.
-    static constexpr double max_cells = 4e8;
-
-    bool is_brick() const { return type == "brick"; }
+    /// Declares sections 'Body NAME', which then say what the bodies are in place of
+    /// this one.
+    void declare_bodies(const std::vector<std::string> &sections);
 
     /// Number of cells after refinement; a double, because it may be anything
     /// before it is checked. For bodies other than the brick the least
@@ -47,17 +45,8 @@ namespace stiction
     /// The entry ("Section/Entry") to blame if these are too many.
     std::string entry_of_size() const;
 
-    /// The entry that says what the body is: the type, the generator or the
-    /// file.
-    std::string entry_of_shape() const;
+    std::vector<std::unique_ptr<PlacedBody>> bodies;
 
-    std::string type                       = "";
-    std::vector<double> lengths            = {};
-    std::vector<unsigned int> subdivisions = {};
-    std::optional<double> radius, length;
-    std::string generator                = "";
-    std::string generator_arguments      = "";
-    std::string mesh_file                = "";
     unsigned int global_refinement       = 0;
     unsigned int contact_refinement      = 0;
     std::string contact_refinement_where = "1";
@@ -65,15 +54,9 @@ namespace stiction
     unsigned int table_1_level           = 0;
     std::string table_1_reading          = "nodes";
 
-    /// The beginning of a sentence about entry_of_shape() and its value, which
-    /// complete() fills.
-    std::string location = "Geometry";
-
   private:
     /// What becomes of the coarse mesh.
     void declare_refinement();
-
-    void require_shape(const ParameterFile &source) const;
 
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table
     /// in place of the given ones when Table 1 level is not 0.

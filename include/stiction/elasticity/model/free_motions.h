@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -26,10 +27,10 @@ namespace stiction
     }
   };
 
-  /// The rigid motions Z of the body that its supports leave free, which nothing but
+  /// The rigid motions Z of the bodies that their supports leave free, which nothing but
   /// contact can hold: the kernel of the stiffness matrix with prescribed
-  /// displacements. A basis of n ≤ 6, none of whose motions moves the body by more than
-  /// about one a unit.
+  /// displacements. A basis of n, at most six a body, each of which moves one body alone
+  /// and that by not more than about one a unit.
   class FreeMotions
   {
   public:
@@ -39,25 +40,34 @@ namespace stiction
     FreeMotions(const Body &body, const dealii::AffineConstraints<double> &constraints);
 
     /// n.
-    Eigen::Index n() const { return basis_.cols(); }
+    Eigen::Index n() const { return n_; }
 
-    /// Σ α_j Z_j. @param amounts α, length n, m.
-    RigidMotion motion(const Eigen::VectorXd &amounts) const;
+    /// Σ α_j Z_j, by body. @param amounts α, length n, m.
+    std::vector<RigidMotion> motions(const Eigen::VectorXd &amounts) const;
 
-    /// The displacements of a point under the motions of the basis, 3 × n.
-    Eigen::MatrixXd at(const dealii::Point<3> &x) const;
+    /// The displacements of a point of a body under the motions of the basis, 3 × n.
+    Eigen::MatrixXd at(const dealii::Point<3> &x, unsigned int piece) const;
 
-    /// "move along x and y and turn about z".
+    /// "move along x and y and turn about z", of several bodies each with its name.
     std::string in_words() const;
 
     /// Those of a subspace. @param amounts a basis of it, n × any.
     std::string in_words(const Eigen::MatrixXd &amounts) const;
 
   private:
-    dealii::Point<3> centre_;
-    double radius_;
-    /// By columns translations and rotations, these times the radius.
-    Eigen::MatrixXd basis_;
+    struct OfPiece
+    {
+      std::string name;
+      dealii::Point<3> centre;
+      double radius;         ///< m
+      Eigen::MatrixXd basis; ///< by columns translations and rotations × radius
+      Eigen::Index begin;    ///< of its motions among all
+    };
+
+    RigidMotion motion(const OfPiece &piece, const Eigen::VectorXd &amounts) const;
+
+    std::vector<OfPiece> pieces_;
+    Eigen::Index n_ = 0;
   };
 } // namespace stiction
 

@@ -3,17 +3,23 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stiction
 {
   class ParameterFile;
+  struct PlacedBody;
 
   /// The section 'Material'.
   struct MaterialParameters : dealii::ParameterAcceptor
   {
     MaterialParameters();
+
+    /// Adds the materials that the sections of bodies say.
+    void add_bodies(const std::vector<std::unique_ptr<PlacedBody>> &bodies);
 
     /// Throws InputError about what a pattern cannot see.
     void check(const ParameterFile &source) const;

@@ -94,28 +94,6 @@ namespace stiction
                          " stands twice, must stand once.");
   }
 
-  void Faces::require_one_piece() const
-  {
-    boost::disjoint_sets_with_storage<> pieces(mesh_.cells.size());
-    for (const Face &face : faces_)
-      if (face.second != no_cell)
-        pieces.union_set(face.first, face.second);
-    std::set<std::size_t> seen;
-    std::vector<std::size_t> first_cells;
-    for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
-      if (seen.insert(pieces.find_set(i)).second)
-        first_cells.push_back(i);
-    if (first_cells.size() < 2)
-      return;
-    throw InputError(
-      location_ + ", is in " + std::to_string(first_cells.size()) +
-      " pieces: " + describe_cell(mesh_, first_cells[1]) +
-      " is not connected by faces with " + describe_cell(mesh_, first_cells[0]) +
-      ", must be one body, in which neighbours have the same nodes: leave all but "
-      "one of the bodies out, or, where the pieces touch, merge nodes at the same "
-      "place (Gmsh: 'Coherence Mesh').");
-  }
-
   void Faces::require_unfolded() const
   {
     for (const Face &face : faces_)

@@ -24,9 +24,6 @@ namespace stiction
     /// A quadrilateral of one cell against two triangles of others would be a crack.
     void require_conforming() const;
 
-    /// All cells must be connected by faces.
-    void require_one_piece() const;
-
     /// Cells must not meet at an edge or a vertex alone: neither has deal.II a mesh of
     /// them, nor do they make a body.
     void require_manifold() const;

@@ -90,7 +90,6 @@ namespace stiction
     {
       const Faces faces(mesh, location);
       faces.require_conforming();
-      faces.require_one_piece();
       faces.require_manifold();
       faces.require_unfolded();
       faces.require_boundaries_fit(mesh.faces.boundary_quads);

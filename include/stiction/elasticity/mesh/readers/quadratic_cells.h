@@ -30,6 +30,15 @@ namespace stiction
     /// none it is the serendipity one, that of 8 or 20 nodes.
     QuadraticCells(const dealii::Triangulation<3> &coarse, InnerNodes inner_nodes);
 
+    /// Those of cells with these nodes, x first, then y, z, by the index of the cell.
+    using Nodes = std::vector<std::array<dealii::Point<3>, 27>>;
+    explicit QuadraticCells(Nodes nodes)
+      : nodes_(std::move(nodes))
+    {
+    }
+
+    const Nodes &nodes() const { return nodes_; }
+
     bool empty() const { return nodes_.empty(); }
 
     /// Where a point of a cell is, of any level, in m. The same to the last
@@ -43,8 +52,7 @@ namespace stiction
     double determinant(const Cell &cell, const dealii::Point<3> &unit_point) const;
 
   private:
-    // with x first, then y, z
-    std::vector<std::array<dealii::Point<3>, 27>> nodes_;
+    Nodes nodes_;
   };
 } // namespace stiction
 

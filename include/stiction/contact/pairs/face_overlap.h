@@ -1,0 +1,60 @@
+#ifndef stiction_contact_pairs_face_overlap_h
+#define stiction_contact_pairs_face_overlap_h
+
+#include <stiction/contact/pairs/surface_face.h>
+
+#include <array>
+#include <vector>
+
+namespace stiction
+{
+  /// Where a face lies opposite to another one: points of quadrature on the part of the
+  /// first that the second covers, seen along the normal at the centre of the first.
+  struct OverlapPoint
+  {
+    double weight;                       ///< an area of the first face, m²
+    std::array<double, 2> first, second; ///< where it is in the unit squares
+    double gap;                          ///< from the first to the second, m
+  };
+
+  /// The first of two faces on its own plane, on which others are projected.
+  ///
+  /// After Puso and Laursen (2004): the projections are clipped to convex polygons, and
+  /// these are cut into triangles, which carry rules of high degree.
+  class FaceOverlap
+  {
+  public:
+    explicit FaceOverlap(const SurfaceFace &first);
+
+    /// The points of the part covered by the second face, none if they look in the same
+    /// direction. Faces are opposite up to an angle of 84 degrees.
+    std::vector<OverlapPoint> with(const SurfaceFace &second) const;
+
+  private:
+    using Point2 = std::array<double, 2>;
+
+    /// A face on the plane, and how far its nodes are above it.
+    struct Projected
+    {
+      unsigned int degree;
+      std::array<Point2, 9> nodes;
+      std::array<double, 9> heights;
+    };
+
+    Projected project(const SurfaceFace &face) const;
+
+    /// Convex ones that together are the face.
+    static std::vector<std::vector<Point2>> polygons(const Projected &face);
+
+    /// Where a point of the plane is in the unit square of a face.
+    static Point2 in_unit_square(const Projected &face, const Point2 &p);
+
+    const SurfaceFace &first_;
+    dealii::Point<3> centre_;
+    dealii::Tensor<1, 3> normal_, along1_, along2_;
+    Projected on_plane_;
+    double area_; ///< of its polygons
+  };
+} // namespace stiction
+
+#endif

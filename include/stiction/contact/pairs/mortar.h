@@ -1,0 +1,52 @@
+#ifndef stiction_contact_pairs_mortar_h
+#define stiction_contact_pairs_mortar_h
+
+#include <stiction/contact/pairs/surface_face.h>
+
+#include <deal.II/base/types.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <map>
+#include <vector>
+
+namespace stiction
+{
+  class LinearElasticity;
+
+  /// How the nodes of one surface, the slave, see the displacement of another one, the
+  /// master, that lies opposite to it: the dual mortar method of Wohlmuth (2000),
+  ///
+  ///     D_ii = ∫ φ_i,   M_ij = ∫ ψ_i φ_j,   Â = D⁻¹ M,
+  ///
+  /// with ψ_i dual to the shape functions φ_i on the part of each slave face that is
+  /// covered. All integrals of a face are sums over the same points, so that Â keeps
+  /// constants, and linear functions where the surfaces are the same plane, whatever the
+  /// quadrature: forces λ on the slave and −Âᵀλ on the master balance.
+  ///
+  /// Where nodes hang on others by u = C û, D is CᵀDC and M is CᵀMC.
+  struct Mortar
+  {
+    /// The slave nodes that have something opposite, by their first unknowns.
+    std::vector<dealii::types::global_dof_index> slaves;
+    Eigen::VectorXd areas; ///< D of each, of the covered part, m²
+    /// The mean of the distance to the master along the normals of the slave faces,
+    /// weighted by ψ, but not beyond what there is around the node, m.
+    Eigen::VectorXd gaps;
+
+    /// The master nodes.
+    std::vector<dealii::types::global_dof_index> masters;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> A; ///< Â, slaves × masters
+
+    /// Finds them. Collective.
+    Mortar(const LinearElasticity &elasticity,
+           const std::vector<SurfaceFace> &slave_faces,
+           const std::vector<SurfaceFace> &master_faces);
+
+    /// The row of a slave node, -1 if it has nothing opposite.
+    Eigen::Index row_of(dealii::types::global_dof_index slave) const;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef stiction_contact_pairs_surface_face_h
+#define stiction_contact_pairs_surface_face_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+
+#include <array>
+#include <vector>
+
+namespace stiction
+{
+  class LinearElasticity;
+
+  /// A face of a cell on a boundary, as all ranks know it: a Lagrange quadrilateral of
+  /// the degree of the elements.
+  struct SurfaceFace
+  {
+    unsigned int degree;
+    /// The first unknowns of the (degree + 1)² nodes, along the first edge first.
+    std::array<dealii::types::global_dof_index, 9> dofs;
+    std::array<std::array<double, 3>, 9> nodes; ///< where they are, m
+    std::array<double, 3> inside;               ///< the centre of the cell, m
+    double youngs_modulus;                      ///< of the cell, Pa
+
+    unsigned int n_nodes() const { return (degree + 1) * (degree + 1); }
+
+    dealii::Point<3> node(const unsigned int i) const
+    {
+      return {nodes[i][0], nodes[i][1], nodes[i][2]};
+    }
+
+    /// The four corners, going around.
+    std::array<dealii::Point<3>, 4> corners() const;
+
+    /// The mean of the corners.
+    dealii::Point<3> centre() const;
+
+    /// Unit, outward, by the diagonals.
+    dealii::Tensor<1, 3> normal() const;
+
+    /// The longer diagonal, m.
+    double diameter() const;
+  };
+
+  /// The shape functions of a face at a point of the unit square, of which only the
+  /// first (degree + 1)² count, and their derivatives.
+  struct FaceShape
+  {
+    FaceShape(unsigned int degree, const std::array<double, 2> &at);
+
+    std::array<double, 9> value;
+    std::array<std::array<double, 2>, 9> gradient;
+  };
+
+  /// Those of a boundary, the same list on all ranks. Collective.
+  std::vector<SurfaceFace> surface_faces(const LinearElasticity &elasticity,
+                                         dealii::types::boundary_id id);
+} // namespace stiction
+
+#endif

@@ -1,0 +1,63 @@
+#ifndef stiction_elasticity_mesh_mesh_pieces_h
+#define stiction_elasticity_mesh_mesh_pieces_h
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/types.h>
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  /// A part of a mesh that shares no vertex with others: an elastic body of its own,
+  /// which meets others in contact alone.
+  struct Piece
+  {
+    std::string name;           ///< what the user calls it
+    dealii::BoundingBox<3> box; ///< the smallest around it, in m
+
+    /// Half the diagonal of the box, m.
+    double radius() const
+    {
+      const auto corners = box.get_boundary_points();
+      return corners.first.distance(corners.second) / 2.;
+    }
+  };
+
+  /// The pieces of a mesh, in the order of their first coarse cells.
+  class MeshPieces
+  {
+  public:
+    /// One.
+    MeshPieces() = default;
+
+    /// Finds them.
+    ///
+    /// @param triangulation with coarse cells that all ranks know.
+    /// @param names of the bodies by the materials of their coarse cells. A piece of
+    ///   which these say nothing, or several names, is called "body 2", as the second
+    ///   one; several of one name are told apart by numbers.
+    MeshPieces(const dealii::Triangulation<3> &triangulation,
+               const std::map<dealii::types::material_id, std::string> &names);
+
+    const std::vector<Piece> &list() const { return pieces_; }
+
+    /// The place in list() of a cell of any level.
+    unsigned int of(dealii::Triangulation<3>::cell_iterator cell) const;
+
+    /// Makes the boxes hold the cells that this rank knows and these points, of all
+    /// ranks. Collective.
+    ///
+    /// @param points by piece.
+    void find_boxes(const dealii::Triangulation<3> &triangulation,
+                    const std::vector<std::vector<dealii::Point<3>>> &points);
+
+  private:
+    std::vector<Piece> pieces_ = {{"body", {}}};
+    std::vector<unsigned int> piece_of_coarse_cell_; // by index()
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,300 @@
+#include <stiction/base/all_gather.h>
+#include <stiction/contact/pairs/face_overlap.h>
+#include <stiction/contact/pairs/mortar.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Dof          = types::global_dof_index;
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+
+    // Of the area of a face: what is covered of it carries no dual functions if it is
+    // less.
+    constexpr double no_cover = 1e-10;
+
+    // Of the diameter of a face: the gap varies by less along it.
+    constexpr double steepest = 10.;
+
+    // Entries of Â that come of long chains of hanging nodes: less is rounding.
+    constexpr double no_weight = 1e-15;
+
+    // What one slave face adds: sent to all ranks as it is.
+    struct Share
+    {
+      Dof slave, master; // invalid: to D and to the gap
+      double value, gap, smallest, largest;
+    };
+
+    BoundingBox<3> box_around(const std::vector<Point<3>> &points)
+    {
+      return BoundingBox<3>(points);
+    }
+
+    BoundingBox<3> box_of(const SurfaceFace &face)
+    {
+      std::vector<Point<3>> points;
+      for (unsigned int i = 0; i < face.n_nodes(); ++i)
+        points.push_back(face.node(i));
+      return box_around(points);
+    }
+
+    // What the face can see along its normal.
+    BoundingBox<3> box_of_sight(const SurfaceFace &face, const double reach)
+    {
+      std::vector<Point<3>> points;
+      for (unsigned int i = 0; i < face.n_nodes(); ++i)
+        for (const double way : {-reach, reach})
+          points.push_back(face.node(i) + way * face.normal());
+      return box_around(points);
+    }
+
+    // The diagonal of the box around a surface.
+    double size_of(const std::vector<SurfaceFace> &faces)
+    {
+      std::vector<Point<3>> points;
+      for (const SurfaceFace &face : faces)
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
+          points.push_back(face.node(i));
+      const auto ends = box_around(points).get_boundary_points();
+      return ends.first.distance(ends.second);
+    }
+
+    // D, M and the gaps of one face.
+    void add_face(const SurfaceFace &slave,
+                  const std::vector<const SurfaceFace *> &masters, const double reach,
+                  std::vector<Share> &shares)
+    {
+      const FaceOverlap overlap(slave);
+      struct Point
+      {
+        OverlapPoint at;
+        const SurfaceFace *master;
+      };
+      std::vector<Point> points;
+      double nearest = reach;
+      for (const SurfaceFace *const master : masters)
+        for (const OverlapPoint &point : overlap.with(*master))
+          {
+            points.push_back({point, master});
+            nearest = std::min(nearest, std::abs(point.gap));
+          }
+      // not those on a farther sheet of the same surface
+      const double farthest = std::min(reach, nearest + steepest * slave.diameter());
+      points.erase(std::remove_if(points.begin(), points.end(),
+                                  [&](const Point &point) {
+                                    return std::abs(point.at.gap) > farthest;
+                                  }),
+                   points.end());
+
+      const Eigen::Index n = slave.n_nodes();
+      Eigen::MatrixXd m    = Eigen::MatrixXd::Zero(n, n);
+      Eigen::VectorXd d    = Eigen::VectorXd::Zero(n);
+      double smallest = std::numeric_limits<double>::max(), largest = -smallest;
+      for (const Point &point : points)
+        {
+          const FaceShape shape(slave.degree, point.at.first);
+          const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
+          m += point.at.weight * phi * phi.transpose();
+          d += point.at.weight * phi;
+          smallest = std::min(smallest, point.at.gap);
+          largest  = std::max(largest, point.at.gap);
+        }
+      if (d.sum() < no_cover * slave.diameter() * slave.diameter())
+        return;
+      const Eigen::MatrixXd to_dual = d.asDiagonal() * m.fullPivLu().inverse();
+      Eigen::VectorXd gap           = Eigen::VectorXd::Zero(n);
+      std::map<Dof, Eigen::VectorXd> M;
+      for (const Point &point : points)
+        {
+          const FaceShape shape(slave.degree, point.at.first);
+          const FaceShape other(point.master->degree, point.at.second);
+          const Eigen::VectorXd psi =
+            point.at.weight * to_dual *
+            Eigen::Map<const Eigen::VectorXd>(shape.value.data(), n);
+          gap += point.at.gap * psi;
+          for (unsigned int j = 0; j < point.master->n_nodes(); ++j)
+            M.try_emplace(point.master->dofs[j], Eigen::VectorXd::Zero(n))
+              .first->second += other.value[j] * psi;
+        }
+      for (Eigen::Index i = 0; i < n; ++i)
+        {
+          shares.push_back(
+            {slave.dofs[i], numbers::invalid_dof_index, d(i), gap(i), smallest, largest});
+          for (const auto &[master, column] : M)
+            shares.push_back({slave.dofs[i], master, column(i), 0., 0., 0.});
+        }
+    }
+
+    // Numbers from 0 for the nodes that do not hang, and how all follow from them.
+    class Numbering
+    {
+    public:
+      Numbering(const LinearElasticity &elasticity, const std::set<Dof> &nodes)
+      {
+        const Body &body = elasticity.body();
+        struct Weight
+        {
+          Dof node, other;
+          double weight;
+        };
+        std::vector<Weight> own;
+        for (const Dof node : nodes)
+          if (body.locally_owned_dofs().is_element(node) && body.is_hanging(node))
+            for (const auto &[other, weight] :
+                 *body.hanging_nodes().get_constraint_entries(node))
+              own.push_back({node, other, weight});
+        for (const Weight &entry : all_gather(own, body.communicator()))
+          hanging_[entry.node].emplace_back(entry.other, entry.weight);
+        std::set<Dof> parents;
+        for (const Dof node : nodes)
+          {
+            const auto hanging = hanging_.find(node);
+            if (hanging == hanging_.end())
+              parents.insert(node);
+            else
+              for (const auto &[other, weight] : hanging->second)
+                parents.insert(other);
+          }
+        dofs.assign(parents.begin(), parents.end());
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+          number_[dofs[i]] = static_cast<Eigen::Index>(i);
+      }
+
+      // C: the given nodes by those that do not hang.
+      SparseMatrix matrix(const std::vector<Dof> &nodes) const
+      {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          {
+            const auto hanging = hanging_.find(nodes[i]);
+            if (hanging == hanging_.end())
+              entries.emplace_back(i, number_.at(nodes[i]), 1.);
+            else
+              for (const auto &[other, weight] : hanging->second)
+                entries.emplace_back(i, number_.at(other), weight);
+          }
+        SparseMatrix C(static_cast<Eigen::Index>(nodes.size()),
+                       static_cast<Eigen::Index>(dofs.size()));
+        C.setFromTriplets(entries.begin(), entries.end());
+        return C;
+      }
+
+      std::vector<Dof> dofs;
+
+    private:
+      std::map<Dof, std::vector<std::pair<Dof, double>>> hanging_;
+      std::map<Dof, Eigen::Index> number_;
+    };
+
+    std::vector<Share> integrate(const LinearElasticity &elasticity,
+                                 const std::vector<SurfaceFace> &slave_faces,
+                                 const std::vector<SurfaceFace> &master_faces,
+                                 const double reach)
+    {
+      std::vector<BoundingBox<3>> boxes;
+      for (const SurfaceFace &face : master_faces)
+        boxes.push_back(box_of(face));
+      const auto tree = pack_rtree_of_indices(boxes);
+
+      // each rank takes its share of the list
+      MPI_Comm communicator      = elasticity.body().communicator();
+      const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+      const std::size_t n        = slave_faces.size();
+      std::vector<Share> shares;
+      for (std::size_t f = n * rank / n_ranks; f < n * (rank + 1) / n_ranks; ++f)
+        {
+          std::vector<std::size_t> near;
+          tree.query(
+            boost::geometry::index::intersects(box_of_sight(slave_faces[f], reach)),
+            std::back_inserter(near));
+          std::sort(near.begin(), near.end());
+          std::vector<const SurfaceFace *> masters;
+          for (const std::size_t k : near)
+            masters.push_back(&master_faces[k]);
+          add_face(slave_faces[f], masters, reach, shares);
+        }
+      return all_gather(shares, communicator);
+    }
+  } // namespace
+
+  Mortar::Mortar(const LinearElasticity &elasticity,
+                 const std::vector<SurfaceFace> &slave_faces,
+                 const std::vector<SurfaceFace> &master_faces)
+  {
+    std::set<Dof> slave_nodes, master_nodes;
+    const double reach = std::min(size_of(slave_faces), size_of(master_faces));
+    const auto shares  = integrate(elasticity, slave_faces, master_faces, reach);
+    for (const Share &share : shares)
+      if (share.master == numbers::invalid_dof_index)
+        slave_nodes.insert(share.slave);
+      else
+        master_nodes.insert(share.master);
+    const std::vector<Dof> on_slave(slave_nodes.begin(), slave_nodes.end());
+    const std::vector<Dof> on_master(master_nodes.begin(), master_nodes.end());
+    const auto number = [](const std::vector<Dof> &list, const Dof dof) {
+      return std::lower_bound(list.begin(), list.end(), dof) - list.begin();
+    };
+
+    const auto n      = static_cast<Eigen::Index>(on_slave.size());
+    Eigen::VectorXd D = Eigen::VectorXd::Zero(n), weighted = D,
+                    smallest = Eigen::VectorXd::Constant(n, 1e300), largest = -smallest;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Share &share : shares)
+      {
+        const auto i = number(on_slave, share.slave);
+        if (share.master != numbers::invalid_dof_index)
+          {
+            entries.emplace_back(i, number(on_master, share.master), share.value);
+            continue;
+          }
+        D(i) += share.value;
+        weighted(i) += share.gap;
+        smallest(i) = std::min(smallest(i), share.smallest);
+        largest(i)  = std::max(largest(i), share.largest);
+      }
+    SparseMatrix M(n, static_cast<Eigen::Index>(on_master.size()));
+    M.setFromTriplets(entries.begin(), entries.end());
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (D(i) > 0.)
+        weighted(i) = D(i) * std::clamp(weighted(i) / D(i), smallest(i), largest(i));
+
+    const Numbering of_slave(elasticity, slave_nodes),
+      of_master(elasticity, master_nodes);
+    const SparseMatrix C         = of_slave.matrix(on_slave);
+    const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
+    const SparseMatrix M_hanging = C.transpose() * M * of_master.matrix(on_master);
+    slaves                       = of_slave.dofs;
+    masters                      = of_master.dofs;
+    areas                        = C.transpose() * D;
+    if (slaves.empty())
+      return;
+    Eigen::SparseLU<SparseMatrix> inverse(D_hanging);
+    SparseMatrix solution = inverse.solve(M_hanging);
+    A                     = solution.pruned(1., no_weight);
+    gaps                  = inverse.solve(C.transpose() * weighted);
+  }
+
+  Eigen::Index Mortar::row_of(const types::global_dof_index slave) const
+  {
+    const auto row = std::lower_bound(slaves.begin(), slaves.end(), slave);
+    return row != slaves.end() && *row == slave ? row - slaves.begin() : -1;
+  }
+} // namespace stiction

@@ -1,0 +1,142 @@
+#include <stiction/base/all_gather.h>
+#include <stiction/contact/pairs/surface_face.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::array<double, 3> in_array(const Point<3> &p)
+    {
+      return {{p[0], p[1], p[2]}};
+    }
+
+    // The Lagrange polynomials of one variable, and their slopes.
+    std::array<double, 3> values(const unsigned int degree, const double x)
+    {
+      if (degree == 1)
+        return {{1. - x, x, 0.}};
+      return {{(1. - x) * (1. - 2. * x), 4. * x * (1. - x), x * (2. * x - 1.)}};
+    }
+
+    std::array<double, 3> slopes(const unsigned int degree, const double x)
+    {
+      if (degree == 1)
+        return {{-1., 1., 0.}};
+      return {{4. * x - 3., 4. - 8. * x, 4. * x - 1.}};
+    }
+
+    // The nodes of a cell on one of its faces, along the first edge first.
+    std::vector<unsigned int> nodes_on_face(const FiniteElement<3> &scalar,
+                                            const unsigned int f)
+    {
+      const auto &points         = scalar.get_unit_support_points();
+      const unsigned int n       = scalar.degree + 1;
+      const unsigned int across  = f / 2;
+      const double level         = f % 2;
+      const unsigned int along[] = {(across + 1) % 3, (across + 2) % 3};
+      std::vector<unsigned int> nodes(n * n);
+      for (unsigned int i = 0; i < points.size(); ++i)
+        if (std::abs(points[i][across] - level) < 0.1)
+          {
+            const auto place = [&](const unsigned int d) {
+              return static_cast<unsigned int>(
+                std::lround(points[i][along[d]] * scalar.degree));
+            };
+            nodes[place(0) + n * place(1)] = i;
+          }
+      return nodes;
+    }
+  } // namespace
+
+  std::array<Point<3>, 4> SurfaceFace::corners() const
+  {
+    const unsigned int n = degree + 1;
+    return {{node(0), node(n - 1), node(n * n - 1), node(n * (n - 1))}};
+  }
+
+  Point<3> SurfaceFace::centre() const
+  {
+    Point<3> sum;
+    for (const Point<3> &corner : corners())
+      sum += corner / 4.;
+    return sum;
+  }
+
+  Tensor<1, 3> SurfaceFace::normal() const
+  {
+    const auto c              = corners();
+    const Tensor<1, 3> across = cross_product_3d(c[2] - c[0], c[3] - c[1]);
+    const Point<3> in(inside[0], inside[1], inside[2]);
+    return (across * (centre() - in) > 0. ? 1. : -1.) / across.norm() * across;
+  }
+
+  double SurfaceFace::diameter() const
+  {
+    const auto c = corners();
+    return std::max(c[0].distance(c[2]), c[1].distance(c[3]));
+  }
+
+  FaceShape::FaceShape(const unsigned int degree, const std::array<double, 2> &at)
+  {
+    const unsigned int n = degree + 1;
+    const auto x = values(degree, at[0]), y = values(degree, at[1]);
+    const auto dx = slopes(degree, at[0]), dy = slopes(degree, at[1]);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          value[i + n * j]    = x[i] * y[j];
+          gradient[i + n * j] = {{dx[i] * y[j], x[i] * dy[j]}};
+        }
+  }
+
+  std::vector<SurfaceFace> surface_faces(const LinearElasticity &elasticity,
+                                         const types::boundary_id id)
+  {
+    const Body &body             = elasticity.body();
+    const FiniteElement<3> &fe   = body.dof_handler().get_fe();
+    const FiniteElement<3> &base = fe.base_element(0);
+    FEValues<3> values(body.mapping(), base, base.get_unit_support_points(),
+                       update_quadrature_points);
+    std::array<std::vector<unsigned int>, 6> on_face;
+    for (unsigned int f = 0; f < 6; ++f)
+      on_face[f] = nodes_on_face(base, f);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<SurfaceFace> faces;
+    for (const auto &cell : body.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != id)
+              continue;
+            values.reinit(static_cast<Triangulation<3>::cell_iterator>(cell));
+            cell->get_dof_indices(dofs);
+            SurfaceFace face{};
+            face.degree = base.degree;
+            face.inside = in_array(cell->center());
+            face.youngs_modulus =
+              elasticity.materials().of(cell->material_id()).youngs_modulus;
+            for (unsigned int k = 0; k < on_face[f].size(); ++k)
+              {
+                face.dofs[k]  = dofs[3 * on_face[f][k]];
+                face.nodes[k] = in_array(values.quadrature_point(on_face[f][k]));
+              }
+            faces.push_back(face);
+          }
+    faces = all_gather(faces, body.communicator());
+    // in an order that does not depend on the partition
+    std::sort(faces.begin(), faces.end(), [](const SurfaceFace &a, const SurfaceFace &b) {
+      return a.inside != b.inside ? a.inside < b.inside : a.nodes[0] < b.nodes[0];
+    });
+    return faces;
+  }
+} // namespace stiction

@@ -1,0 +1,162 @@
+#include <stiction/base/errors.h>
+#include <stiction/base/text/numbers.h>
+#include <stiction/base/text/parameter_file.h>
+#include <stiction/elasticity/mesh/shape_parameters.h>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace Patterns = dealii::Patterns;
+
+  ShapeParameters::ShapeParameters(const std::string &section)
+    : ParameterAcceptor(section)
+    , location(section)
+    , section_(section)
+  {
+    add_parameter(
+      "Type", type,
+      "The shape of the body, with the numbers and names of its boundaries. "
+      "brick: (0,Lx) x (0,Ly) x (0,Lz), 0 left: x = 0, 1 right: x = Lx, "
+      "2 front: y = 0, 3 back: y = Ly, 4 bottom: z = 0, 5 top: z = Lz. "
+      "cylinder: around the z axis, 0 side, 1 bottom: z = 0, 2 top: z = "
+      "Length. half ball: the lower half of a ball that touches z = 0 from "
+      "above, with its centre at (0, 0, Radius), 0 curved, 1 flat: the face z "
+      "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
+      "have the numbers it gives them. file: a mesh from 'Mesh "
+      "file'. Refined curved boundaries follow the shape, those of a file "
+      "stay as the file has them. May be left out where "
+      "'Lengths' or 'Table 1 level' say that it is a brick.",
+      prm, Patterns::Selection("brick|cylinder|half ball|generator|file|"));
+    add_parameter("Lengths", lengths,
+                  "Edge lengths of the brick in x, y, z; other types ignore "
+                  "it. Unit: of length. The reference brick has '4, 3, 1'.",
+                  prm, Patterns::List(Patterns::Double(), 0, 3));
+    add_parameter("Subdivisions", subdivisions,
+                  "Number of coarse cells of the brick along x, y, z; other "
+                  "types ignore it.",
+                  prm, Patterns::List(Patterns::Integer(1, 100000), 0, 3));
+    add_number(*this, "Radius", radius,
+               "Radius of the cylinder or the half ball. Unit: of length.");
+    add_number(*this, "Length", length,
+               "Length of the cylinder, from z = 0; it gets coarse cells "
+               "about as long as its radius. Unit: of length.");
+    add_parameter(
+      "Generator", generator,
+      "Name of a function of deal.II's GridGenerator: one of those "
+      "that make a single body of hexahedra from numbers and "
+      "points.",
+      prm,
+      Patterns::Selection("hyper_cube|hyper_rectangle|hyper_L|hyper_ball|"
+                          "hyper_ball_balanced|half_hyper_ball|quarter_hyper_ball|"
+                          "hyper_shell|half_hyper_shell|quarter_hyper_shell|"
+                          "cylinder|truncated_cone|"));
+    add_parameter("Generator arguments", generator_arguments,
+                  "Arguments of the generator after the mesh, separated by "
+                  "':', points and lists by ','. The last one is often "
+                  "'colorize': with 'true' the boundaries get different "
+                  "numbers, as deal.II documents for each generator.",
+                  prm, Patterns::Anything());
+    add_parameter("Mesh file", mesh_file,
+                  "The file of the mesh, looked for from the working "
+                  "directory and, if it is not there, from the directory of "
+                  "the parameter file: "
+                  "Gmsh (.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy "
+                  "VTK (.vtk), as text. Cells are hexahedra with 8, 20 or "
+                  "27 nodes, tetrahedra with 4 or 10, prisms with 6, 15 or 18; "
+                  "tetrahedra are cut into four hexahedra each, prisms into "
+                  "three. Cells of second order are cut "
+                  "along their curved shape, and have it with 'Element degree = 2'. "
+                  "Boundaries and materials have the numbers and names of "
+                  "Gmsh's physical groups; in .inp files those of *SURFACE "
+                  "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
+                  "they come; in .vtk files the numbers of the cell data "
+                  "'MaterialID', of faces and of cells. Faces "
+                  "and cells that have none get the number 0. Unit: of length.",
+                  prm, Patterns::Anything());
+  }
+
+  std::string ShapeParameters::entry_of_shape() const
+  {
+    return type == "file"        ? entry("Mesh file")
+           : type == "generator" ? entry("Generator")
+                                 : entry("Type");
+  }
+
+  double ShapeParameters::n_coarse_cells() const
+  {
+    double cells = 1.;
+    if (is_brick())
+      for (const unsigned int n : subdivisions)
+        cells *= n;
+    return cells;
+  }
+
+  void ShapeParameters::locate(const ParameterFile &source)
+  {
+    // no other body has such edges
+    if (type.empty() && !lengths.empty())
+      type = "brick";
+    location = source.describe(entry_of_shape());
+    if (type == "file" && !mesh_file.empty())
+      mesh_file = source.find_file(entry("Mesh file"), mesh_file);
+  }
+
+  void ShapeParameters::check(const ParameterFile &source) const
+  {
+    require_shape(source);
+    if (is_brick())
+      {
+        source.require(lengths.size() == 3, entry("Lengths"),
+                       "must be 3 entries separated by ','");
+        source.require(subdivisions.size() == 3, entry("Subdivisions"),
+                       "must be 3 entries separated by ','");
+        const auto extremes   = std::minmax_element(lengths.begin(), lengths.end());
+        const double shortest = *extremes.first, longest = *extremes.second;
+        source.require(is_sane(shortest) && is_sane(longest), entry("Lengths"),
+                       "each must be a number > 0, from 1e-30 to 1e30");
+        source.require(longest <= 1e4 * shortest, entry("Lengths"),
+                       "the longest may be at most 10000 times the shortest");
+      }
+    const bool is_cylinder = type == "cylinder";
+    if (is_cylinder || type == "half ball")
+      source.require(is_sane(*radius), entry("Radius"),
+                     "must be a number > 0, from 1e-30 to 1e30");
+    if (is_cylinder)
+      source.require(is_sane(*length) && *length <= 1e4 * *radius &&
+                       *radius <= 1e4 * *length,
+                     entry("Length"),
+                     "must be a number > 0, at most 10000 times the radius and at "
+                     "least a 10000th of it");
+  }
+
+  void ShapeParameters::require_shape(const ParameterFile &source) const
+  {
+    const auto need = [&](const bool is_said, const std::string &name,
+                          const std::string &line) {
+      if (!is_said)
+        throw InputError(source.describe_missing(entry(name)) +
+                         ", write into the section '" + section_ + "' " + line + ".");
+    };
+    need(!type.empty(), "Type",
+         "what the body is, 'set Type = brick', 'cylinder', 'half ball', "
+         "'generator' or 'file'");
+    need(type != "brick" || !lengths.empty(), "Lengths",
+         "the edges of the brick, such as 'set Lengths = 4, 3, 1'");
+    need(type != "brick" || !subdivisions.empty(), "Subdivisions",
+         "how many cells there are along the edges, such as 'set Subdivisions "
+         "= 4, 3, 1'");
+    need((type != "cylinder" && type != "half ball") || radius, "Radius",
+         "the radius of the " + type + ", such as 'set Radius = 1'");
+    need(type != "cylinder" || length, "Length",
+         "the length of the cylinder, such as 'set Length = 2'");
+    need(type != "generator" || !generator.empty(), "Generator",
+         "one of deal.II, such as 'set Generator = hyper_cube'");
+    need(type != "generator" || !generator_arguments.empty(), "Generator arguments",
+         "what GridGenerator::" + generator +
+           "() has after the mesh, separated by ':', such as 'set Generator "
+           "arguments = 0 : 1 : true'");
+    need(type != "file" || !mesh_file.empty(), "Mesh file",
+         "the file of the mesh, such as 'set Mesh file = part.msh'");
+  }
+} // namespace stiction
