@@ -2,6 +2,7 @@
 #include <stiction/base/files.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
@@ -202,7 +203,7 @@ namespace stiction
     require_complete(parameters_, body_->boundary_names());
     assign_material_ids(*body_, parameters_.of_body());
     refine_contact_boundary(*body_, parameters_.geometry,
-                            parameters_.contact.contact_boundary, parameters_.source);
+                            parameters_.contact.all_boundaries(), parameters_.source);
     if (restart_)
       {
         mesh_history_ = restart_->mesh();
@@ -258,6 +259,13 @@ namespace stiction
       static_cast<unsigned long long>(body_->triangulation().n_global_active_cells()),
       static_cast<unsigned long long>(body_->n_nodes()),
       static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    if (body_->pieces().size() > 1)
+      {
+        std::vector<std::string> names;
+        for (const Piece &piece : body_->pieces())
+          names.push_back(piece.name);
+        log_->line("Several bodies: " + listed(names));
+      }
     if (body_->n_hanging_nodes() > 0)
       log_->line(format("Hanging nodes: %llu",
                         static_cast<unsigned long long>(body_->n_hanging_nodes())));
@@ -289,6 +297,10 @@ namespace stiction
                       : law == "given" ? "given friction"
                       : law == "mixed" ? "several laws of friction"
                                        : "no friction"));
+    if (const std::string loose =
+          why_loose(*discretization_->elasticity, *discretization_->surface);
+        !loose.empty())
+      throw InputError(parameters_.geometry.location + ": " + loose + ".");
     const Eigen::MatrixXd unresisted =
       unresisted_motions(*discretization_->elasticity, *discretization_->surface);
     if (unresisted.cols() > 0)

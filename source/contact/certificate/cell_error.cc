@@ -305,8 +305,9 @@ namespace stiction
       // of t − σn, and on the contact boundary E/h ‖g⁻‖² + ∫ p g⁺
       double at_boundary(const Cell &cell, const unsigned int f)
       {
-        const auto id           = cell->face(f)->boundary_id();
-        const bool is_contact   = surface_.is_contact_boundary(id);
+        const auto id = cell->face(f)->boundary_id();
+        const bool is_contact =
+          surface_.is_contact_boundary(id) || surface_.is_other_side(id);
         const std::string &held = held_[id];
         if (!is_contact && held == "xyz")
           return 0.;
@@ -330,7 +331,7 @@ namespace stiction
               r[component - 'x'] = 0.;
             sum += of_residual(material, n, at[q].height, r) * face_.JxW(q);
           }
-        if (is_contact)
+        if (surface_.is_contact_boundary(id) && !surface_.boundary(id).is_pair())
           sum +=
             between_contact_nodes(cell, contact, material.youngs_modulus / at[0].height);
         return sum;

@@ -18,6 +18,11 @@ namespace stiction
     , fe_(elasticity.body().dof_handler().get_fe())
     , dofs_(fe_.n_dofs_per_cell())
   {
+    const Eigen::Index m = surface.n_nodes(), n = surface.to_other_side().rows();
+    opposite_.resize(3 * n);
+    for (Eigen::Index c = 0; c < 3 && n > 0; ++c)
+      opposite_.segment(c * n, n) =
+        surface.to_other_side() * force_.segment(c * m, m).cwiseQuotient(surface.areas());
   }
 
   std::vector<Tensor<1, 3>> ContactTraction::at_points(
@@ -67,6 +72,13 @@ namespace stiction
         return traction;
       }
 
+    if (surface_.is_other_side(id))
+      if (const Eigen::Index j = surface_.opposite_node_of(first_dof); j >= 0)
+        {
+          for (unsigned int c = 0; c < 3; ++c)
+            traction[c] = opposite_(j + c * opposite_.size() / 3);
+          return traction;
+        }
     const Eigen::Index m = surface_.n_nodes();
     const Eigen::Index i = surface_.node_of(first_dof);
     if (i >= 0)

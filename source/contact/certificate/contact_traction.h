@@ -39,6 +39,7 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     const Eigen::VectorXd force_; // on the obstacle, by blocks (x; y; z)
+    Eigen::VectorXd opposite_;    // tractions at the nodes opposite, by blocks
     const dealii::FiniteElement<3> &fe_;
     std::vector<dealii::types::global_dof_index> dofs_;
   };

@@ -42,12 +42,15 @@ namespace stiction
       return '(' + format_vector("%.3g", {{v[0], v[1], v[2]}}) + ')';
     }
 
-    // The mean normal of the contact nodes that carry forces.
-    Tensor<1, 3> mean_normal(const ContactSurface &surface, const Eigen::VectorXd &lambda)
+    // The mean normal of the contact nodes that carry forces where something moves.
+    Tensor<1, 3> mean_normal(const ContactSurface &surface, const Eigen::VectorXd &lambda,
+                             const Eigen::VectorXd &moved)
     {
+      const double no_motion_here = no_motion * moved.lpNorm<Eigen::Infinity>();
       Tensor<1, 3> sum;
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        sum += lambda(i) * surface.nodes()[i].normal;
+        if (at_node(moved, i).norm() > no_motion_here)
+          sum += lambda(i) * surface.nodes()[i].normal;
       return sum.norm() > 0. ? sum / sum.norm() : sum;
     }
 
@@ -93,8 +96,8 @@ namespace stiction
       return runaway;
     }
 
-    std::string in_words(const Runaway &runaway, const ContactSurface &surface,
-                         const Eigen::VectorXd &lambda, const Units &units)
+    std::string in_words(const Runaway &runaway, const Tensor<1, 3> &normal,
+                         const Units &units)
     {
       const auto &[who, motion, size, load, work] = runaway;
       const std::string s = who.rfind("bodies", 0) == 0 ? " " : "s ";
@@ -113,7 +116,6 @@ namespace stiction
         }
       // on a rough face a motion that friction cannot stop lifts the body as well: that
       // is the cone's, not the motion's
-      const Tensor<1, 3> normal = mean_normal(surface, lambda);
       Tensor<1, 3> sliding = motion.translation - (motion.translation * normal) * normal;
       const bool slides =
         normal.norm() > 0. && sliding.norm() > no_motion * motion.translation.norm();
@@ -158,6 +160,27 @@ namespace stiction
     return balance;
   }
 
+  std::string why_loose(const LinearElasticity &elasticity, const ContactSurface &surface)
+  {
+    const auto &pieces = elasticity.body().pieces();
+    if (pieces.size() == 1 || elasticity.free_motions().n() == 0)
+      return "";
+    const Eigen::MatrixXd G =
+      rigid_balance(elasticity, surface).G.rightCols(elasticity.free_motions().n());
+    std::vector<std::string> loose;
+    for (unsigned int p = 0; p < pieces.size(); ++p)
+      if (const auto [first, n] = elasticity.free_motions().of(p);
+          n == 6 && G.middleCols(first, n).isZero(0.))
+        loose.push_back('\'' + pieces[p].name + '\'');
+    if (loose.empty())
+      return "";
+    return "the mesh is of " + std::to_string(pieces.size()) + " bodies, of which " +
+           listed(loose) + (loose.size() > 1 ? " have" : " has") +
+           " neither a support nor a contact boundary; pair a boundary with that of "
+           "another body, or, where they are one body, merge the nodes at the same place "
+           "(Gmsh: 'Coherence Mesh')";
+  }
+
   std::string why_no_equilibrium(const LinearElasticity &elasticity,
                                  const ContactSurface &surface, const Units &units)
   {
@@ -181,8 +204,8 @@ namespace stiction
     if (of_body.norm() < 0.5 * rho.norm())
       return begin + "the obstacle that is pressed on finds nothing that bears " +
              with_unit(format("%.4g", work / rho.norm()), units.force);
-    return begin +
-           in_words(find_runaway(elasticity, of_body, work), surface, lambda, units);
+    return begin + in_words(find_runaway(elasticity, of_body, work),
+                            mean_normal(surface, lambda, moved), units);
   }
 
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,

@@ -81,16 +81,6 @@ namespace stiction
              (direction.empty() ? "" : ", first direction " + direction);
     }
 
-    // NAME of 'boundary : NAME', empty for other obstacles.
-    std::string partner_in(const std::string &obstacle)
-    {
-      const std::size_t colon = obstacle.find(':');
-      return colon != std::string::npos &&
-                 Utilities::trim(obstacle.substr(0, colon)) == "boundary"
-               ? Utilities::trim(obstacle.substr(colon + 1))
-               : "";
-    }
-
     std::string text_of(const Point<3> &p)
     {
       std::ostringstream out;
@@ -154,7 +144,7 @@ namespace stiction
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
 
-        const std::string partner = partner_in(obstacles[b]);
+        const std::string partner = paired_boundary(obstacles[b]);
         boundary.slave_side_      = sides[b];
         if (partner.empty())
           boundary.obstacle_ =

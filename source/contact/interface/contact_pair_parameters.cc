@@ -1,6 +1,8 @@
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 
 namespace stiction
@@ -119,6 +121,32 @@ namespace stiction
   {
     return !are_all_zero(obstacle_displacement) || !are_angles_zero(obstacle_rotation) ||
            has_pressed_obstacles();
+  }
+
+  bool ContactPairParameters::has_elastic_pairs() const
+  {
+    const auto obstacles = split_at_bars(obstacle);
+    return std::any_of(obstacles.begin(), obstacles.end(), [](const std::string &text) {
+      return !paired_boundary(text).empty();
+    });
+  }
+
+  std::string ContactPairParameters::all_boundaries() const
+  {
+    std::string all = contact_boundary;
+    for (const std::string &text : split_at_bars(obstacle))
+      if (!paired_boundary(text).empty())
+        all += " | " + paired_boundary(text);
+    return all;
+  }
+
+  std::string paired_boundary(const std::string &obstacle)
+  {
+    const std::size_t colon = obstacle.find(':');
+    return colon != std::string::npos &&
+               dealii::Utilities::trim(obstacle.substr(0, colon)) == "boundary"
+             ? dealii::Utilities::trim(obstacle.substr(colon + 1))
+             : "";
   }
 
   bool ContactPairParameters::has_pressed_obstacles() const

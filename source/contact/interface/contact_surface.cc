@@ -59,6 +59,21 @@ namespace stiction
     return index_of(boundaries_, id) < boundaries_.size();
   }
 
+  bool ContactSurface::is_other_side(const types::boundary_id id) const
+  {
+    return std::any_of(boundaries_.begin(), boundaries_.end(),
+                       [&](const ContactBoundary &boundary) {
+                         return boundary.is_pair() && boundary.partner() == id;
+                       });
+  }
+
+  Eigen::Index ContactSurface::opposite_node_of(
+    const types::global_dof_index first_dof) const
+  {
+    const auto node = opposite_node_of_dof_.find(first_dof);
+    return node == opposite_node_of_dof_.end() ? -1 : node->second;
+  }
+
   double ContactSurface::largest_coefficient() const
   {
     double largest = 0.;

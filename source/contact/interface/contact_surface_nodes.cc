@@ -165,8 +165,9 @@ namespace stiction
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
-    B_                = ContactOperator(DofSubset::of_nodes(first_dofs_of(nodes_)),
-                                        {nodes_.begin(), nodes_.end()}, other_side(elasticity));
+    B_ = ContactOperator(DofSubset::of_nodes(first_dofs_of(nodes_)),
+                         {nodes_.begin(), nodes_.end()}, other_side(elasticity));
+    find_weights_of_other_side();
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));
   }
 
@@ -204,6 +205,20 @@ namespace stiction
     other.A.resize(n_nodes(), static_cast<Eigen::Index>(masters.size()));
     other.A.setFromTriplets(entries.begin(), entries.end());
     return other;
+  }
+
+  void ContactSurface::find_weights_of_other_side()
+  {
+    const auto &other = B_.other_side();
+    for (Eigen::Index j = 0; j < other.A.cols(); ++j)
+      opposite_node_of_dof_[other.dofs.dofs()[j]] = j;
+    Eigen::VectorXd areas(n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      areas(i) = nodes_[i].area;
+    to_other_side_                 = other.A.transpose() * areas.asDiagonal();
+    const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
+    for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
+      to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
   }
 
   void ContactSurface::evaluate_data()

@@ -67,7 +67,7 @@ namespace stiction
       std::ostringstream text;
       text << std::setprecision(17) << (list.empty() ? "" : " | ") << name << " : "
            << begin;
-      for (const double value : values)
+      for (const double &value : values)
         text << (&value == values.data() ? "" : "; ") << value;
       list += text.str();
     };

@@ -52,15 +52,18 @@ namespace stiction
           if (cell->is_locally_owned())
             for (const unsigned int f : cell->face_indices())
               if (const auto face = cell->face(f);
-                  face->at_boundary() && surface.is_contact_boundary(face->boundary_id()))
+                  face->at_boundary() &&
+                  (surface.is_contact_boundary(face->boundary_id()) ||
+                   surface.is_other_side(face->boundary_id())))
                 {
                   face->get_dof_indices(dofs);
                   places.reinit(cell, f);
                   Patch &patch = add_patch(face, true); // it may be curved
                   for (unsigned int p = 0; p < order.size(); ++p)
                     {
-                      const auto dof      = dofs[3 * order[p]];
-                      const Values values = values_at(dof);
+                      const auto dof = dofs[3 * order[p]];
+                      const Values values =
+                        values_at(dof, surface.is_other_side(face->boundary_id()));
                       for (unsigned int k = 0; k < values.size(); ++k)
                         set(patch, k, p, values[k]);
                       set(patch, boundary_, p, face->boundary_id());
@@ -76,15 +79,20 @@ namespace stiction
 
       // At a node of the boundary, interpolated if it hangs; its status is
       // then that of the first node it follows.
-      Values values_at(const types::global_dof_index first_dof) const
+      Values values_at(const types::global_dof_index first_dof,
+                       const bool is_other_side) const
       {
+        const auto at = [&](const types::global_dof_index dof) {
+          return is_other_side ? values_opposite(surface_.opposite_node_of(dof))
+                               : values_at_node(surface_.node_of(dof));
+        };
         if (!body_.is_hanging(first_dof))
-          return values_at_node(surface_.node_of(first_dof));
+          return at(first_dof);
         Values sum(row_names_.size());
         const auto &masters = *body_.hanging_nodes().get_constraint_entries(first_dof);
         for (auto master = masters.rbegin(); master != masters.rend(); ++master)
           {
-            const Values values = values_at_node(surface_.node_of(master->first));
+            const Values values = at(master->first);
             for (unsigned int k = 0; k < sum.size(); ++k)
               sum[k] += master->second * values[k];
             for (const auto row : {normal_status_, tangential_status_})
@@ -130,6 +138,39 @@ namespace stiction
             values[normal_ + c]   = node.normal[c];
             values[tangential_traction_ + c] =
               (lambda(i) * node.normal[c] - force[c]) / node.area;
+          }
+        return values;
+      }
+
+      // At a node of the other side of a pair, from the contact nodes that it faces: the
+      // mean, and the status of the one with most of it.
+      Values values_opposite(const Eigen::Index j) const
+      {
+        Values values = values_at_node(-1);
+        if (j < 0)
+          return values;
+        double largest    = 0.;
+        const auto status = {normal_status_, tangential_status_};
+        for (std::decay_t<decltype(surface_.to_other_side())>::InnerIterator weight(
+               surface_.to_other_side(), j);
+             weight; ++weight)
+          {
+            const Values at = values_at_node(weight.col());
+            for (unsigned int k = 0; k < values.size(); ++k)
+              if (std::count(status.begin(), status.end(), k) == 0)
+                values[k] += weight.value() * at[k];
+              else if (weight.value() > largest)
+                values[k] = at[k];
+            largest = std::max(largest, weight.value());
+          }
+        values[area_] = 0.; // forces are those of the contact nodes
+        const double length =
+          std::hypot(values[normal_], values[normal_ + 1], values[normal_ + 2]);
+        for (unsigned int c = 0; c < 3 && length > 0.; ++c)
+          {
+            values[normal_ + c] /= -length;
+            for (const auto row : {traction_, tangential_traction_, slip_})
+              values[row + c] = -values[row + c];
           }
         return values;
       }

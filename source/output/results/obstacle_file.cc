@@ -87,7 +87,8 @@ namespace stiction
             {
               const types::boundary_id boundary = face->boundary_id();
               if (!face->at_boundary() || !surface.is_contact_boundary(boundary) ||
-                  surface.boundary(boundary).obstacle() != nullptr)
+                  surface.boundary(boundary).obstacle() != nullptr ||
+                  surface.boundary(boundary).is_pair())
                 continue;
               std::array<std::optional<Tensor<1, 3>>, 4> ways;
               Tensor<1, 3> mean;

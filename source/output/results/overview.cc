@@ -10,14 +10,18 @@
 #include <stiction/output/results/overview.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/table_handler.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -67,14 +71,63 @@ namespace stiction
                                     : std::string());
     }
 
-    void print_size(Log &log, const Body &body, const Units &units)
+    void print_box(Log &log, const dealii::BoundingBox<3> &box, const Units &units)
     {
-      const auto corners = body.bounding_box().get_boundary_points();
-      log.line("Body");
+      const auto corners = box.get_boundary_points();
       log.line(format("  %-24s ", label("from", units.length).c_str()) +
                vector(corners.first));
       log.line(format("  %-24s ", label("to", units.length).c_str()) +
                vector(corners.second));
+    }
+
+    // Volume and mass of each elastic body. Collective.
+    std::vector<std::array<double, 2>> sizes(const LinearElasticity &elasticity)
+    {
+      const Body &body = elasticity.body();
+      FEValues<3> values(body.mapping(), body.dof_handler().get_fe(),
+                         QGauss<3>(body.dof_handler().get_fe().degree + 1),
+                         update_JxW_values);
+      std::vector<std::array<double, 2>> all(body.pieces().size());
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            values.reinit(cell);
+            double volume = 0.;
+            for (const double JxW : values.get_JxW_values())
+              volume += JxW;
+            auto &of_piece = all[body.piece_of(cell)];
+            of_piece[0] += volume;
+            of_piece[1] +=
+              volume * elasticity.materials().of(cell->material_id()).density;
+          }
+      for (auto &of_piece : all)
+        for (double &sum : of_piece)
+          sum = Utilities::MPI::sum(sum, body.communicator());
+      return all;
+    }
+
+    void print_bodies(Log &log, const LinearElasticity &elasticity, const Units &units)
+    {
+      const auto &pieces = elasticity.body().pieces();
+      if (pieces.size() == 1)
+        {
+          log.line("Body");
+          print_box(log, elasticity.body().bounding_box(), units);
+          return;
+        }
+      const auto all = sizes(elasticity);
+      for (std::size_t p = 0; p < pieces.size(); ++p)
+        {
+          log.line("Body " + pieces[p].name);
+          print_box(log, pieces[p].box, units);
+          log.line(
+            format(
+              "  %-24s ",
+              label("volume", units.length.empty() ? "" : units.length + "^3").c_str()) +
+            number(all[p][0]));
+          if (all[p][1] > 0.)
+            log.line(format("  %-24s ", "mass") + number(all[p][1]));
+        }
     }
 
     void print_boundaries(Log &log, const LinearElasticity &elasticity,
@@ -93,9 +146,9 @@ namespace stiction
                           boundary.second.force.norm() > 0.
                             ? vector(boundary.second.force)
                             : std::string("-"));
-          table.add_value(
-            "contact",
-            std::string(surface.is_contact_boundary(boundary.first) ? "yes" : "-"));
+          const bool is_in_contact = surface.is_contact_boundary(boundary.first) ||
+                                     surface.is_other_side(boundary.first);
+          table.add_value("contact", std::string(is_in_contact ? "yes" : "-"));
         }
       log.line("Boundaries");
       print(log, table);
@@ -129,7 +182,11 @@ namespace stiction
                 smallest = std::min(smallest, gap);
                 largest  = std::max(largest, gap);
               }
-          table.add_value("contact boundary", surface.boundaries()[b].name());
+          const ContactBoundary &boundary = surface.boundaries()[b];
+          table.add_value("contact boundary",
+                          boundary.name() + (boundary.is_pair()
+                                               ? " against " + boundary.partner_name()
+                                               : std::string()));
           table.add_value("nodes", n);
           table.add_value(label("their area", units.area), number(area));
           table.add_value(label("smallest gap", units.length), number(smallest));
@@ -189,7 +246,7 @@ namespace stiction
   void print_overview(Log &log, const LinearElasticity &elasticity,
                       const ContactSurface &surface, const Units &units)
   {
-    print_size(log, elasticity.body(), units);
+    print_bodies(log, elasticity, units);
     print_boundaries(log, elasticity, surface, units);
     print_contact(log, surface, units);
   }

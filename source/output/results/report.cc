@@ -117,9 +117,13 @@ namespace stiction
       for (const auto &boundary : result.boundaries)
         {
           const std::string friction = tangential_counts(boundary);
-          log.line("  " + boundary.name + ": " + normal_counts(boundary) +
-                   (friction.empty() ? "" : "; " + friction));
-          print_row(log, "  " + label("force on the body", units.force),
+          const bool is_pair         = !boundary.opposite.empty();
+          log.line("  " + boundary.name +
+                   (is_pair ? " against " + boundary.opposite : std::string()) + ": " +
+                   normal_counts(boundary) + (friction.empty() ? "" : "; " + friction));
+          print_row(log,
+                    "  " + label(is_pair ? "force on its body" : "force on the body",
+                                 units.force),
                     force.text_of(boundary.force_on_body));
           print_row(log, "  " + label("tangential", units.force),
                     force.text_of(boundary.tangential_force));
@@ -173,7 +177,7 @@ namespace stiction
       print_row(log, label("energy", units.energy),
                 format("strain %.6g, load %.6g, friction %.6g", energies[0], energies[1],
                        energies[2]));
-      if (result.boundaries.size() > 1)
+      if (result.boundaries.size() > 1 || !result.boundaries.front().opposite.empty())
         print_contact_boundaries(log, result);
       print_supports(log, result);
     }

@@ -92,6 +92,7 @@ namespace stiction
                  {{"name", part.name},
                   {"id", part.id},
                   {"nodes", part.nodes},
+                  {"opposite", value_or_null(!part.opposite.empty(), part.opposite)},
                   {"obstacle_displacement", part.obstacle_displacement},
                   {"obstacle_rotation", part.obstacle_rotation},
                   {"torque", part.torque}});
@@ -167,9 +168,12 @@ namespace stiction
     }
 
     // Returns the force of friction on the body.
+    //
+    // @param is_outer whether something rigid bears the opposite: of pairs, forces and
+    //   moments on all bodies together are none.
     dealii::Tensor<1, 3> add_forces(RunResult::Contact &contact, const ContactNode &node,
                                     const Eigen::Vector3d &lambda,
-                                    const NodeStatus status)
+                                    const NodeStatus status, const bool is_outer = true)
     {
       const Eigen::Vector3d on_obstacle = node.force_to_cartesian(lambda);
       const dealii::Tensor<1, 3> force(
@@ -179,9 +183,12 @@ namespace stiction
         contact.area += node.area;
       contact.normal_force += lambda(0);
       contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
-      contact.force_on_body += force;
       contact.tangential_force += friction;
-      contact.moment += cross_product_3d(node.position, force);
+      if (is_outer)
+        {
+          contact.force_on_body += force;
+          contact.moment += cross_product_3d(node.position, force);
+        }
       return friction;
     }
 
@@ -275,6 +282,8 @@ namespace stiction
         RunResult::ContactPart part;
         part.name = boundary.name();
         part.id   = boundary.id();
+        if (boundary.is_pair())
+          part.opposite = boundary.partner_name();
         part.obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
         part.obstacle_rotation = boundary.angle() * boundary.axis();
@@ -287,7 +296,7 @@ namespace stiction
         RunResult::ContactPart &part = result.boundaries[node.boundary];
         ++part.nodes;
         count(part, statuses[i]);
-        add_forces(result.contact, node, lambda, statuses[i]);
+        add_forces(result.contact, node, lambda, statuses[i], part.opposite.empty());
         part.torque += node.arm * add_forces(part, node, lambda, statuses[i]);
       }
 

@@ -129,6 +129,10 @@ namespace stiction
                    "Stiffness solver/Type",
                    "must be 'automatic', 'multigrid' or 'amg' for 'Contact "
                    "solver/Method = newton multigrid'");
+    source.require(!contact_solver.is_primal() || !contact.has_elastic_pairs(),
+                   "Contact solver/Method",
+                   "solves for one body against obstacles, so that it must be another "
+                   "one, such as 'newton', beside an obstacle 'boundary : NAME'");
     source.require(!contact_solver.is_primal() ||
                      contact_solver.coulomb_iteration == "direct",
                    "Contact solver/Coulomb iteration",
@@ -156,8 +160,8 @@ namespace stiction
     if (method == "admm")
       return dual_operator.form != "assembled";
     return method == "newton multigrid" &&
-           (!has_body || !output.export_directory.empty() ||
-            stiffness_solver.type == "mumps" ||
+           (!has_body || contact.has_elastic_pairs() ||
+            !output.export_directory.empty() || stiffness_solver.type == "mumps" ||
             contact_solver.coulomb_iteration != "direct" ||
             performance.measure_factorizations);
   }

@@ -20,6 +20,11 @@ namespace stiction
   EqualityConstraint rigid_balance(const LinearElasticity &elasticity,
                                    const ContactSurface &surface);
 
+  /// If one of several bodies is held by no support and touches nothing: a sentence that
+  /// says so. Collective.
+  std::string why_loose(const LinearElasticity &elasticity,
+                        const ContactSurface &surface);
+
   /// If no contact forces within the slip bound balance the loads: a sentence on the
   /// motion that nothing stops. Empty: there are such forces, or friction depends on
   /// the answer so that nothing can be said. Collective.

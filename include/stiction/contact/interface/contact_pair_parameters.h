@@ -20,6 +20,12 @@ namespace stiction
     /// Whether forces press obstacles on.
     bool has_pressed_obstacles() const;
 
+    /// Whether an obstacle is another boundary of the mesh.
+    bool has_elastic_pairs() const;
+
+    /// The contact boundaries and, of pairs, the other ones, separated by '|'.
+    std::string all_boundaries() const;
+
     std::string contact_boundary      = "";
     std::string obstacle              = "foundation";
     std::string slave_side            = "automatic";
@@ -28,6 +34,9 @@ namespace stiction
     std::string obstacle_rotation     = "0; 0; 0; 0; 0; 1; 0";
     std::string obstacle_force        = "0; 0; 0";
   };
+
+  /// NAME of an obstacle 'boundary : NAME', empty for others.
+  std::string paired_boundary(const std::string &obstacle);
 } // namespace stiction
 
 #endif

@@ -162,6 +162,21 @@ namespace stiction
     /// Whether a boundary of the mesh is a contact boundary, not so for masters of pairs.
     bool is_contact_boundary(dealii::types::boundary_id id) const;
 
+    /// Whether a boundary of the mesh is the master of a contact pair.
+    bool is_other_side(dealii::types::boundary_id id) const;
+
+    /// The place among the nodes opposite of that with this first unknown, -1 if it is
+    /// none.
+    Eigen::Index opposite_node_of(dealii::types::global_dof_index first_dof) const;
+
+    /// Takes what contact nodes have to the nodes opposite, as the mean of those that
+    /// they face: rows sum to 1, or to 0 where there is nothing. Tractions on the one
+    /// side become minus those on the other, forces A_i t_i and their sums the same.
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> &to_other_side() const
+    {
+      return to_other_side_;
+    }
+
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }
 
@@ -203,6 +218,7 @@ namespace stiction
     /// Gives the nodes that are left their numbers and makes B.
     void number_nodes(const LinearElasticity &elasticity);
     ContactOperator::OtherSide other_side(const LinearElasticity &elasticity) const;
+    void find_weights_of_other_side();
 
     /// Throws InputError if a force presses no node.
     void displace_obstacles(const ParameterFile &source);
@@ -219,7 +235,9 @@ namespace stiction
     double boundary_area_ = 0.;
     ContactStiffness stiffness_;
 
-    std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_;
+    std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_,
+      opposite_node_of_dof_;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> to_other_side_;
   };
 
 } // namespace stiction

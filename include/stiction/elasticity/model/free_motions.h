@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -41,6 +42,12 @@ namespace stiction
 
     /// n.
     Eigen::Index n() const { return n_; }
+
+    /// Those of one body: the first, and how many.
+    std::pair<Eigen::Index, Eigen::Index> of(unsigned int piece) const
+    {
+      return {pieces_[piece].begin, pieces_[piece].basis.cols()};
+    }
 
     /// Σ α_j Z_j, by body. @param amounts α, length n, m.
     std::vector<RigidMotion> motions(const Eigen::VectorXd &amounts) const;

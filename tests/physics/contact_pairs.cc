@@ -1,0 +1,321 @@
+// Contact pairs of elastic bodies. Exact: the patch test on meshes that do not match,
+// plane and tilted, under friction, with a narrower body, with nodes that hang, of degree
+// 2; two mirrored bodies as one on a rigid plane; spherical shells in one another; a
+// stack that contact alone holds, to the limit of sliding; a foundation that is nearly
+// rigid. Either side of a pair gives the same but for the error of the mesh.
+
+#include <stiction/base/errors.h>
+#include <stiction/contact/interface/contact_boundary.h>
+
+#include "tests.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+using namespace stiction;
+
+namespace
+{
+  // A parameter file in the directory of the test.
+  std::string file(const std::string &name, const std::string &text)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::ofstream(name) << text;
+    MPI_Barrier(MPI_COMM_WORLD);
+    return name;
+  }
+
+  std::string section(const std::string &name, const std::vector<std::string> &lines)
+  {
+    std::string text = "subsection " + name + "\n";
+    for (const std::string &line : lines)
+      text += "  set " + line + "\n";
+    return text + "end\n";
+  }
+
+  std::string brick(const std::string &name, const std::string &lengths,
+                    const std::string &subdivisions, const std::string &translation,
+                    const std::string &rotation = "0;0;0;0;0;1;0",
+                    const std::string &E        = "1000")
+  {
+    return section("Body " + name,
+                   {"Lengths = " + lengths, "Subdivisions = " + subdivisions,
+                    "Translation = " + translation, "Rotation = " + rotation,
+                    "Young's modulus = " + E, "Poisson ratio = 0.3", "Density = 1"});
+  }
+
+  const std::string tolerance = section("Contact solver", {"Tolerance = 1e-11"});
+
+  // The largest relative difference of pressures from p.
+  double error_of_pressure(const Run &run, const double p)
+  {
+    const auto &surface = run.problem->contact_surface();
+    const auto &lambda  = run.problem->state().lambda;
+    double error        = 0.;
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      error = std::max(error, std::abs(lambda(i) / surface.areas()(i) / p - 1.));
+    const Eigen::Index n = 2 * surface.n_nodes();
+    return std::max(error, lambda.tail(n).lpNorm<Eigen::Infinity>() /
+                             lambda.lpNorm<Eigen::Infinity>());
+  }
+
+  // Two bricks that pressure holds together, nothing else; the upper one is moved by its
+  // rotation, too, which leaves them one column.
+  std::string column(const std::string &turn, const std::string &E_of_upper = "1000")
+  {
+    return brick("lower", "1,1,1", "5,4,2", "0;0;0", turn) +
+           brick("upper", "1,1,1", "3,3,2", turn == "0;0;0;0;0;1;0" ? "0;0;1" : "", turn,
+                 E_of_upper) +
+           section("Boundary conditions", {"Pressure = lower.bottom : 1 | upper.top : 1",
+                                           "Contact boundary = lower.top",
+                                           "Obstacle = boundary : upper.bottom"}) +
+           section("Friction", {"Law = coulomb", "Coefficient = 0.5"}) + tolerance;
+  }
+
+  void patch_test()
+  {
+    const std::string plane = file("plane.prm", column("0;0;0;0;0;1;0"));
+    // upper: first on the lower one, then turned with it
+    const std::string turn = "0;0;0; 1;2;0.5; 30";
+    std::string text       = column(turn);
+    const auto place       = text.find("Translation = \n");
+    // the z axis turned: the third column of the rotation matrix
+    const double a[] = {1. / std::sqrt(5.25), 2. / std::sqrt(5.25),
+                        0.5 / std::sqrt(5.25)};
+    const double c   = std::cos(dealii::numbers::PI / 6.),
+                 s   = std::sin(dealii::numbers::PI / 6.);
+    text.replace(place, 14,
+                 "Translation = " + three((1. - c) * a[0] * a[2] + s * a[1],
+                                          (1. - c) * a[1] * a[2] - s * a[0],
+                                          c + (1. - c) * a[2] * a[2]));
+    const std::string tilted = file("tilted.prm", text);
+    const std::string soft   = file("soft.prm", column("0;0;0;0;0;1;0", "10") + "\n");
+
+    const std::string punch = file(
+      "punch.prm",
+      brick("lower", "1,1,1", "5,5,2", "0;0;0") +
+        brick("upper", "0.6,0.6,1", "4,4,2", "0;0;1") +
+        section(
+          "Boundary conditions",
+          {"Pressure = lower.bottom : 1 | upper.top : 1 | lower.top : 1 - (x < 0.6) * "
+           "(y < 0.6)",
+           "Contact boundary = lower.top", "Obstacle = boundary : upper.bottom"}) +
+        section("Friction", {"Law = coulomb", "Coefficient = 0.5"}) + tolerance);
+
+    const auto check = [](const std::string &what, const std::string &prm,
+                          const Settings &settings) {
+      const Run run(prm, settings);
+      out() << what << ": certified " << yes(run.converged) << ", pressure to 1e-9 "
+            << yes(error_of_pressure(run, 1.) < 1e-9) << std::endl;
+    };
+    for (const std::string side : {"boundary", "obstacle"})
+      {
+        const Settings slave = {"Boundary conditions/Slave side=" + side};
+        check("plane, " + side, plane, slave);
+        check("tilted, " + side, tilted, slave);
+        check("narrower, " + side, punch, slave);
+        check("degree 2, " + side, plane, slave + Settings{"Geometry/Element degree=2"});
+        check("hanging nodes, " + side, plane,
+              slave + Settings{"Geometry/Contact refinement=1",
+                               "Geometry/Contact refinement where=0.5-x"});
+        check("refined, " + side, plane, slave + Settings{"Body upper/Refinement=1"});
+      }
+    check("soft, frictionless", soft, {"Friction/Law=frictionless"});
+    for (const Method &method : all_methods())
+      if (method.name.find("multigrid") == std::string::npos)
+        check(method.name, plane,
+              method.settings + Settings{"Contact solver/Tolerance=1e-10"});
+  }
+
+  // Two bricks with a curved gap between them, pressed on one another.
+  std::string mirrored(const bool is_one)
+  {
+    const std::string held = is_one
+                               ? "upper.top : 0; 0; -0.01"
+                               : "upper.top : 0; 0; -0.01 | lower.bottom : 0; 0; 0.01";
+    return brick("upper", "1,1,1", "4,4,4", "0;0;0") +
+           (is_one ? "" : brick("lower", "1,1,1", "4,4,4", "0;0;-1")) +
+           section("Boundary conditions",
+                   {"Prescribed displacement = " + held,
+                    "Contact boundary = upper.bottom",
+                    is_one ? "Obstacle = foundation" : "Obstacle = boundary : lower.top",
+                    std::string("Initial gap = ") + (is_one ? "" : "2 * ") +
+                      "(0.02 * (x - 0.3)^2 + 0.01 * (y - 0.6)^2)",
+                    "Slave side = boundary"}) +
+           section("Friction", {"Law = frictionless"}) + tolerance;
+  }
+
+  void compare_with_rigid_plane()
+  {
+    const Run one(file("one.prm", mirrored(true)), {});
+    const Run two(file("two.prm", mirrored(false)), {});
+    const auto &forces = one.problem->state().lambda;
+    const double error = (two.problem->state().lambda - forces).norm() / forces.norm();
+    const bool is_open = (forces.head(forces.size() / 3).array() == 0.).any();
+    out() << "mirrored: certified " << yes(one.converged && two.converged)
+          << ", partly open " << yes(is_open) << ", as one on a rigid plane to 1e-8 "
+          << yes(error < 1e-8) << std::endl;
+  }
+
+  double normal_force(const Run &run)
+  {
+    return run.summary()["contact"]["normal_force"];
+  }
+
+  void exchange_sides()
+  {
+    const std::string prm =
+      file("sides.prm", brick("upper", "1,1,1", "3,3,3", "0;0;1") +
+                          brick("lower", "1.2,1.2,1", "4,4,3", "-0.1;-0.1;0") +
+                          section("Boundary conditions",
+                                  {"Prescribed displacement = upper.top : 0.01; 0; -0.02 "
+                                   "| lower.bottom : 0; 0; 0",
+                                   "Contact boundary = upper.bottom",
+                                   "Obstacle = boundary : lower.top",
+                                   "Initial gap = 0.02 * ((x - 0.4)^2 + (y - 0.5)^2)"}) +
+                          section("Friction", {"Law = coulomb", "Coefficient = 0.3"}) +
+                          section("Contact solver", {"Tolerance = 1e-9"}));
+    double difference[2];
+    bool are_certified = true;
+    for (const unsigned int level : {0, 1})
+      {
+        const Settings refined = {"Geometry/Global refinement=" + std::to_string(level)};
+        const Run a(prm, refined + Settings{"Boundary conditions/Slave side=boundary"});
+        const Run b(prm, refined + Settings{"Boundary conditions/Slave side=obstacle"});
+        are_certified     = are_certified && a.converged && b.converged;
+        difference[level] = std::abs(normal_force(a) / normal_force(b) - 1.);
+      }
+    out() << "either side: certified " << yes(are_certified) << ", force alike to 1 % "
+          << yes(difference[0] < 0.01)
+          << ", three times as near on cells of half the size "
+          << yes(difference[1] < difference[0] / 3.) << std::endl;
+  }
+
+  // Radii 20, 30, 40, pressure 25 inside: 4.8942 between them (Lamé).
+  void put_shells_in_one_another()
+  {
+    const auto shell = [](const std::string &name, const std::string &radii) {
+      return section("Body " + name,
+                     {"Type = generator", "Generator = quarter_hyper_shell",
+                      "Generator arguments = 0,0,0 : " + radii + " : 0 : true",
+                      "Young's modulus = 1e5", "Poisson ratio = 0.3"});
+    };
+    const std::string rollers =
+      "%.2 : 0; free; free | %.3 : free; 0; free | %.4 : free; free; 0";
+    std::string held = rollers + " | " + rollers;
+    for (const std::string name : {"inner", "inner", "inner", "outer", "outer", "outer"})
+      held.replace(held.find('%'), 1, name);
+    const std::string prm =
+      file("shells.prm",
+           shell("inner", "20 : 30") + shell("outer", "30 : 40") +
+             section("Boundary conditions",
+                     {"Prescribed displacement = " + held, "Pressure = inner.0 : 25",
+                      "Contact boundary = inner.1", "Obstacle = boundary : outer.0"}) +
+             section("Friction", {"Law = frictionless"}) +
+             section("Contact solver", {"Tolerance = 1e-9"}));
+    double error[2];
+    bool are_certified = true;
+    for (const unsigned int level : {0, 1})
+      {
+        const Run run(prm, {"Geometry/Global refinement=" + std::to_string(level + 1),
+                            "Body outer/Refinement=1"});
+        are_certified   = are_certified && run.converged;
+        const auto &all = run.summary()["contact"];
+        error[level] =
+          std::abs(normal_force(run) / all["area"].get<double>() / 4.8942 - 1.);
+      }
+    out() << "shells: certified " << yes(are_certified) << ", pressure to 5 % "
+          << yes(error[0] < 0.05) << ", three times as near on cells of half the size "
+          << yes(error[1] < error[0] / 3.) << std::endl;
+  }
+
+  std::string stack(const double pull)
+  {
+    return brick("lower", "1,1,1", "4,4,2", "0;0;0") +
+           brick("middle", "1,1,0.5", "3,3,1", "0;0;1") +
+           brick("upper", "1,1,1", "5,5,2", "0;0;1.5") +
+           section("Boundary conditions",
+                   {"Prescribed displacement = lower.bottom : 0; 0; 0",
+                    "Traction = upper.bottom : 0; 0; 0", "Pressure = upper.top : 1",
+                    "Body force = " + exact(pull) + "; 0; 0"}) +
+           section("Contact pair one",
+                   {"Boundary = lower.top", "Obstacle = boundary : middle.bottom",
+                    "Law = coulomb", "Coefficient = 0.4"}) +
+           section("Contact pair two",
+                   {"Boundary = middle.top", "Obstacle = boundary : upper.bottom",
+                    "Law = coulomb", "Coefficient = 0.2"}) +
+           section("Contact solver", {"Tolerance = 1e-9"});
+  }
+
+  std::string how_it_ends(const std::string &prm, const Settings &settings = {})
+  {
+    try
+      {
+        const Run run(prm, settings);
+        return run.converged ? "certified" : "not converged";
+      }
+    catch (const InputError &error)
+      {
+        const std::string text  = error.what();
+        const std::size_t begin = text.find("no equilibrium");
+        return begin == std::string::npos ? text
+                                          : text.substr(begin, text.find(';') - begin);
+      }
+  }
+
+  void stack_blocks()
+  {
+    const Run run(
+      file("stack.prm", stack(0.)),
+      {"Contact pair one/Law=frictionless", "Contact pair two/Law=frictionless",
+       "Boundary conditions/Prescribed displacement=lower.bottom : free; free; 0 "
+       "| lower.left : 0; free; free | lower.front : free; 0; free"});
+    out() << "stack: certified " << yes(run.converged) << ", pressure to 1e-8 "
+          << yes(error_of_pressure(run, 1.) < 1e-8) << std::endl;
+    // the pull on the upper one is its volume's, of both its and the middle one's
+    for (const double pull : {0.1999, 0.2001})
+      out() << "pulled by " << pull << ": "
+            << how_it_ends(file("pulled.prm", stack(pull))) << std::endl;
+  }
+
+  void lay_on_stiff_foundation()
+  {
+    const auto problem = [](const bool is_rigid) {
+      return brick("block", "2,1,1", "6,3,3", "0;0;0") +
+             (is_rigid ? ""
+                       : brick("ground", "3,2,1", "4,3,2", "-0.5;-0.5;-1",
+                               "0;0;0;0;0;1;0", "1e9")) +
+             section("Boundary conditions",
+                     {std::string("Prescribed displacement = block.left : 0; 0; 0") +
+                        (is_rigid ? "" : " | ground.bottom : 0; 0; 0"),
+                      "Traction = block.top : 2; 0; -20 | block.right : 3; 2; 1",
+                      "Contact boundary = block.bottom",
+                      is_rigid ? "Obstacle = foundation"
+                               : "Obstacle = boundary : ground.top"}) +
+             section("Friction", {"Law = coulomb", "Coefficient = 0.3"}) +
+             section("Contact solver", {"Tolerance = 1e-9"});
+    };
+    const Run rigid(file("rigid.prm", problem(true)), {});
+    const Run stiff(file("stiff.prm", problem(false)), {});
+    const auto &forces = rigid.problem->state().lambda;
+    out() << "stiff foundation: certified " << yes(rigid.converged && stiff.converged)
+          << ", forces of the rigid one to 1e-4 "
+          << yes((stiff.problem->state().lambda - forces).norm() < 1e-4 * forces.norm())
+          << std::endl;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  patch_test();
+  compare_with_rigid_plane();
+  exchange_sides();
+  put_shells_in_one_another();
+  stack_blocks();
+  lay_on_stiff_foundation();
+}
