@@ -18,6 +18,7 @@ namespace stiction
       {"Boundary", "Boundary conditions", "Contact boundary"},
       {"Obstacle", "Boundary conditions", "Obstacle"},
       {"Slave side", "Boundary conditions", "Slave side"},
+      {"Mesh gap", "Boundary conditions", "Mesh gap"},
       {"Initial gap", "Boundary conditions", "Initial gap"},
       {"Displacement", "Boundary conditions", "Obstacle displacement"},
       {"Rotation", "Boundary conditions", "Obstacle rotation"},

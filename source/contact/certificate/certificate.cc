@@ -30,10 +30,11 @@ namespace stiction
     {
       double loads = 0., reactions = 0.; // of the lengths of nodal forces
       double imbalance = 0.;
-      double rounding  = 0.;      // of K u
-      double energy    = 0.;      // uᵀKu
-      double work      = 0.;      // of loads and reactions
-      Tensor<1, 3> force, moment; // the resultant, about the centre of the body
+      double rounding  = 0.; // of K u
+      double energy    = 0.; // uᵀKu
+      double work      = 0.; // of loads and reactions
+      double force     = 0.; // the largest resultant of a body
+      double moment    = 0.; // the same, about the centre of all
     };
 
     // In one pass. contact_force: −Bᵀλ. Collective.
@@ -46,6 +47,8 @@ namespace stiction
       const LA::Vector K     = elasticity.stiffness_diagonal();
       const Point<3> centre  = body.bounding_box().center();
       NodeSums sums;
+      // of each body first the force, then the moment
+      std::vector<double> resultants(6 * body.pieces().size());
       for (const Body::Node &node : body.locally_owned_nodes())
         {
           Tensor<1, 3> applied, reaction, residual, all, inside, held;
@@ -60,7 +63,7 @@ namespace stiction
               if (elasticity.is_prescribed(dof))
                 {
                   reaction[c] = Ku(dof) - all[c];
-                  all[c] += Ku(dof) - f;
+                  all[c] += reaction[c];
                   sums.work += reaction[c] * u(dof);
                 }
               else
@@ -74,24 +77,26 @@ namespace stiction
           // as one that is zero because λ was made from K u
           sums.imbalance += std::max(residual.norm(), inside.norm());
           sums.rounding += (inside + held).norm();
-          sums.force += all;
-          sums.moment += cross_product_3d(node.position - centre, all);
+          const Tensor<1, 3> moment = cross_product_3d(node.position - centre, all);
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              resultants[6 * node.piece + c] += all[c];
+              resultants[6 * node.piece + 3 + c] += moment[c];
+            }
         }
-
-      std::array<double, 12> all = {{sums.loads, sums.reactions, sums.imbalance,
-                                     sums.rounding, sums.energy, sums.work, sums.force[0],
-                                     sums.force[1], sums.force[2], sums.moment[0],
-                                     sums.moment[1], sums.moment[2]}};
+      std::array<double, 6> all = {{sums.loads, sums.reactions, sums.imbalance,
+                                    sums.rounding, sums.energy, sums.work}};
       Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
                           body.communicator(), ArrayView<double>(all.data(), all.size()));
-      return {all[0],
-              all[1],
-              all[2],
-              all[3],
-              all[4],
-              all[5],
-              Tensor<1, 3>({all[6], all[7], all[8]}),
-              Tensor<1, 3>({all[9], all[10], all[11]})};
+      Utilities::MPI::sum(resultants, body.communicator(), resultants);
+      sums = {all[0], all[1], all[2], all[3], all[4], all[5]};
+      for (std::size_t i = 0; i < resultants.size(); i += 6)
+        {
+          const double *const r = &resultants[i];
+          sums.force            = std::max(sums.force, std::hypot(r[0], r[1], r[2]));
+          sums.moment           = std::max(sums.moment, std::hypot(r[3], r[4], r[5]));
+        }
+      return sums;
     }
   } // namespace
 
@@ -149,8 +154,8 @@ namespace stiction
     const double size  = corners.first.distance(corners.second);
 
     body_figures_.equilibrium_residual = sums.imbalance / S;
-    body_figures_.force_balance        = sums.force.norm() / S;
-    body_figures_.moment_balance       = sums.moment.norm() / (S * size);
+    body_figures_.force_balance        = sums.force / S;
+    body_figures_.moment_balance       = sums.moment / (S * size);
     if (surface_.motion().n_pressed() > 0)
       body_figures_.obstacle_force = surface_.motion().force_error(lambda_);
     rounding_      = sums.rounding / S;

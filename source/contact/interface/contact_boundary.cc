@@ -1,5 +1,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
@@ -26,6 +28,8 @@ namespace stiction
     const std::string obstacle_entry     = "Boundary conditions/Obstacle";
     const std::string displacement_entry = "Boundary conditions/Obstacle displacement";
     const std::string rotation_entry     = "Boundary conditions/Obstacle rotation";
+    const std::string slave_entry        = "Boundary conditions/Slave side";
+    const std::string mesh_gap_entry     = "Boundary conditions/Mesh gap";
     const std::string force_entry        = "Boundary conditions/Obstacle force";
 
     // Below this cosine between the outward normal and the direction towards
@@ -106,8 +110,8 @@ namespace stiction
     };
     values("Friction/Law", parameters.friction.law_name); // counted only
     const auto obstacles = values(obstacle_entry, parameters.pairs.obstacle);
-    const auto sides =
-      values("Boundary conditions/Slave side", parameters.pairs.slave_side);
+    const auto sides     = values(slave_entry, parameters.pairs.slave_side);
+    const auto mesh_gaps = values(mesh_gap_entry, parameters.pairs.mesh_gap);
     const auto gaps =
       values("Boundary conditions/Initial gap", parameters.pairs.initial_gap);
     const auto displacements =
@@ -146,6 +150,7 @@ namespace stiction
 
         const std::string partner = paired_boundary(obstacles[b]);
         boundary.slave_side_      = sides[b];
+        boundary.mesh_gap_        = mesh_gaps[b];
         if (partner.empty())
           boundary.obstacle_ =
             Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
@@ -178,10 +183,14 @@ namespace stiction
     if (partner_ == id_)
       throw InputError(source_->describe(obstacle_entry) + ", boundary '" + name_ +
                        "' cannot touch itself, must be another one.");
-    if (slave_side_ != "automatic" && slave_side_ != "boundary" &&
-        slave_side_ != "obstacle")
-      throw InputError(source_->describe("Boundary conditions/Slave side") +
-                       ", must be 'automatic', 'boundary' or 'obstacle'.");
+    const auto require_one_of = [&](const std::string &entry, const std::string &value,
+                                    const std::vector<std::string> &allowed) {
+      if (std::count(allowed.begin(), allowed.end(), value) == 0)
+        throw InputError(source_->describe(entry) + ", '" + value + "' must be one of " +
+                         listed(allowed) + did_you_mean(value, allowed) + ".");
+    };
+    require_one_of(slave_entry, slave_side_, {"automatic", "boundary", "obstacle"});
+    require_one_of(mesh_gap_entry, mesh_gap_, {"kept", "removed"});
     const std::string reason =
       ", must be zero for the pair of boundary '" + name_ +
       "', whose sides move with their bodies, as loads and supports have it.";

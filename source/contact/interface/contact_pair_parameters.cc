@@ -80,6 +80,14 @@ namespace stiction
                   "smaller cells. Either gives the same answer but for the error of the "
                   "mesh.",
                   prm, Patterns::Anything());
+    add_parameter("Mesh gap", mesh_gap,
+                  "Of a contact pair, kept: the distance between both sides as they are "
+                  "meshed, negative where they overlap, to which 'Initial gap' is added. "
+                  "removed: 'Initial gap' alone, whatever the distance; for round "
+                  "surfaces, which facets keep apart or let overlap by more than the "
+                  "bodies give way, and for overlaps that the drawing has and the bodies "
+                  "have not. A fit with interference is then a negative 'Initial gap'.",
+                  prm, Patterns::Anything());
     add_parameter("Initial gap", initial_gap,
                   "Distance from the undeformed contact boundary to the "
                   "foundation along the outward normal, a formula in x, y, z, t; "

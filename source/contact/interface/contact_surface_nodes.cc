@@ -119,7 +119,8 @@ namespace stiction
     if (i < 0 || mortar.areas(i) < least_cover * node.area)
       return false;
     node.area = mortar.areas(i);
-    node.gap  = mortar.gaps(i) + boundaries_[node.boundary].initial_gap(node.position);
+    node.gap  = boundaries_[node.boundary].initial_gap(node.position) +
+               (boundaries_[node.boundary].keeps_mesh_gap() ? mortar.gaps(i) : 0.);
     return true;
   }
 
@@ -209,6 +210,8 @@ namespace stiction
 
   void ContactSurface::find_weights_of_other_side()
   {
+    if (!B_.has_other_side())
+      return; // Eigen knows no product of sparse matrices without columns
     const auto &other = B_.other_side();
     for (Eigen::Index j = 0; j < other.A.cols(); ++j)
       opposite_node_of_dof_[other.dofs.dofs()[j]] = j;

@@ -83,6 +83,9 @@ namespace stiction
     /// "automatic", "boundary" or "obstacle".
     const std::string &slave_side() const { return slave_side_; }
 
+    /// Whether the distance of the meshes of a pair is part of the gap.
+    bool keeps_mesh_gap() const { return mesh_gap_ == "kept"; }
+
     /// Says why the slave of a pair is one, after exchanging the sides if this one is
     /// not.
     void take_side(bool is_slave, const std::string &reason);
@@ -125,7 +128,7 @@ namespace stiction
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_, partner_name_, slave_side_;
+    std::string name_, description_, partner_name_, slave_side_, mesh_gap_;
     dealii::types::boundary_id id_      = dealii::numbers::invalid_boundary_id;
     dealii::types::boundary_id partner_ = dealii::numbers::invalid_boundary_id;
 
