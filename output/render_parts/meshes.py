@@ -11,12 +11,14 @@ FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4],
                   [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
 
 
-def merge(points):
+def merge(points, bodies=None):
     """Number the points, those alike up to rounding alike.
 
     Returns the position of the first point of every number, and the number of
     every point. Points in files have single precision, and the same point
     seen from two cells may differ in its last digit.
+
+    bodies: the number of the body of every point; those of different ones differ.
     """
     close = 2 * np.finfo(np.float32).eps * np.abs(points).max()
     places = np.empty(points.shape, dtype=np.int64)
@@ -26,6 +28,9 @@ def merge(points):
         places[:, c] = np.cumsum(apart)[inverse]
     sizes = places.max(axis=0) + 1  # their product is below 2^63 up to 10^18
     keys = (places[:, 0] * sizes[1] + places[:, 1]) * sizes[2] + places[:, 2]
+    if bodies is not None:
+        bodies = bodies.astype(np.int64)
+        keys = keys * (bodies.max() + 1) + bodies
     _, first, number = np.unique(keys, return_index=True, return_inverse=True)
     return first, number
 

@@ -31,6 +31,12 @@ def read_grid(file, reader, fields):
     return grid
 
 
+def point_data(grid, field, default):
+    """A field at the points, where the file has it."""
+    array = grid.GetPointData().GetArray(field)
+    return default if array is None else vtk_to_numpy(array).astype(float)
+
+
 def read_mesh(file, cell_type, corners, fields, wanted=None):
     """Points, cells and point data of cells that are all of one type.
 
@@ -38,7 +44,7 @@ def read_mesh(file, cell_type, corners, fields, wanted=None):
     """
     choice = list(wanted or ())
     grid = read_grid(file, vtk.vtkXMLPUnstructuredGridReader(),
-                     fields + choice)
+                     fields + choice + ["body"])
     if (vtk_to_numpy(grid.GetCellTypesArray()) != cell_type).any():
         raise Unusable(f"{file} has cells of another type than stiction's.")
     mesh = SimpleNamespace(
@@ -50,6 +56,7 @@ def read_mesh(file, cell_type, corners, fields, wanted=None):
         if array is None:
             raise Unusable(f"{file} has no point data '{field}'.")
         setattr(mesh, field, vtk_to_numpy(array).astype(float))
+    mesh.body = point_data(grid, "body", np.zeros(len(mesh.points)))
     for field in choice:
         array = grid.GetPointData().GetArray(field)
         if array is not None:
@@ -119,7 +126,9 @@ def read(directory, tag="", time=None):
     summary = read_summary(directory)
     certified = time is not None or is_certified(summary)
     n = len(solution.points)
-    first, number = meshes.merge(np.vstack([solution.points, contact.points]))
+    contact = without_other_sides(contact, summary)
+    first, number = meshes.merge(np.vstack([solution.points, contact.points]),
+                                 np.concatenate([solution.body, contact.body]))
     if (first >= n).any():
         raise Unusable("solution.pvtu and contact.pvtu are not of the same run.")
     faces = meshes.outer_faces(number[:n][solution.cells], len(first))
@@ -134,6 +143,17 @@ def read(directory, tag="", time=None):
         body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),
         obstacle=read_obstacle(directory, tag))
+
+
+def without_other_sides(contact, summary):
+    """The contact faces but for those whose pressure the summary gives at the boundary
+    opposite to them."""
+    known = [entry["id"] for entry in summary["contact"].get("boundaries", ())
+             if "id" in entry]
+    shown = np.isin(contact.boundary[contact.cells[:, 0]], known)
+    if shown.any():
+        contact.cells = contact.cells[shown]
+    return contact
 
 
 def body_of(solution, faces, first, number):
@@ -162,7 +182,7 @@ def contact_of(contact, number, outer, n_points):
                        "the body in solution.pvtu.")
     fields = {name: values[contact.cells]
               for name, values in vars(contact).items()
-              if name not in ("points", "cells")}
+              if name not in ("points", "cells", "body")}
     fields["boundary"] = fields["boundary"][:, 0].astype(int)
     # where there is no contact node, the pressure of the others of the face
     known = fields["normal_status"] >= 0

@@ -212,7 +212,8 @@ namespace stiction
     description_ =
       "boundary " + partner_name_ +
       description_.substr(std::min(description_.find(','), description_.size())) +
-      "; forces on " + name_ + ", " + reason;
+      (keeps_mesh_gap() ? "" : ", distance of the meshes removed") + "; forces on " +
+      name_ + ", " + reason;
   }
 
   void ContactBoundary::set_rotation(const std::vector<double> &numbers)

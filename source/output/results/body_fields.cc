@@ -147,6 +147,8 @@ namespace stiction
             add_constants(material_,
                           [](const Cell &cell) { return cell->material_id(); });
           }
+        if (piece_ > 0)
+          add_constants(piece_, [&](const Cell &cell) { return body_.piece_of(cell); });
         if (has_error)
           add_constants(error, [&](const Cell &cell) {
             return error_indicators(cell->active_cell_index());
@@ -226,10 +228,11 @@ namespace stiction
                          strain_       = add_more("strain", 9),
                          principal_    = add_more("principal_stresses", 3, units_.stress),
                          averaged_     = add_more("stress_averaged", 9, units_.stress),
-                         averaged_von_mises_ =
-                           add_more("von_Mises_stress_averaged", 1, units_.stress),
-                         reaction_ = add_more("reaction", 3, units_.force),
-                         material_ = add_more("material_id", 1);
+                         averaged_von_mises_ = add_more("von_Mises_stress_averaged", 1,
+                                                        units_.stress),
+                         reaction_           = add_more("reaction", 3, units_.force),
+                         material_           = add_more("material_id", 1),
+                         piece_ = body_.pieces().size() > 1 ? add_field("body", 1) : 0;
     };
 
     void BodyOutput::add_cells(const LA::Vector &u)

@@ -67,6 +67,8 @@ namespace stiction
                       for (unsigned int k = 0; k < values.size(); ++k)
                         set(patch, k, p, values[k]);
                       set(patch, boundary_, p, face->boundary_id());
+                      if (body_.pieces().size() > 1)
+                        set(patch, piece_, p, body_.piece_of(cell));
                       for (unsigned int c = 0; c < 3; ++c)
                         set(patch, displacement_ + c, p, u(dof + c));
                       set(patch, values.size(), p, places.quadrature_point(p));
@@ -194,9 +196,10 @@ namespace stiction
                          normal_            = add_field("normal", 3),
                          tangential_traction_ = add_field("tangential_traction", 3,
                                                           units_.stress),
-                         path_                = slip_path_.size() > 0
-                                                  ? add_field("slip_path", 1, units_.length)
-                                                  : 0;
+                         piece_ = body_.pieces().size() > 1 ? add_field("body", 1) : 0,
+                         path_  = slip_path_.size() > 0
+                                    ? add_field("slip_path", 1, units_.length)
+                                    : 0;
     };
   } // namespace
 

@@ -289,6 +289,9 @@ namespace stiction
                        const ContactSurface &surface, const State &state,
                        const std::string &tag)
   {
+    if (std::all_of(surface.boundaries().begin(), surface.boundaries().end(),
+                    [](const ContactBoundary &boundary) { return boundary.is_pair(); }))
+      return; // both sides are in the other files
     const Body &body    = elasticity.body();
     ObstacleFaces faces = foundations(body, surface, state);
     do_on_first_rank(body.communicator(), [&]() {
