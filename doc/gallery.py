@@ -35,6 +35,16 @@ PICTURES = {
     "stl": "A stamp given by triangles: the pressure is highest at its edges.",
     "block_on_slope": "A block on a slope that nothing but contact and friction "
     "holds: the lower edge bears most, the upper one opens, and all but a core slips.",
+    "several_bodies/three_bars": "Three bars on one another, of which two are held by "
+    "contact alone: the top one is about to slip, and its pair sticks in the middle only.",
+    "several_bodies/two_spheres": "Two equal balls pressed on one another and moved "
+    "aside: the middle of the circle sticks.",
+    "several_bodies/pin_in_hole": "A lug pulled over a pin with clearance: the hole, "
+    "unrolled, touches the pin on less than half of its way round.",
+    "several_bodies/block_between_blocks": "A block of rubber held between two of steel, "
+    "and pulled to the right.",
+    "several_bodies/brick_on_elastic_foundation": "The reference brick on a slab of the "
+    "same steel, which gives way under it.",
     "two_contact_boundaries": "A bar between a foundation and a plane, "
     "each with its own law of friction: each contact boundary has its own "
     "maps, all with the same colours of pressure.",

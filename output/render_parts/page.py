@@ -45,7 +45,7 @@ KINDS = {contact_panels.OPEN: ("open", OPEN, None, None),
                                       "white"),
          contact_panels.UNDECIDED: ("undecided", "white", "....", "#707070"),
          contact_panels.PRESSED: ("undecided, pressed", CLOSED, "....", "white"),
-         contact_panels.CLAMPED: ("clamped or facing away", "#C4C4C4", "////",
+         contact_panels.CLAMPED: ("clamped or nothing opposite", "#C4C4C4", "////",
                                   "#707070")}
 STRESS, PRESSURE = colormaps["viridis"], colormaps["magma_r"]
 
@@ -192,6 +192,16 @@ def names_of(run):
     return {i: named.get(i, str(i)) for i in ids}
 
 
+def contact_force(run, contact):
+    """That on the one body, or on one of the bodies of a single pair."""
+    parts, where = contact["boundaries"], "contact force on the body "
+    if all(part.get("opposite") for part in parts):
+        if len(parts) > 1:
+            return f"{len(parts)} pairs"
+        contact, where = parts[0], f"contact force on {plain(parts[0]['name'])} "
+    return where + quantity(run.units["force"], *contact["force_on_body"])
+
+
 def draw_header(page, run):
     """Title and the numbers that matter."""
     page.text(LEFT, 0.16, plain(run.name), LARGE, fontweight="bold")
@@ -205,8 +215,7 @@ def draw_header(page, run):
     page.text(LEFT, 0.53, "   ".join([
         "largest pressure "
         + quantity(run.units["stress"], contact["max_pressure"]),
-        "contact force on the body "
-        + quantity(run.units["force"], *contact["force_on_body"]),
+        contact_force(run, contact),
         "nodes: " + ", ".join(
             f"{status} {contact[status]}" for status in
             ("open", "closed", "slip", "stick", "undecided")
@@ -223,7 +232,9 @@ def draw_body(page, run, body_picture, height):
     words += ", lines: before loading"
     if body.obstacle is not None:
         words += f", grey: obstacle{body.obstacle}"
-    page.text(left, HEADER, "Deformed body", fontweight="bold")
+    several = any(entry.get("opposite") for entry in run.summary["contact"]["boundaries"])
+    page.text(left, HEADER, "Deformed bodies" if several else "Deformed body",
+              fontweight="bold")
     page.text(left, HEADER + 0.2, words, SMALL)
     rows, columns = body.image.shape[:2]
     scale = min(width / columns, room / rows)

@@ -7,6 +7,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/dual/rigid_balance.h>
+#include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
@@ -301,6 +302,7 @@ namespace stiction
           why_loose(*discretization_->elasticity, *discretization_->surface);
         !loose.empty())
       throw InputError(parameters_.geometry.location + ": " + loose + ".");
+    describe_touching_bodies();
     const Eigen::MatrixXd unresisted =
       unresisted_motions(*discretization_->elasticity, *discretization_->surface);
     if (unresisted.cols() > 0)
@@ -329,20 +331,6 @@ namespace stiction
     return stiction::why_no_equilibrium(*discretization_->elasticity,
                                         *discretization_->surface,
                                         Units::named(parameters_.output.units));
-  }
-
-  void ContactProblem::describe_interference()
-  {
-    const Eigen::VectorXd gaps = discretization_->surface->gaps();
-    const auto corners         = body_->bounding_box().get_boundary_points();
-    const double rounding      = 1e-12 * corners.first.distance(corners.second);
-    const auto n               = (gaps.array() < -rounding).count();
-    if (n > 0)
-      log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
-                        "gives way, by up to ",
-                        static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
-                 with_unit(format("%.3g", -gaps.minCoeff()),
-                           Units::named(parameters_.output.units).length));
   }
 
   void ContactProblem::open_output()

@@ -6,6 +6,7 @@
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/rigid_balance.h>
+#include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -53,6 +54,33 @@ namespace stiction
                                    stiffness, parameters_.contact_solver.tolerance);
   }
 
+  void ContactProblem::describe_touching_bodies() const
+  {
+    std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>> pairs;
+    for (const ContactBoundary &boundary : discretization_->surface->boundaries())
+      if (boundary.is_pair())
+        pairs.emplace_back(boundary.id(), boundary.partner());
+    for (const auto &[first, second] : body_->touching_without(pairs))
+      log_->line(
+        "WARNING: bodies '" + first + "' and '" + second +
+        "' touch and are no contact pair, so that they pass through one another; "
+        "pair their boundaries, or merge their nodes if they are one body");
+  }
+
+  void ContactProblem::describe_interference()
+  {
+    const Eigen::VectorXd gaps = discretization_->surface->gaps();
+    const auto corners         = body_->bounding_box().get_boundary_points();
+    const double rounding      = 1e-12 * corners.first.distance(corners.second);
+    const auto n               = (gaps.array() < -rounding).count();
+    if (n > 0)
+      log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
+                        "gives way, by up to ",
+                        static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
+                 with_unit(format("%.3g", -gaps.minCoeff()),
+                           Units::named(parameters_.output.units).length));
+  }
+
   LA::Vector ContactProblem::contact_force() const
   {
     LA::Vector force = discretization_->elasticity->zero_vector();
@@ -92,10 +120,12 @@ namespace stiction
       effort_};
     steps_->add(step);
     if (parameters_.output.print_progress)
-      log_->line(
-        format("Step %u: t = %.6g certified, ", step.number, step.time) +
-        label("force on the body", units.force) + " " +
-        format_vector("%.6g", {{step.force()[0], step.force()[1], step.force()[2]}}));
+      log_->line(format("Step %u: t = %.6g certified", step.number, step.time) +
+                 (surface.has_obstacles()
+                    ? ", " + label("force on the body", units.force) + " " +
+                        format_vector(
+                          "%.6g", {{step.force()[0], step.force()[1], step.force()[2]}})
+                    : ""));
     if (step.number % parameters_.output.every != 0 && !times.is_finished())
       return;
     compute_reactions();
@@ -103,7 +133,8 @@ namespace stiction
     if (parameters_.output.write_solution)
       steps_->add_file("solution", "pvtu");
     steps_->add_file("contact", "pvtu");
-    steps_->add_file("obstacle", "vtu");
+    if (surface.has_obstacles())
+      steps_->add_file("obstacle", "vtu");
   }
 
   void ContactProblem::write_fields(const std::string &tag) const

@@ -209,7 +209,7 @@ class Page(unittest.TestCase):
             [0, 0, 0, 1, 1, 1, 3, 3, 3, -1], [0, 1, 2, 0, 1, 2, 1, 2, 3, -1]))
         for name in ("open ", "closed ", "open, slip", "open, stick",
                      "open or closed, slip", "open or closed, stick",
-                     "undecided", "clamped or facing away"):
+                     "undecided", "clamped or nothing opposite"):
             self.assertTrue(any(line.startswith(name) for line in words), name)
 
     def test_long_flat_and_tall(self):

@@ -135,6 +135,9 @@ namespace stiction
     void describe_machine();
     void describe_body();
 
+    /// Warns of bodies that touch and do not feel one another.
+    void describe_touching_bodies() const;
+
     /// Says how many contact nodes overlap their obstacles before the body gives way.
     void describe_interference();
     void assemble_system();

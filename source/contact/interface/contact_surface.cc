@@ -59,6 +59,13 @@ namespace stiction
     return index_of(boundaries_, id) < boundaries_.size();
   }
 
+  bool ContactSurface::has_obstacles() const
+  {
+    return !std::all_of(
+      boundaries_.begin(), boundaries_.end(),
+      [](const ContactBoundary &boundary) { return boundary.is_pair(); });
+  }
+
   bool ContactSurface::is_other_side(const types::boundary_id id) const
   {
     return std::any_of(boundaries_.begin(), boundaries_.end(),

@@ -127,6 +127,21 @@ namespace stiction
       bounding_box_.merge_with(piece.box);
   }
 
+  std::vector<std::pair<std::string, std::string>> Body::touching_without(
+    const std::vector<std::pair<types::boundary_id, types::boundary_id>> &pairs) const
+  {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const auto &[p, q] : pieces_.touching(triangulation_))
+      if (std::none_of(pairs.begin(), pairs.end(), [&, p = p, q = q](const auto &pair) {
+            const auto first  = pieces_.at_boundary(triangulation_, pair.first);
+            const auto second = pieces_.at_boundary(triangulation_, pair.second);
+            return (first.count(p) > 0 && second.count(q) > 0) ||
+                   (first.count(q) > 0 && second.count(p) > 0);
+          }))
+        names.emplace_back(pieces()[p].name, pieces()[q].name);
+    return names;
+  }
+
   void Body::set_material_ids(
     const std::function<types::material_id(const Point<3> &)> &id_at)
   {

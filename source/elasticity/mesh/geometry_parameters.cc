@@ -119,8 +119,16 @@ namespace stiction
     check_size(source);
   }
 
-  void GeometryParameters::declare_bodies(const std::vector<std::string> &sections)
+  void GeometryParameters::declare_bodies(const std::string &file,
+                                          const std::vector<std::string> &sections)
   {
+    for (const std::string &section : sections)
+      if (const std::string name = section.substr(PlacedBody::section_name.size() + 1);
+          name.find_first_of(".:;|/=") != std::string::npos ||
+          name.find_first_not_of("0123456789") == std::string::npos)
+        throw InputError(file + ": section '" + section +
+                         "', the name of a body must have none of . : ; | / = and must "
+                         "not be a number.");
     for (const std::string &section : sections)
       bodies.push_back(std::make_unique<PlacedBody>(section));
   }

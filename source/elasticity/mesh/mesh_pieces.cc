@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -15,6 +17,9 @@ namespace stiction
 
   namespace
   {
+    // Of the size of all: nodes this near to one another are at the same place.
+    constexpr double same_place = 1e-8;
+
     // One label a piece in place of several or none.
     std::vector<std::string> names_of(const std::vector<std::set<std::string>> &labels)
     {
@@ -66,6 +71,44 @@ namespace stiction
     while (cell->level() > 0)
       cell = cell->parent();
     return piece_of_coarse_cell_[cell->index()];
+  }
+
+  std::vector<std::pair<unsigned int, unsigned int>> MeshPieces::touching(
+    const Triangulation<3> &triangulation) const
+  {
+    if (pieces_.size() == 1)
+      return {};
+    BoundingBox<3> all = pieces_.front().box;
+    for (const Piece &piece : pieces_)
+      all.merge_with(piece.box);
+    const auto corners = all.get_boundary_points();
+    const double unit  = same_place * corners.first.distance(corners.second);
+    std::map<std::array<long long, 3>, std::set<unsigned int>> at;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          std::array<long long, 3> place;
+          for (unsigned int c = 0; c < 3; ++c)
+            place[c] = std::llround((cell->vertex(v)[c] - corners.first[c]) / unit);
+          at[place].insert(of(cell));
+        }
+    std::set<std::pair<unsigned int, unsigned int>> pairs;
+    for (const auto &[place, pieces] : at)
+      for (auto p = pieces.begin(); p != pieces.end(); ++p)
+        for (auto q = std::next(p); q != pieces.end(); ++q)
+          pairs.emplace(*p, *q);
+    return {pairs.begin(), pairs.end()};
+  }
+
+  std::set<unsigned int> MeshPieces::at_boundary(const Triangulation<3> &triangulation,
+                                                 const types::boundary_id id) const
+  {
+    std::set<unsigned int> pieces;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && face->boundary_id() == id)
+          pieces.insert(of(cell));
+    return pieces;
   }
 
   void MeshPieces::find_boxes(const Triangulation<3> &triangulation,

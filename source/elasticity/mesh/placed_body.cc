@@ -39,11 +39,6 @@ namespace stiction
 
   void PlacedBody::complete(const ParameterFile &source)
   {
-    source.require(!name.empty() && name.find_first_of(".:;|") == std::string::npos &&
-                     name.find_first_not_of("0123456789") != std::string::npos,
-                   entry("Type"),
-                   "its section must be called 'Body NAME', the name without any of . : "
-                   "; | and not a number");
     locate(source);
     check(source);
     for (const auto &[said, text] : {std::make_pair(youngs_modulus, "Young's modulus"),

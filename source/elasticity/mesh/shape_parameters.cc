@@ -26,7 +26,10 @@ namespace stiction
       "have the numbers it gives them. file: a mesh from 'Mesh "
       "file'. Refined curved boundaries follow the shape, those of a file "
       "stay as the file has them. May be left out where "
-      "'Lengths' or 'Table 1 level' say that it is a brick.",
+      "'Lengths' or 'Table 1 level' say that it is a brick. Several bodies have in place "
+      "of it a section each, 'subsection Body NAME', with the entries from Type to Mesh "
+      "file and Refinement, Translation, Rotation, Young's modulus, Poisson ratio, "
+      "Density; their boundaries are called 'NAME.bottom' then.",
       prm, Patterns::Selection("brick|cylinder|half ball|generator|file|"));
     add_parameter("Lengths", lengths,
                   "Edge lengths of the brick in x, y, z; other types ignore "

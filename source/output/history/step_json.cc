@@ -59,7 +59,8 @@ namespace stiction
         {"obstacle_angle", boundary.obstacle_angle},
         {"torque", boundary.torque},
         {"dissipated", boundary.dissipated},
-        {"dissipated_total", boundary.dissipated_total}};
+        {"dissipated_total", boundary.dissipated_total},
+        {"is_pair", boundary.is_pair}};
     }
 
     BoundaryStep boundary_from(const json &boundary)
@@ -76,7 +77,8 @@ namespace stiction
               boundary.at("obstacle_angle"),
               boundary.at("torque"),
               boundary.at("dissipated"),
-              boundary.at("dissipated_total")};
+              boundary.at("dissipated_total"),
+              boundary.value("is_pair", false)};
     }
   } // namespace
 

@@ -34,7 +34,8 @@ namespace stiction
   {
     dealii::Tensor<1, 3> sum;
     for (const BoundaryStep &boundary : boundaries)
-      sum += boundary.force;
+      if (!boundary.is_pair)
+        sum += boundary.force;
     return sum;
   }
 
@@ -51,6 +52,7 @@ namespace stiction
       {
         const ContactBoundary &boundary = surface.boundaries()[b];
         steps[b].name                   = boundary.name();
+        steps[b].is_pair                = boundary.is_pair();
         steps[b].obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
         steps[b].obstacle_angle = boundary.angle();

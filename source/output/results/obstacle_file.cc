@@ -289,8 +289,7 @@ namespace stiction
                        const ContactSurface &surface, const State &state,
                        const std::string &tag)
   {
-    if (std::all_of(surface.boundaries().begin(), surface.boundaries().end(),
-                    [](const ContactBoundary &boundary) { return boundary.is_pair(); }))
+    if (!surface.has_obstacles())
       return; // both sides are in the other files
     const Body &body    = elasticity.body();
     ObstacleFaces faces = foundations(body, surface, state);

@@ -22,8 +22,9 @@ namespace stiction
       static const std::set<std::string> single = {"Boundary conditions/Contact boundary",
                                                    "Friction/Law",
                                                    "Refinement/Adaptive steps"};
-      return entry.rfind("Geometry/", 0) == 0 || entry.rfind("Material/", 0) == 0 ||
-             single.count(entry) > 0;
+      return entry.rfind("Geometry/", 0) == 0 ||
+             entry.rfind(PlacedBody::section_name + " ", 0) == 0 ||
+             entry.rfind("Material/", 0) == 0 || single.count(entry) > 0;
     }
 
     // Without what may be written in several ways.
@@ -47,6 +48,12 @@ namespace stiction
         const auto digest     = word_file::digest(parameters.geometry.mesh_file);
         identity["mesh_file"] = {digest.n_words, digest.checksum};
       }
+    for (const auto &body : parameters.geometry.bodies)
+      if (body->type == "file")
+        {
+          const auto digest                  = word_file::digest(body->mesh_file);
+          identity["mesh_files"][body->name] = {digest.n_words, digest.checksum};
+        }
     return identity;
   }
 
@@ -63,6 +70,11 @@ namespace stiction
                            ", must be what it was in the checkpoint " + checkpoint +
                            ", '" + then + "'.");
       }
+    if (here.value("mesh_files", json()) != identity.value("mesh_files", json()))
+      throw InputError(parameters.source.file() +
+                       ": the mesh files of the bodies must have the content that they "
+                       "had in the checkpoint " +
+                       checkpoint + ".");
     if (here.value("mesh_file", json()) != identity.value("mesh_file", json()))
       throw InputError(parameters.source.describe(mesh_file) +
                        ", must have the content that it had in the checkpoint " +

@@ -17,7 +17,8 @@ namespace stiction
                         const bool has_body)
   {
     dealii::ParameterHandler &prm = dealii::ParameterAcceptor::prm;
-    geometry.declare_bodies(ParameterFile::sections(file, PlacedBody::section_name));
+    geometry.declare_bodies(file,
+                            ParameterFile::sections(file, PlacedBody::section_name));
     source.read(file, settings, prm);
     if (output)
       source.assign("--output", "Output", "Directory", *output, prm);

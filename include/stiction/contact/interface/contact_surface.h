@@ -162,6 +162,9 @@ namespace stiction
     /// Whether a boundary of the mesh is a contact boundary, not so for masters of pairs.
     bool is_contact_boundary(dealii::types::boundary_id id) const;
 
+    /// Whether there is something rigid to touch: not all are contact pairs.
+    bool has_obstacles() const;
+
     /// Whether a boundary of the mesh is the master of a contact pair.
     bool is_other_side(dealii::types::boundary_id id) const;
 

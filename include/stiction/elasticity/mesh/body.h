@@ -152,6 +152,12 @@ namespace stiction
       return pieces_.of(cell);
     }
 
+    /// Names of elastic bodies that have nodes at the same places though none of these
+    /// pairs of boundaries is of both.
+    std::vector<std::pair<std::string, std::string>> touching_without(
+      const std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>>
+        &pairs) const;
+
     /// How many elements of a file were cut into hexahedra before these were
     /// refined, by kinds: "tetrahedra". Empty if none were.
     const std::map<std::string, std::size_t> &cut_elements() const

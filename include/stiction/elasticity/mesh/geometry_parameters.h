@@ -24,7 +24,9 @@ namespace stiction
 
     /// Declares sections 'Body NAME', which then say what the bodies are in place of
     /// this one.
-    void declare_bodies(const std::vector<std::string> &sections);
+    /// Throws InputError for a name that could not stand in an entry.
+    void declare_bodies(const std::string &file,
+                        const std::vector<std::string> &sections);
 
     /// Number of cells after refinement; a double, because it may be anything
     /// before it is checked. For bodies other than the brick the least

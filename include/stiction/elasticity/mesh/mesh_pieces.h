@@ -6,7 +6,9 @@
 #include <deal.II/grid/tria.h>
 
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -46,6 +48,15 @@ namespace stiction
 
     /// The place in list() of a cell of any level.
     unsigned int of(dealii::Triangulation<3>::cell_iterator cell) const;
+
+    /// Pieces with coarse vertices at the same places, each pair once: they touch from
+    /// the start, or the mesh was meant to be one there.
+    std::vector<std::pair<unsigned int, unsigned int>> touching(
+      const dealii::Triangulation<3> &triangulation) const;
+
+    /// The pieces with coarse cells at a boundary.
+    std::set<unsigned int> at_boundary(const dealii::Triangulation<3> &triangulation,
+                                       dealii::types::boundary_id id) const;
 
     /// Makes the boxes hold the cells that this rank knows and these points, of all
     /// ranks. Collective.

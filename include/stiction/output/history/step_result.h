@@ -30,6 +30,7 @@ namespace stiction
     double obstacle_angle = 0., torque = 0.;
     /// By friction, in the step and since the start.
     double dissipated = 0., dissipated_total = 0.;
+    bool is_pair = false; ///< the opposite force acts on another body of the mesh
   };
 
   /// What the contact solver did, on all meshes of a step.
@@ -50,7 +51,7 @@ namespace stiction
     EnergyBalance::Step energy;
     SolverEffort effort;
 
-    /// Of all boundaries together.
+    /// Of all boundaries together, without pairs, whose forces cancel.
     dealii::Tensor<1, 3> force() const;
   };
 
