@@ -181,7 +181,7 @@ namespace stiction
                    Units::named(parameters_.output.units));
     print_memory(*log_, parameters_,
                  static_cast<double>(body_->triangulation().n_global_active_cells()),
-                 3. * static_cast<double>(discretization_->surface->n_nodes()),
+                 static_cast<double>(discretization_->surface->B().all_dofs().size()),
                  communicator_);
     log_->line("The input is valid; nothing was solved.");
   }
@@ -289,7 +289,7 @@ namespace stiction
     require_load(parameters_, body_->boundary_names(), *discretization_->surface);
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(
-      parameters_, 3. * static_cast<double>(discretization_->surface->n_nodes()),
+      parameters_, static_cast<double>(discretization_->surface->B().all_dofs().size()),
       communicator_);
     log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
                       static_cast<long long>(discretization_->surface->n_nodes()),

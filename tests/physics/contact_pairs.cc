@@ -283,6 +283,34 @@ namespace
             << how_it_ends(file("pulled.prm", stack(pull))) << std::endl;
   }
 
+  // Twelve blocks in a pile on a slope, of which the joint below the tenth bears least.
+  void pile_up()
+  {
+    const auto pile = [](const double slope) {
+      std::string text;
+      for (unsigned int i = 1; i <= 12; ++i)
+        {
+          const std::string name = "b" + std::to_string(i);
+          text += brick(name, "1,1,0.5", i % 2 == 0 ? "3,3,1" : "2,2,1",
+                        three(0., 0., 0.5 * (i - 1)));
+          if (i > 1)
+            text += section("Contact pair " + name,
+                            {"Boundary = " + name + ".bottom",
+                             "Obstacle = boundary : b" + std::to_string(i - 1) + ".top",
+                             "Law = coulomb",
+                             i == 10 ? "Coefficient = 0.02" : "Coefficient = 0.5"});
+        }
+      return text +
+             section("Boundary conditions",
+                     {"Prescribed displacement = b1.bottom : 0; 0; 0",
+                      "Gravity = " + exact(slope) + "; 0; -1"}) +
+             section("Contact solver", {"Tolerance = 1e-6"});
+    };
+    for (const double slope : {0.0199, 0.0201})
+      out() << "pile on a slope of " << slope << ": "
+            << how_it_ends(file("pile.prm", pile(slope))) << std::endl;
+  }
+
   void lay_on_stiff_foundation()
   {
     const auto problem = [](const bool is_rigid) {
@@ -318,5 +346,6 @@ int main(int argc, char **argv)
   exchange_sides();
   put_shells_in_one_another();
   stack_blocks();
+  pile_up();
   lay_on_stiff_foundation();
 }

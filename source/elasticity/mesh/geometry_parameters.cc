@@ -73,15 +73,24 @@ namespace stiction
   {
     // each local refinement makes seven more of every cell of two layers, the
     // largest there are
-    const double thinnest =
-      is_brick() ? *std::min_element(subdivisions.begin(), subdivisions.end()) : 1.;
-    const double layer = n_uniform_cells() / std::pow(2., global_refinement) / thinnest;
-    return n_uniform_cells() + 7. / 3. * std::min(2. * layer, n_uniform_cells()) *
-                                 (std::pow(4., contact_refinement) - 1.);
+    const auto with_layers = [&](const ShapeParameters &shape, const double refinement) {
+      const double uniform = shape.n_coarse_cells() * std::pow(8., refinement);
+      const double layer   = uniform / std::pow(2., refinement) / shape.n_thinnest();
+      return uniform + 7. / 3. * std::min(2. * layer, uniform) *
+                         (std::pow(4., contact_refinement) - 1.);
+    };
+    if (bodies.empty())
+      return with_layers(*this, global_refinement);
+    double cells = 0.;
+    for (const auto &body : bodies)
+      cells += with_layers(*body, global_refinement + body->refinement);
+    return cells;
   }
 
   std::string GeometryParameters::entry_of_size() const
   {
+    if (!bodies.empty() && contact_refinement > 0)
+      return "Geometry/Contact refinement";
     if (!bodies.empty() && global_refinement == 0)
       return bodies.front()->entry_of_shape();
     if (!is_brick())

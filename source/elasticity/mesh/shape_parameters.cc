@@ -83,6 +83,7 @@ namespace stiction
   {
     return type == "file"        ? entry("Mesh file")
            : type == "generator" ? entry("Generator")
+           : is_brick()          ? entry("Lengths")
                                  : entry("Type");
   }
 
@@ -93,6 +94,13 @@ namespace stiction
       for (const unsigned int n : subdivisions)
         cells *= n;
     return cells;
+  }
+
+  double ShapeParameters::n_thinnest() const
+  {
+    return is_brick() && !subdivisions.empty()
+             ? *std::min_element(subdivisions.begin(), subdivisions.end())
+             : 1.;
   }
 
   void ShapeParameters::locate(const ParameterFile &source)

@@ -28,6 +28,9 @@ namespace stiction
     /// it may be anything before it is checked.
     double n_coarse_cells() const;
 
+    /// The fewest coarse cells along an edge of the brick; of other shapes 1.
+    double n_thinnest() const;
+
     std::string type                       = "";
     std::vector<double> lengths            = {};
     std::vector<unsigned int> subdivisions = {};
