@@ -4,10 +4,9 @@
 // stack that contact alone holds, to the limit of sliding; a foundation that is nearly
 // rigid. Either side of a pair gives the same but for the error of the mesh.
 
-#include <stiction/base/errors.h>
 #include <stiction/contact/interface/contact_boundary.h>
 
-#include "tests.h"
+#include "how_it_ends.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -252,22 +251,6 @@ namespace
            section("Contact solver", {"Tolerance = 1e-9"});
   }
 
-  std::string how_it_ends(const std::string &prm, const Settings &settings = {})
-  {
-    try
-      {
-        const Run run(prm, settings);
-        return run.converged ? "certified" : "not converged";
-      }
-    catch (const InputError &error)
-      {
-        const std::string text  = error.what();
-        const std::size_t begin = text.find("no equilibrium");
-        return begin == std::string::npos ? text
-                                          : text.substr(begin, text.find(';') - begin);
-      }
-  }
-
   void stack_blocks()
   {
     const Run run(
@@ -281,6 +264,33 @@ namespace
     for (const double pull : {0.1999, 0.2001})
       out() << "pulled by " << pull << ": "
             << how_it_ends(file("pulled.prm", stack(pull))) << std::endl;
+  }
+
+  // Two blocks on a coarser plate, whose top is in both pairs.
+  void share_a_side()
+  {
+    const std::string prm = file(
+      "shared.prm", brick("plate", "3,1,0.5", "12,4,1", "0;0;0") +
+                      brick("one", "1,1,1", "2,2,2", "0;0;0.5") +
+                      brick("two", "1,1,1", "3,3,2", "2;0;0.5") +
+                      section("Boundary conditions",
+                              {"Pressure = one.top : 1 | two.top : 1",
+                               "Prescribed displacement = plate.bottom : 0; 0; 0"}) +
+                      section("Contact pair one",
+                              {"Boundary = plate.top", "Obstacle = boundary : one.bottom",
+                               "Law = coulomb", "Coefficient = 0.3"}) +
+                      section("Contact pair two",
+                              {"Boundary = plate.top", "Obstacle = boundary : two.bottom",
+                               "Law = coulomb", "Coefficient = 0.3"}) +
+                      section("Contact solver", {"Tolerance = 1e-9"}));
+    const Run run(prm, {});
+    const auto &parts = run.summary()["contact"]["boundaries"];
+    const bool are_1  = std::abs(parts[0]["normal_force"].get<double>() - 1.) < 1e-8 &&
+                       std::abs(parts[1]["normal_force"].get<double>() - 1.) < 1e-8;
+    out() << "a side in two pairs: certified " << yes(run.converged) << ", forces on "
+          << parts[0]["name"].get<std::string>() << " and "
+          << parts[1]["name"].get<std::string>() << ", both of 1 " << yes(are_1)
+          << std::endl;
   }
 
   // Twelve blocks in a pile on a slope, of which the joint below the tenth bears least.
@@ -346,6 +356,7 @@ int main(int argc, char **argv)
   exchange_sides();
   put_shells_in_one_another();
   stack_blocks();
+  share_a_side();
   pile_up();
   lay_on_stiff_foundation();
 }

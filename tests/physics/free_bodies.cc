@@ -4,11 +4,10 @@
 // pressed on; half held; dropped onto its table; load histories at whose end it slides
 // or is lifted; where nothing resists it is left where it is.
 
-#include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
-#include "tests.h"
+#include "how_it_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,18 +121,7 @@ namespace
 
   std::string refusal(const Settings &settings)
   {
-    try
-      {
-        const Run run(block, settings);
-        return run.converged ? "certified" : "not converged";
-      }
-    catch (const InputError &error)
-      {
-        const std::string text  = error.what();
-        const std::size_t begin = text.find("no equilibrium");
-        return begin == std::string::npos ? text
-                                          : text.substr(begin, text.find(';') - begin);
-      }
+    return how_it_ends(block, settings);
   }
 
   void go_to_the_limit()

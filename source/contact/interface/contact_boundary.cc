@@ -137,6 +137,7 @@ namespace stiction
 
     std::vector<ContactBoundary> boundaries;
     std::set<types::boundary_id> ids;
+    std::set<std::pair<types::boundary_id, types::boundary_id>> pairs;
     for (std::size_t b = 0; b < names.size(); ++b)
       {
         ContactBoundary boundary;
@@ -144,7 +145,7 @@ namespace stiction
         boundary.name_   = body.boundary_names().name(boundary.id_);
         boundary.size_   = size;
         boundary.source_ = &source;
-        if (!ids.insert(boundary.id_).second)
+        if (paired_boundary(obstacles[b]).empty() && !ids.insert(boundary.id_).second)
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
 
@@ -170,7 +171,13 @@ namespace stiction
           (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
           describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
         if (!partner.empty())
-          boundary.pair_with(partner, body);
+          {
+            boundary.pair_with(partner, body);
+            if (!pairs.insert(std::minmax(boundary.id_, boundary.partner_)).second)
+              throw InputError(source.describe(obstacle_entry) + ", the boundaries '" +
+                               boundary.name_ + "' and '" + boundary.partner_name_ +
+                               "' are a pair already, must be one once.");
+          }
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace stiction
@@ -47,7 +48,7 @@ namespace stiction
                                  const ContactParameters &parameters)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
-    join_pairs(elasticity);
+    join_pairs(elasticity, parameters.source);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
     require_nodes(parameters.source, "Boundary conditions/Contact boundary",
@@ -93,22 +94,45 @@ namespace stiction
                      ", " + reason + ".");
   }
 
-  void ContactSurface::join_pairs(const LinearElasticity &elasticity)
+  void ContactSurface::join_pairs(const LinearElasticity &elasticity,
+                                  const ParameterFile &source)
   {
+    // a boundary that stands in several of them can be the slave of one alone
+    std::multiset<types::boundary_id> sides;
+    std::set<types::boundary_id> with_forces;
+    for (const ContactBoundary &boundary : boundaries_)
+      if (boundary.is_pair())
+        sides.insert({boundary.id(), boundary.partner()});
+      else
+        with_forces.insert(boundary.id());
+    const auto rank = [&](const types::boundary_id id) {
+      return with_forces.count(id) > 0 ? 2 : sides.count(id) > 1 ? 1 : 0;
+    };
     mortars_.resize(boundaries_.size());
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
       if (ContactBoundary &boundary = boundaries_[b]; boundary.is_pair())
         {
-          auto slave       = surface_faces(elasticity, boundary.id());
-          auto master      = surface_faces(elasticity, boundary.partner());
+          auto first       = surface_faces(elasticity, boundary.id());
+          auto second      = surface_faces(elasticity, boundary.partner());
           const auto &said = boundary.slave_side();
-          const SlaveSide side =
-            said == "automatic" ? choose_slave_side(slave, master)
-                                : SlaveSide{said == "boundary", "as 'Slave side' says"};
+          SlaveSide side   = choose_slave_side(first, second);
+          if (said != "automatic")
+            side = {said == "boundary", "as 'Slave side' says"};
+          else if (const int first_is = rank(boundary.id()),
+                   second_is          = rank(boundary.partner());
+                   side.is_first ? first_is > second_is : second_is > first_is)
+            side = {!side.is_first, "the side that bears no other ones"};
           boundary.take_side(side.is_first, side.reason);
+          if (!with_forces.insert(boundary.id()).second)
+            throw InputError(source.describe("Boundary conditions/Slave side") +
+                             ", boundary '" + boundary.name() +
+                             "' would bear the forces of its pair with '" +
+                             boundary.partner_name() +
+                             "' and those of another contact, must do so once: say the "
+                             "other side, or make boundaries of their own of the parts.");
           if (!side.is_first)
-            std::swap(slave, master);
-          mortars_[b] = std::make_unique<Mortar>(elasticity, slave, master);
+            std::swap(first, second);
+          mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
         }
   }
 

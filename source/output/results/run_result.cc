@@ -92,7 +92,7 @@ namespace stiction
                  {{"name", part.name},
                   {"id", part.id},
                   {"nodes", part.nodes},
-                  {"opposite", value_or_null(!part.opposite.empty(), part.opposite)},
+                  {"opposite", part.opposite},
                   {"obstacle_displacement", part.obstacle_displacement},
                   {"obstacle_rotation", part.obstacle_rotation},
                   {"torque", part.torque}});

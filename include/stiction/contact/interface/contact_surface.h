@@ -203,7 +203,8 @@ namespace stiction
 
   private:
     /// Chooses the sides of pairs and finds what lies opposite to the slaves.
-    void join_pairs(const LinearElasticity &elasticity);
+    /// Throws InputError if one would be the slave of two.
+    void join_pairs(const LinearElasticity &elasticity, const ParameterFile &source);
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.

@@ -89,7 +89,7 @@ namespace stiction
     struct ContactPart : Contact
     {
       std::string name;
-      std::string opposite; ///< of a pair, the boundary that bears the opposite force
+      std::string opposite; ///< of a pair, the boundary that bears the opposite force; ""
       unsigned int id = 0, nodes = 0;
       dealii::Tensor<1, 3> obstacle_displacement, obstacle_rotation;
       double torque = 0.; ///< of friction on the body about the axis of the obstacle
