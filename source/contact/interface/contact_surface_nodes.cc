@@ -3,6 +3,7 @@
 #include "node_shares.h"
 
 #include <stiction/base/errors.h>
+#include <stiction/base/log.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_parameters.h>
@@ -41,6 +42,35 @@ namespace stiction
       for (const ContactNode &node : nodes)
         dofs.push_back(node.first_dof);
       return dofs;
+    }
+
+    // The smallest edge of the boxes around the bodies at two boundaries.
+    double thinnest(const Body &body, const ContactBoundary &pair)
+    {
+      double least = pair.body_size();
+      for (const auto &cell : body.triangulation().cell_iterators_on_level(0))
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() &&
+              (face->boundary_id() == pair.id() || face->boundary_id() == pair.partner()))
+            for (unsigned int d = 0; d < 3; ++d)
+              least =
+                std::min(least, body.pieces()[body.piece_of(cell)].box.side_length(d));
+      return least;
+    }
+
+    // Throws InputError if the sides of a pair overlap by more than a body is thick.
+    void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
+                              const Body &body, const ParameterFile &source)
+    {
+      if (!pair.keeps_mesh_gap() || mortar.slaves.empty())
+        return;
+      const double overlap = -mortar.gaps.minCoeff(), thickness = thinnest(body, pair);
+      if (overlap >= thickness)
+        throw InputError(source.describe("Boundary conditions/Obstacle") +
+                         ", boundary '" + pair.name() + "' is " +
+                         format("%.3g", overlap) + " behind '" + pair.partner_name() +
+                         "', and a body of both is only " + format("%.3g", thickness) +
+                         " thick, must lie opposite to it but for a small interference.");
     }
   } // namespace
 
@@ -133,6 +163,7 @@ namespace stiction
           if (!side.is_first)
             std::swap(first, second);
           mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
+          require_side_by_side(boundary, *mortars_[b], elasticity.body(), source);
         }
   }
 
