@@ -91,9 +91,13 @@ namespace stiction
   {
     if (dual_)
       return dual_->stiffness_solver();
-    stiffness_solver_ = std::make_unique<MultigridSolver>(
-      setting_.elasticity, newton_->preconditioner(), newton_->finest_level(),
-      newton_->free_supports(), duality_gap_accuracy);
+    if (setting_.surface.B().has_other_side()) // its levels are in another basis
+      stiffness_solver_ =
+        std::make_unique<MultigridSolver>(setting_.elasticity, duality_gap_accuracy);
+    else
+      stiffness_solver_ = std::make_unique<MultigridSolver>(
+        setting_.elasticity, newton_->preconditioner(), newton_->finest_level(),
+        newton_->free_supports(), duality_gap_accuracy);
     return *stiffness_solver_;
   }
 

@@ -55,19 +55,21 @@ namespace stiction
   } // namespace
 
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
-                             const ContactSurface &surface)
+                             const ContactSurface &surface,
+                             const BasisTransformation &basis)
     : elasticity_(elasticity)
+    , basis_(basis)
     , surface_(&surface)
     , stiffness_(&elasticity.stiffness())
-    , load_(&elasticity.load())
-    , B_(surface.B())
+    , load_(mesh().zero_vector<double>())
+    , B_(surface.B().dofs(), surface.B().frames())
     , areas_(surface.areas())
     , stiffness_of_cells_(surface.stiffness())
     , boundary_area_(surface.boundary_area())
   {
-    for (const auto dof : load_->locally_owned_elements())
+    for (const auto dof : load_.locally_owned_elements())
       if (elasticity.is_prescribed(dof))
-        fixed_.push_back(load_->get_partitioner()->global_to_local(dof));
+        fixed_.push_back(load_.get_partitioner()->global_to_local(dof));
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
       pieces_.push_back(node.piece);
     find_inner_nodes();
@@ -76,11 +78,13 @@ namespace stiction
   }
 
   ContactLevel::ContactLevel(const ContactLevel &finer,
+                             const BasisTransformation &basis,
                              const LinearElasticity &elasticity,
                              const MeshHierarchy &hierarchy,
                              const DofSubsetHierarchy &dof_hierarchy,
                              const unsigned int level)
     : elasticity_(elasticity)
+    , basis_(basis)
     , finer_(&finer)
     , transfer_(&hierarchy.transfer(level + 1))
     , on_finer_(dof_hierarchy.on_finer_level(level))
@@ -88,9 +92,7 @@ namespace stiction
     , own_stiffness_(std::make_unique<StiffnessOperator<double>>(hierarchy.level(level),
                                                                  elasticity.materials()))
     , stiffness_(own_stiffness_.get())
-    , own_load_(
-        std::make_unique<LA::Vector>(hierarchy.level(level).zero_vector<double>()))
-    , load_(own_load_.get())
+    , load_(mesh().zero_vector<double>())
     , areas_(weights_.transpose() * finer.areas_)
     , boundary_area_(finer.boundary_area_)
   {
@@ -129,7 +131,8 @@ namespace stiction
       take_conditions_of_body();
     else
       take_conditions_of_finer_level();
-    load_sum_ = sum_of_norms(*load_, [](std::size_t) { return all_components; });
+    load_sum_ = sum_of_norms(load_, [](std::size_t) { return all_components; });
+    basis_.forces_to_relative(load_);
 
     const Eigen::Index n = elasticity_.free_motions().n(), p = motion_.n_pressed();
     balance_ = {Eigen::MatrixXd(3 * n_nodes(), p + n), Eigen::VectorXd(p + n)};
@@ -140,7 +143,7 @@ namespace stiction
         LA::Vector u = mesh().zero_vector<double>();
         add_free_motion(Eigen::VectorXd::Unit(n, j), u);
         balance_.G.col(p + j) = -B_.apply(u);
-        balance_.e(p + j)     = -(u * *load_);
+        balance_.e(p + j)     = -(u * load_);
       }
     if (n == 0)
       return;
@@ -168,12 +171,14 @@ namespace stiction
   void ContactLevel::add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const
   {
     const std::vector<RigidMotion> motions = elasticity_.free_motions().motions(amounts);
+    basis_.to_absolute(u);
     for (std::size_t i = 0; i < positions_.size(); ++i)
       {
         const Tensor<1, 3> moved = motions[pieces_[i]].at(positions_[i]);
         for (unsigned int c = 0; c < 3; ++c)
           u.local_element(3 * i + c) += moved[c];
       }
+    basis_.to_relative(u);
   }
 
   bool ContactLevel::can_be_balanced() const
@@ -185,8 +190,9 @@ namespace stiction
 
   void ContactLevel::take_conditions_of_body()
   {
+    load_.copy_locally_owned_data_from(elasticity_.load());
     prescribed_.clear();
-    for (const auto dof : load_->locally_owned_elements())
+    for (const auto dof : load_.locally_owned_elements())
       if (elasticity_.is_prescribed(dof))
         prescribed_.push_back(elasticity_.prescribed_value(dof));
     motion_     = surface_->motion();
@@ -195,7 +201,9 @@ namespace stiction
 
   void ContactLevel::take_conditions_of_finer_level()
   {
-    transfer_->restrict_to(*own_load_, *finer_->load_);
+    LA::Vector load = finer_->load_;
+    finer_->basis_.forces_to_absolute(load);
+    transfer_->restrict_to(load_, load);
 
     LA::Vector values        = finer_->mesh().zero_vector<double>();
     LA::Vector coarse_values = mesh().zero_vector<double>();
@@ -242,7 +250,7 @@ namespace stiction
     for (const unsigned int k : fixed_)
       free_components_[k / 3] &= static_cast<unsigned char>(~(1u << k % 3));
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (load_->in_local_range(B_.dofs().dofs()[i]))
+      if (load_.in_local_range(B_.dofs().dofs()[i]))
         free_components_[mesh().local_node(B_.dofs().dofs()[i])] = 0;
   }
 
@@ -355,7 +363,7 @@ namespace stiction
       }
     double energy = 0.; // uᵀKu = uᵀ(f − R)
     for (unsigned int k = 0; k < u.locally_owned_size(); ++k)
-      energy += u.local_element(k) * (load_->local_element(k) - R.local_element(k));
+      energy += u.local_element(k) * (load_.local_element(k) - R.local_element(k));
     std::array<double, 2> sums{{reactions, energy}};
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         u.get_mpi_communicator(),
@@ -374,8 +382,9 @@ namespace stiction
 
   double ContactLevel::rounding_of_forces(const LA::Vector &u) const
   {
-    const std::vector<double> blocks = stiffness().diagonal_blocks();
+    const std::vector<double> blocks = stiffness_->diagonal_blocks();
     LA::Vector forces                = u;
+    basis_.to_absolute(forces);
     for (std::size_t k = 0; k < forces.locally_owned_size(); ++k)
       forces.begin()[k] *= unit_roundoff * blocks[9 * (k / 3) + 4 * (k % 3)];
     return sum_of_norms(forces, [](std::size_t) { return all_components; });

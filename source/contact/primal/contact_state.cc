@@ -18,7 +18,7 @@ namespace stiction
 
   void ContactState::update(const ContactLevel &problem)
   {
-    problem.stiffness().vmult(R, u);
+    problem.apply_stiffness(R, u);
     R.sadd(-1., 1., problem.load());
     lambda = problem.B().contact_forces(R);
     w      = problem.penetration_and_slip(u, distances);

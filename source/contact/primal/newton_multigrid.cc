@@ -5,6 +5,7 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stiction
 {
@@ -17,6 +18,53 @@ namespace stiction
     // A known displacement with a larger residual is worth less than what the coarse
     // levels find.
     constexpr double warm_residual = 0.1;
+
+    // Entries of rotated unit vectors below this are zeros.
+    constexpr double rounding = 1e-14;
+
+    // In which nodes of pairs count from the other side, on the mesh itself.
+    BasisTransformation basis_of(const ContactOperator &B)
+    {
+      if (!B.has_other_side())
+        return {};
+      const ContactOperator::OtherSide &other = B.other_side();
+      const Eigen::Index m = B.n_nodes(), n = other.A.cols();
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < m; ++i)
+        for (unsigned int b = 0; b < 3; ++b)
+          {
+            const ContactFrame &frame   = B.frames()[i];
+            const Eigen::Vector3d moved = frame.displacement_to_cartesian(
+              frame.other_side_to_local(Eigen::Vector3d::Unit(b)));
+            for (decltype(other.A)::InnerIterator entry(other.A, i); entry; ++entry)
+              for (unsigned int a = 0; a < 3; ++a)
+                if (std::abs(moved(a)) > rounding)
+                  entries.emplace_back(3 * i + a, 3 * entry.col() + b,
+                                       entry.value() * moved(a));
+          }
+      BasisTransformation::Matrix N(3 * m, 3 * n);
+      N.setFromTriplets(entries.begin(), entries.end());
+      const auto first = [](const DofSubset &dofs, const Eigen::Index count) {
+        return std::vector<dealii::types::global_dof_index>(dofs.dofs().begin(),
+                                                            dofs.dofs().begin() + count);
+      };
+      return BasisTransformation(first(B.dofs(), m), first(other.dofs, n), std::move(N));
+    }
+
+    // Those of all levels.
+    std::vector<BasisTransformation> bases_of(const ContactOperator &B,
+                                              const MeshHierarchy &hierarchy,
+                                              const DofSubsetHierarchy &nodes)
+    {
+      std::vector<BasisTransformation> bases(hierarchy.n_levels());
+      bases.back() = basis_of(B);
+      for (unsigned int l = hierarchy.n_levels() - 1; l > 0; --l)
+        bases[l - 1] =
+          bases[l].coarser(hierarchy.transfer(l), hierarchy.level(l),
+                           hierarchy.level(l - 1), nodes.on_finer_level(l - 1),
+                           nodes.first_dofs(l - 1));
+      return bases;
+    }
 
     // A start is not worth what an answer is.
     LevelNewton::Options for_start(LevelNewton::Options options)
@@ -33,14 +81,17 @@ namespace stiction
     : options_(options)
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
     , dof_hierarchy_(hierarchy_, surface.first_dofs())
-    , multigrid_(elasticity, hierarchy_, dof_hierarchy_, levels_in_use)
+    , multigrid_(elasticity, hierarchy_, dof_hierarchy_,
+                 bases_of(surface.B(), hierarchy_, dof_hierarchy_), levels_in_use)
     , problems_(hierarchy_.n_levels())
     , statistics_(hierarchy_.n_levels())
   {
-    problems_.back() = std::make_unique<ContactLevel>(elasticity, surface);
+    problems_.back() = std::make_unique<ContactLevel>(elasticity, surface,
+                                                      multigrid_.basis(finest_level()));
     for (unsigned int l = finest_level(); l > 0; --l)
       problems_[l - 1] = std::make_unique<ContactLevel>(
-        *problems_[l], elasticity, hierarchy_, dof_hierarchy_, l - 1);
+        *problems_[l], multigrid_.basis(l - 1), elasticity, hierarchy_, dof_hierarchy_,
+        l - 1);
   }
 
   void NewtonMultigrid::update()
@@ -107,6 +158,7 @@ namespace stiction
         steps += statistics_[l].newton_steps - earlier[l].newton_steps;
       }
     solution.u         = state_->u;
+    multigrid_.basis(finest_level()).to_absolute(solution.u);
     solution.lambda    = state_->lambda;
     solution.distances = state_->distances;
     status.converged   = status.reason.empty() && !status.interrupted;
@@ -135,7 +187,10 @@ namespace stiction
       state_->distances = known.distances;
     const bool is_warm = known.u.size() == state_->u.size();
     if (is_warm)
-      state_->u.copy_locally_owned_data_from(known.u);
+      {
+        state_->u.copy_locally_owned_data_from(known.u);
+        problem.basis().to_relative(state_->u);
+      }
     problem.prescribe(state_->u);
     state_->update(problem);
     return is_warm ? known.lambda : Eigen::VectorXd::Zero(state_->lambda.size());
@@ -158,7 +213,9 @@ namespace stiction
 
     auto state       = std::make_unique<ContactState>(fine);
     state->distances = state_->distances;
+    coarse.basis().to_absolute(state_->u);
     hierarchy_.transfer(level).prolongate(state->u, state_->u);
+    fine.basis().to_relative(state->u);
     fine.prescribe(state->u);
     state->update(fine);
     state_ = std::move(state);

@@ -161,7 +161,7 @@ namespace stiction
     if (moves_obstacles)
       problem_.B().add_displacement(1., held_displacement(linearization, d.distances),
                                     step_);
-    problem_.stiffness().vmult(d.v, step_);
+    problem_.apply_stiffness(d.v, step_);
     d.displacement = problem_.B().apply(step_);
     if (moves_obstacles)
       d.displacement -= problem_.motion().displacement(d.distances);

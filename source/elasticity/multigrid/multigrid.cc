@@ -59,8 +59,9 @@ namespace stiction
     Coarse(const LinearElasticity &elasticity, const MeshLevel &mesh,
            const LA::Vector &fixed,
            const std::vector<types::global_dof_index> &first_dofs,
-           const NodalSupports &supports, const bool is_direct)
-      : solver(elasticity, mesh, fixed, first_dofs, supports, is_direct)
+           const BasisTransformation &basis, const NodalSupports &supports,
+           const bool is_direct)
+      : solver(elasticity, mesh, fixed, first_dofs, basis, supports, is_direct)
       , fixed(fixed)
       , b(fixed)
       , x(fixed)
@@ -108,16 +109,20 @@ namespace stiction
   };
 
   Multigrid::Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
-                       const DofSubsetHierarchy &supported_nodes, const bool is_geometric)
+                       const DofSubsetHierarchy &supported_nodes,
+                       std::vector<BasisTransformation> bases,
+                       const bool is_geometric)
     : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
     , elasticity_(elasticity)
     , hierarchy_(hierarchy)
     , supported_nodes_(supported_nodes)
+    , bases_(std::move(bases))
     , levels_(hierarchy.n_levels())
     , coarse_(hierarchy.n_levels())
     , is_factorized_(hierarchy.n_levels(), false)
   {
+    bases_.resize(hierarchy.n_levels());
     const bool has_background = is_geometric &&
                                 elasticity.stiffness().matrix() == nullptr &&
                                 hierarchy.level(0).n_dofs() > max_coarsest;
@@ -129,7 +134,8 @@ namespace stiction
     for (unsigned int l = has_background ? 0 : 1; l < hierarchy.n_levels(); ++l)
       {
         levels_[l] = std::make_unique<Level>(elasticity, hierarchy.level(l), unit_,
-                                             fixed_on(l), supported_nodes.first_dofs(l));
+                                             fixed_on(l), supported_nodes.first_dofs(l),
+                                             bases_[l]);
         if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated ||
             !hierarchy.level(l).is_trilinear())
           eigenvalue = levels_[l]->estimate_largest_eigenvalue();
@@ -169,8 +175,8 @@ namespace stiction
                                                             const bool is_direct) const
   {
     return std::make_unique<Coarse>(elasticity_, hierarchy_.level(level), fixed_on(level),
-                                    supported_nodes_.first_dofs(level), supports,
-                                    is_direct);
+                                    supported_nodes_.first_dofs(level), bases_[level],
+                                    supports, is_direct);
   }
 
   LA::Vector Multigrid::fixed_on(const unsigned int level) const
@@ -195,7 +201,8 @@ namespace stiction
 
   bool Multigrid::factorize(const unsigned int level)
   {
-    if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized)
+    if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized ||
+        !CoarseSolver::can_be_set_up(elasticity_, hierarchy_.level(level), bases_[level]))
       return false;
     is_factorized_[level] = true;
     return true;
@@ -255,34 +262,49 @@ namespace stiction
     Level &fine = *levels_[level];
     fine.smooth_from_zero(fine.x, fine.b);
     fine.residual(fine.scratch(), fine.x, fine.b);
-    if (level == 0)
-      background_->correct(fine.x, fine.scratch());
-    else
-      correct(level, fine.x, fine.scratch());
+    correct(level, fine.x, fine.scratch());
     fine.project(fine.x);
     fine.smooth(fine.x, fine.b);
   }
 
   void Multigrid::correct(const unsigned int level, LA::VectorOf<float> &x,
-                          const LA::VectorOf<float> &r)
+                          LA::VectorOf<float> &r)
   {
-    const LevelTransfer &transfer = hierarchy_.transfer(level);
-    if (coarse_[level - 1])
+    bases_[level].forces_to_absolute(r);
+    bases_[level].to_absolute(x);
+    if (level == 0)
+      background_->correct(x, r);
+    else if (coarse_[level - 1])
       {
         Coarse &coarse = *coarse_[level - 1];
-        transfer.restrict_to(coarse.transferred, r);
+        restrict_to(level - 1, coarse.transferred, r);
         copy(coarse.b, coarse.transferred);
         coarse.solve();
         copy(coarse.transferred, coarse.x, unit_);
-        transfer.prolongate_add(x, coarse.transferred);
+        prolongate_add(level - 1, x, coarse.transferred);
       }
     else
       {
         Level &coarse = *levels_[level - 1];
-        transfer.restrict_to(coarse.b, r);
+        restrict_to(level - 1, coarse.b, r);
         coarse.project(coarse.b);
         cycle(level - 1);
-        transfer.prolongate_add(x, coarse.x);
+        prolongate_add(level - 1, x, coarse.x);
       }
+    bases_[level].to_relative(x);
+  }
+
+  void Multigrid::restrict_to(const unsigned int level, LA::VectorOf<float> &b,
+                              const LA::VectorOf<float> &r) const
+  {
+    hierarchy_.transfer(level + 1).restrict_to(b, r);
+    bases_[level].forces_to_relative(b);
+  }
+
+  void Multigrid::prolongate_add(const unsigned int level, LA::VectorOf<float> &fine,
+                                 LA::VectorOf<float> &x) const
+  {
+    bases_[level].to_absolute(x);
+    hierarchy_.transfer(level + 1).prolongate_add(fine, x);
   }
 } // namespace stiction

@@ -40,16 +40,19 @@ namespace stiction
 
   Multigrid::Level::Level(const LinearElasticity &elasticity, const MeshLevel &mesh,
                           const double unit, const LA::Vector &fixed,
-                          const std::vector<dealii::types::global_dof_index> &first_dofs)
+                          const std::vector<dealii::types::global_dof_index> &first_dofs,
+                          const BasisTransformation &basis)
     : x(mesh.zero_vector<float>())
     , b(mesh.zero_vector<float>())
     , unit_(unit)
+    , basis_(basis)
     , K_(mesh, elasticity.materials(), unit)
     , inverse_diagonal_(mesh.zero_vector<float>())
     , product_(mesh.zero_vector<float>())
     , direction_(mesh.zero_vector<float>())
   {
-    const std::vector<float> blocks = K_.diagonal_blocks();
+    std::vector<float> blocks = K_.diagonal_blocks();
+    basis_.add_to_diagonal_blocks(mesh, blocks);
     for (unsigned int i = 0; i < mesh.n_owned_nodes(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         inverse_diagonal_.local_element(3 * i + c) =
@@ -82,7 +85,7 @@ namespace stiction
       const Level &level;
       void vmult(Vector &dst, const Vector &src) const
       {
-        level.K_.vmult(dst, src);
+        level.basis_.vmult(level.K_, dst, src);
         level.project(dst);
       }
     };
@@ -173,7 +176,7 @@ namespace stiction
 
   void Multigrid::Level::smooth(Vector &x, const Vector &b)
   {
-    K_.vmult(product_, x);
+    basis_.vmult(K_, product_, x);
     smoothing_step<Known::no_direction>(x, b, 0);
     smooth_on(x, b);
   }
@@ -188,14 +191,14 @@ namespace stiction
   {
     for (unsigned int k = 1; k < ChebyshevStep::degree; ++k)
       {
-        K_.vmult(product_, x);
+        basis_.vmult(K_, product_, x);
         smoothing_step<Known::everything>(x, b, k);
       }
   }
 
   void Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const
   {
-    K_.vmult(r, x);
+ basis_.vmult(K_, r, x);
     const std::size_t n    = x.locally_owned_size();
     float *const dst       = r.begin();
     const float *const rhs = b.begin();

@@ -1,6 +1,7 @@
 #ifndef stiction_source_elasticity_multigrid_multigrid_level_h
 #define stiction_source_elasticity_multigrid_multigrid_level_h
 
+#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
@@ -23,9 +24,13 @@ namespace stiction
     /// @param unit of the stiffness, N/m: single precision has a small range.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold.
+    /// @param basis must outlive the object.
     Level(const LinearElasticity &elasticity, const MeshLevel &mesh, double unit,
           const LA::Vector &fixed,
-          const std::vector<dealii::types::global_dof_index> &first_dofs);
+          const std::vector<dealii::types::global_dof_index> &first_dofs,
+          const BasisTransformation &basis);
+
+    const BasisTransformation &basis() const { return basis_; }
 
     void set_supports(const NodalSupports &supports);
 
@@ -39,7 +44,7 @@ namespace stiction
     /// r = b − A x, held directions left out.
     void residual(Vector &r, const Vector &x, const Vector &b) const;
 
-    /// λmax of D⁻¹ K, D the diagonal, without supports. Collective.
+    /// λmax of D⁻¹ K̂, D the diagonal, without supports. Collective.
     float estimate_largest_eigenvalue();
 
     void set_largest_eigenvalue(const float value) { largest_eigenvalue_ = value; }
@@ -55,7 +60,7 @@ namespace stiction
     {
       unsigned int local  = 0; ///< number of the node
       std::size_t in_list = 0; ///< place in the list
-      /// The diagonal block of K.
+      /// The diagonal block of K̂.
       Eigen::Matrix3f block = Eigen::Matrix3f::Zero();
       /// The support, P and S.
       Eigen::Matrix3f projection = Eigen::Matrix3f::Identity();
@@ -83,7 +88,8 @@ namespace stiction
     void smooth_on(Vector &x, const Vector &b);
 
     const double unit_;
-    StiffnessOperator<float> K_;
+    const BasisTransformation &basis_;
+    StiffnessOperator<float> K_; ///< in the absolute basis
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<Node> nodes_;
     Vector inverse_diagonal_; ///< zero at fixed unknowns and listed nodes

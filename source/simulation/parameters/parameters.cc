@@ -130,10 +130,12 @@ namespace stiction
                    "Stiffness solver/Type",
                    "must be 'automatic', 'multigrid' or 'amg' for 'Contact "
                    "solver/Method = newton multigrid'");
-    source.require(!contact_solver.is_primal() || !contact.has_elastic_pairs(),
-                   "Contact solver/Method",
-                   "solves for one body against obstacles, so that it must be another "
-                   "one, such as 'newton', beside an obstacle 'boundary : NAME'");
+    source.require(
+      !contact_solver.is_primal() || !contact.has_elastic_pairs() || is_matrix_free(),
+      stiffness_solver.type == "amg" ? "Stiffness solver/Type" : "Contact solver/Method",
+      "takes no pairs of bodies where K is assembled: 'Contact solver/Method = newton "
+      "multigrid' beside an obstacle 'boundary : NAME' needs 'Stiffness solver/Type = "
+      "multigrid', and 'Geometry/Element degree = 1' with local refinement");
     source.require(!contact_solver.is_primal() ||
                      contact_solver.coulomb_iteration == "direct",
                    "Contact solver/Coulomb iteration",
@@ -161,7 +163,7 @@ namespace stiction
     if (method == "admm")
       return dual_operator.form != "assembled";
     return method == "newton multigrid" &&
-           (!has_body || contact.has_elastic_pairs() ||
+           (!has_body || (contact.has_elastic_pairs() && !is_matrix_free()) ||
             !output.export_directory.empty() || stiffness_solver.type == "mumps" ||
             contact_solver.coulomb_iteration != "direct" ||
             performance.measure_factorizations);

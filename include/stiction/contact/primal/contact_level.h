@@ -4,6 +4,7 @@
 #include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 #include <stiction/qp/contact_scales.h>
 #include <stiction/qp/operators/equality_constraint.h>
@@ -11,6 +12,7 @@
 #include <stiction/qp/sets/slip_bound.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -33,6 +35,10 @@ namespace stiction
   /// The contact problem on one level of the mesh, in displacements: K without
   /// a matrix, loads, contact nodes with their frames and data.
   ///
+  /// Displacements are those of a basis in which contact nodes count from what lies
+  /// opposite, u = T û: in it a pair of bodies is a body with an obstacle. K is TᵀKT, the
+  /// load Tᵀf, and B acts on contact nodes alone.
+  ///
   /// On a coarser level it is the problem in the subspace of that level: loads,
   /// areas and given slip bounds are restricted, obstacles, frames and
   /// coefficients taken at the vertices. Vectors over the contact nodes are
@@ -41,11 +47,13 @@ namespace stiction
   {
   public:
     /// The problem itself. All arguments must outlive the object. Collective.
-    ContactLevel(const LinearElasticity &elasticity, const ContactSurface &surface);
+    ContactLevel(const LinearElasticity &elasticity, const ContactSurface &surface,
+                 const BasisTransformation &basis);
 
     /// The problem on level @p level, @p finer being the one on the next finer
     /// level. Collective.
-    ContactLevel(const ContactLevel &finer, const LinearElasticity &elasticity,
+    ContactLevel(const ContactLevel &finer, const BasisTransformation &basis,
+                 const LinearElasticity &elasticity,
                  const MeshHierarchy &hierarchy, const DofSubsetHierarchy &dof_hierarchy,
                  unsigned int level);
     ~ContactLevel();
@@ -58,9 +66,15 @@ namespace stiction
 
     const MeshLevel &mesh() const;
 
-    const StiffnessOperator<double> &stiffness() const { return *stiffness_; }
+    const BasisTransformation &basis() const { return basis_; }
 
-    const LA::Vector &load() const { return *load_; }
+    /// dst = K u. Collective.
+    void apply_stiffness(LA::Vector &dst, const LA::Vector &u) const
+    {
+      basis_.vmult(*stiffness_, dst, u);
+    }
+
+    const LA::Vector &load() const { return load_; }
 
     const qp::SlipBound &slip_bound() const { return slip_bound_; }
 
@@ -146,6 +160,7 @@ namespace stiction
     void take_conditions_of_finer_level();
 
     const LinearElasticity &elasticity_;
+    const BasisTransformation &basis_;
     const ContactSurface *const surface_ = nullptr; ///< of the problem itself
     const ContactLevel *const finer_     = nullptr; ///< of the others
     const LevelTransfer *const transfer_ = nullptr; ///< to it
@@ -153,9 +168,8 @@ namespace stiction
     Eigen::SparseMatrix<double> weights_; ///< interpolation of the contact nodes
 
     std::unique_ptr<StiffnessOperator<double>> own_stiffness_;
-    const StiffnessOperator<double> *stiffness_;
-    std::unique_ptr<LA::Vector> own_load_;
-    const LA::Vector *load_;
+    const StiffnessOperator<double> *stiffness_; ///< in the absolute basis
+    LA::Vector load_;
     double load_sum_ = 0.; ///< Σ‖f_j‖
 
     std::vector<unsigned int> fixed_; ///< local unknowns

@@ -11,7 +11,8 @@
 
 namespace stiction
 {
-  /// A displacement on a level of the mesh and what follows from it.
+  /// A displacement on a level of the mesh and what follows from it, in the basis of
+  /// ContactLevel.
   struct ContactState
   {
     /// Room for one on this level, all zero.

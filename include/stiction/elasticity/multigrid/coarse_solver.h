@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <unordered_map>
@@ -17,6 +18,7 @@
 namespace stiction
 {
   class AmgPreconditioner;
+  class BasisTransformation;
   class HostVector;
   class LinearElasticity;
   class MeshLevel;
@@ -35,12 +37,18 @@ namespace stiction
     ///   elsewhere.
     /// @param supported_nodes the first unknowns, on this level, of the nodes
     ///   that supports may hold; the same on all ranks.
+    /// @param basis in which the matrix is TᵀKT; must outlive the object.
     /// @param is_direct whether to factorise whatever the size. Collective.
     CoarseSolver(const LinearElasticity &elasticity, const MeshLevel &level,
                  const LA::Vector &fixed,
                  const std::vector<dealii::types::global_dof_index> &supported_nodes,
-                 const NodalSupports &supports, bool is_direct);
+                 const BasisTransformation &basis, const NodalSupports &supports,
+                 bool is_direct);
     ~CoarseSolver();
+
+    /// Whether there is one: not so in another basis where K is assembled first.
+    static bool can_be_set_up(const LinearElasticity &elasticity, const MeshLevel &level,
+                              const BasisTransformation &basis);
 
     /// Takes supports for the nodes of the list, the same on all ranks.
     /// Collective.
@@ -55,6 +63,16 @@ namespace stiction
 
   private:
     void make_pattern();
+
+    /// From which nodes those of a cell take their displacements, by first unknowns: its
+    /// own, and those opposite to them. @param T by three rows and columns a node.
+    std::vector<dealii::types::global_dof_index> nodes_of(
+      const std::vector<dealii::types::global_dof_index> &of_cell,
+      Eigen::MatrixXd &T) const;
+
+    /// The directions that supports and prescribed displacements leave free at a node.
+    Eigen::Matrix3d projection(dealii::types::global_dof_index first_dof,
+                               const NodalSupports &supports) const;
 
     /// Calls back with matrices to be added at indices, this rank's share.
     using Add = std::function<void(const std::vector<dealii::types::global_dof_index> &,
@@ -73,9 +91,14 @@ namespace stiction
     const MeshLevel &level_;
     std::unique_ptr<LA::Vector> fixed_;
     std::vector<dealii::types::global_dof_index> supported_nodes_;
+    const BasisTransformation &basis_;
     const bool always_direct_;
-    /// Place in the list by local node.
-    std::unordered_map<unsigned int, std::size_t> support_of_;
+    /// Places in lists by first unknowns: of supported nodes, of slaves of the basis.
+    std::unordered_map<dealii::types::global_dof_index, std::size_t> support_of_,
+      slave_of_;
+    /// Which unknowns are prescribed at the nodes opposite, that may be of other ranks.
+    std::unordered_map<dealii::types::global_dof_index, std::array<bool, 3>>
+      is_fixed_opposite_;
     std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
     std::unique_ptr<LA::SparseMatrix> own_stiffness_; ///< K if nobody else has it

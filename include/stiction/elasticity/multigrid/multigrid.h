@@ -1,6 +1,7 @@
 #ifndef stiction_elasticity_multigrid_multigrid_h
 #define stiction_elasticity_multigrid_multigrid_h
 
+#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
 
 #include <deal.II/base/types.h>
@@ -28,6 +29,9 @@ namespace stiction
   /// weighted with its own trilinear function, the lumped Galerkin matrix,
   /// within what is left free.
   ///
+  /// With displacements û relative to what lies opposite (BasisTransformation) all this
+  /// holds for K̂ = TᵀKT: corrections go T⁻¹ I T from a level to the finer one.
+  ///
   /// A coarsest level too large to be factorised, such as a mesh from a file, has
   /// grids behind it: see BackgroundMultigrid. Without them, or where K is assembled,
   /// the end of the cycle is algebraic multigrid.
@@ -38,11 +42,20 @@ namespace stiction
     static constexpr dealii::types::global_dof_index max_factorized = 100000;
 
     /// @param supported_nodes the nodes that supports may hold.
+    /// @param bases of all levels, for bodies that touch each other; or nothing.
     /// @param is_geometric whether the coarsest level may have grids behind it.
     ///   The other arguments must outlive the object. Collective.
     Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
-              const DofSubsetHierarchy &supported_nodes, bool is_geometric = true);
+              const DofSubsetHierarchy &supported_nodes,
+              std::vector<BasisTransformation> bases = {},
+              bool is_geometric                      = true);
     ~Multigrid() override;
+
+    /// That of a level.
+    const BasisTransformation &basis(const unsigned int level) const
+    {
+      return bases_[level];
+    }
 
     void set_supports(unsigned int level, const NodalSupports &supports) override;
 
@@ -73,15 +86,23 @@ namespace stiction
     /// x of the level becomes one V-cycle for b of the level.
     void cycle(unsigned int level);
 
-    /// Adds to x of the level what the coarser one makes of the residual r.
-    void correct(unsigned int level, LA::VectorOf<float> &x,
-                 const LA::VectorOf<float> &r);
+    /// Adds to x of the level what the coarser one makes of the residual r, which is
+    /// not kept.
+    void correct(unsigned int level, LA::VectorOf<float> &x, LA::VectorOf<float> &r);
+
+    /// From forces r on absolute displacements of the next finer level to those b of
+    /// this one, and from x of this level, which is not kept, to absolute ones there.
+    void restrict_to(unsigned int level, LA::VectorOf<float> &b,
+                     const LA::VectorOf<float> &r) const;
+    void prolongate_add(unsigned int level, LA::VectorOf<float> &fine,
+                        LA::VectorOf<float> &x) const;
 
     /// A power of two near the size of the entries of K, N/m.
     const double unit_;
     const LinearElasticity &elasticity_;
     const MeshHierarchy &hierarchy_;
     const DofSubsetHierarchy &supported_nodes_;
+    std::vector<BasisTransformation> bases_;
     /// Of all levels but those where a solver ends the cycle.
     std::vector<std::unique_ptr<Level>> levels_;
     std::unique_ptr<BackgroundMultigrid> background_; ///< of the coarsest level
