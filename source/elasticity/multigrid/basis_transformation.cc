@@ -19,7 +19,7 @@ namespace stiction
 
   namespace
   {
-    using Dofs   = std::vector<types::global_dof_index>;
+    using Dofs   = BasisTransformation::Dofs;
     using Matrix = BasisTransformation::Matrix;
 
     // More nodes than this do not count from each other one by one, but in a circle.
@@ -47,6 +47,29 @@ namespace stiction
       return values;
     }
 
+    // A matrix at each node, empty: the identity.
+    Eigen::VectorXd times(const std::vector<Eigen::Matrix3d> &matrices, Eigen::VectorXd x)
+    {
+      for (std::size_t i = 0; i < matrices.size(); ++i)
+        {
+          auto at_node = x.segment<3>(3 * static_cast<Eigen::Index>(i));
+          at_node      = (matrices[i] * at_node).eval();
+        }
+      return x;
+    }
+
+    template<typename Number>
+    void add_at(const Dofs &first_dofs, const Eigen::VectorXd &values,
+                LA::VectorOf<Number> &v)
+    {
+      const auto first = v.get_partitioner()->local_range().first;
+      for (std::size_t i = 0; i < first_dofs.size(); ++i)
+        if (v.in_local_range(first_dofs[i]))
+          for (unsigned int c = 0; c < 3; ++c)
+            v.begin()[first_dofs[i] - first + c] +=
+              static_cast<Number>(values(3 * static_cast<Eigen::Index>(i) + c));
+    }
+
     // Row m: which of the slaves the node m is, three rows and columns each.
     Matrix slaves_among(const Dofs &masters, const Dofs &slaves)
     {
@@ -65,27 +88,36 @@ namespace stiction
     }
   } // namespace
 
-  BasisTransformation::BasisTransformation(Dofs slaves, Dofs masters, Matrix N)
-    : slaves_(std::move(slaves))
-    , masters_(std::move(masters))
-    , N_(std::move(N))
-    , added_(N_)
+  BasisTransformation::BasisTransformation()
+    : relation_(std::make_shared<const Relation>())
   {
-    // T − 1 = N + N E N + ..., E taking slaves to where they are masters
-    const Matrix E = slaves_among(masters_, slaves_);
-    if (E.nonZeros() == 0)
-      return;
-    Matrix power = N_;
-    for (unsigned int k = 0;; ++k)
+  }
+
+  BasisTransformation::BasisTransformation(Dofs slaves, Dofs masters, Matrix N)
+  {
+    auto relation   = std::make_shared<Relation>();
+    relation->chain = slaves_among(masters, slaves);
+    for (Matrix power = N; relation->chain.nonZeros() > 0;)
       {
-        power = (N_ * Matrix(E * power)).pruned();
+        power = (N * Matrix(relation->chain * power)).pruned();
         if (power.nonZeros() == 0)
           break;
-        if (k == longest_chain)
-          throw std::invalid_argument("displacements that count from each other in a "
-                                      "circle");
-        added_ += power;
+        if (++relation->n_chained > longest_chain)
+          throw std::invalid_argument("displacements count from each other in a circle");
       }
+    relation->slaves  = std::move(slaves);
+    relation->masters = std::move(masters);
+    relation->N       = std::move(N);
+    relation_         = relation;
+  }
+
+  Matrix BasisTransformation::added() const
+  {
+    // T − 1 = N + N E (T − 1)
+    Matrix added = relation_->N;
+    for (unsigned int k = 0; k < relation_->n_chained; ++k)
+      added = relation_->N + Matrix(relation_->N * Matrix(relation_->chain * added));
+    return added;
   }
 
   BasisTransformation BasisTransformation::coarser(const LevelTransfer &transfer,
@@ -94,13 +126,14 @@ namespace stiction
                                                    const std::vector<Eigen::Index> &rows,
                                                    const Dofs &slaves) const
   {
-    if (masters_.empty())
+    if (is_identity())
       return {};
+    const Dofs &finer_masters = relation_->masters;
     // the coarse nodes from which the masters are interpolated
     auto place = fine.zero_vector<double>();
-    for (std::size_t j = 0; j < masters_.size(); ++j)
-      if (place.in_local_range(masters_[j]))
-        place(masters_[j]) = static_cast<double>(j + 1);
+    for (std::size_t j = 0; j < finer_masters.size(); ++j)
+      if (place.in_local_range(finer_masters[j]))
+        place(finer_masters[j]) = static_cast<double>(j + 1);
     place.update_ghost_values();
     struct Weight
     {
@@ -130,7 +163,7 @@ namespace stiction
       for (unsigned int c = 0; c < 3; ++c)
         entries.emplace_back(3 * weight.fine + c, 3 * column[weight.coarse] + c,
                              1. / weight.n);
-    Matrix P(3 * static_cast<Eigen::Index>(masters_.size()),
+    Matrix P(3 * static_cast<Eigen::Index>(finer_masters.size()),
              3 * static_cast<Eigen::Index>(masters.size()));
     P.setFromTriplets(entries.begin(), entries.end());
 
@@ -138,49 +171,62 @@ namespace stiction
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         entries.emplace_back(3 * i + c, 3 * rows[i] + c, 1.);
-    Matrix chosen(3 * static_cast<Eigen::Index>(rows.size()), N_.rows());
+    Matrix chosen(3 * static_cast<Eigen::Index>(rows.size()), relation_->N.rows());
     chosen.setFromTriplets(entries.begin(), entries.end());
     return BasisTransformation(slaves, std::move(masters),
-                               Matrix(Matrix(chosen * N_) * P));
+                               Matrix(Matrix(chosen * relation_->N) * P));
   }
 
-  template<typename Number, typename Operator>
-  void BasisTransformation::add(const double factor, const Operator &A, const Dofs &to,
-                                const Dofs &from, LA::VectorOf<Number> &v)
+  void BasisTransformation::set_relative_directions(std::vector<Eigen::Matrix3d> R,
+                                                    std::vector<Eigen::Matrix3d> springs)
   {
-    if (A.rows() == 0 || A.cols() == 0)
-      return;
-    const Eigen::VectorXd change = A * values_at(from, v);
-    const auto first             = v.get_partitioner()->local_range().first;
-    for (std::size_t i = 0; i < to.size(); ++i)
-      if (v.in_local_range(to[i]))
-        for (unsigned int c = 0; c < 3; ++c)
-          v.begin()[to[i] - first + c] += static_cast<Number>(
-            factor * change(3 * static_cast<Eigen::Index>(i) + c));
+    R_       = std::move(R);
+    springs_ = std::move(springs);
+  }
+
+  Eigen::VectorXd BasisTransformation::opposite(const Eigen::VectorXd &of_masters) const
+  {
+    const auto &[slaves, masters, N, chain, n_chained] = *relation_;
+    Eigen::VectorXd moved                              = N * of_masters;
+    for (unsigned int k = 0; k < n_chained; ++k)
+      moved = N * (of_masters + chain * times(R_, moved));
+    return moved;
   }
 
   template<typename Number>
   void BasisTransformation::to_absolute(LA::VectorOf<Number> &v) const
   {
-    add(1., added_, slaves_, masters_, v);
+    if (!is_identity())
+      add_at(slaves(), times(R_, opposite(values_at(masters(), v))), v);
   }
 
   template<typename Number>
   void BasisTransformation::to_relative(LA::VectorOf<Number> &v) const
   {
-    add(-1., N_, slaves_, masters_, v);
+    if (is_identity())
+      return;
+    add_at(slaves(), times(R_, -(relation_->N * values_at(masters(), v))), v);
   }
 
   template<typename Number>
   void BasisTransformation::forces_to_relative(LA::VectorOf<Number> &r) const
   {
-    add(1., added_.transpose(), masters_, slaves_, r);
+    if (is_identity())
+      return;
+    const auto &[slaves, masters, N, chain, n_chained] = *relation_;
+    const Eigen::VectorXd of_slaves                    = values_at(slaves, r);
+    Eigen::VectorXd change = N.transpose() * times(R_, of_slaves);
+    for (unsigned int k = 0; k < n_chained; ++k)
+      change = N.transpose() * times(R_, of_slaves + chain.transpose() * change);
+    add_at(masters, change, r);
   }
 
   template<typename Number>
   void BasisTransformation::forces_to_absolute(LA::VectorOf<Number> &r) const
   {
-    add(-1., N_.transpose(), masters_, slaves_, r);
+    if (is_identity())
+      return;
+    add_at(masters(), -(relation_->N.transpose() * times(R_, values_at(slaves(), r))), r);
   }
 
   template<typename Number>
@@ -190,48 +236,36 @@ namespace stiction
   {
     if (is_identity())
       return K.vmult(dst, src);
-    LA::VectorOf<Number> u = src;
-    to_absolute(u);
+    const Eigen::VectorXd moved = opposite(values_at(masters(), src));
+    LA::VectorOf<Number> u      = src;
+    add_at(slaves(), times(R_, moved), u);
     K.vmult(dst, u);
+    if (springs_.empty())
+      return forces_to_relative(dst);
+    const Eigen::VectorXd forces = times(springs_, values_at(slaves(), src) - moved);
+    add_at(masters(), -(relation_->N.transpose() * forces), dst);
     forces_to_relative(dst);
+    add_at(slaves(), forces, dst);
   }
 
-  template<typename Number>
-  void BasisTransformation::add_to_diagonal_blocks(const MeshLevel &mesh,
-                                                   std::vector<Number> &blocks) const
+  std::vector<Eigen::Matrix3d> BasisTransformation::added_blocks(
+    const std::vector<Eigen::Matrix3d> &of_slaves) const
   {
-    if (is_identity())
-      return;
-    const auto is_owned = [&](const types::global_dof_index dof) {
-      return mesh.partitioner()->in_local_range(dof);
-    };
-    using Block = Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>;
-    Eigen::VectorXd of_slaves =
-      Eigen::VectorXd::Zero(9 * static_cast<Eigen::Index>(slaves_.size()));
-    for (std::size_t i = 0; i < slaves_.size(); ++i)
-      if (is_owned(slaves_[i]))
-        for (unsigned int k = 0; k < 9; ++k)
-          of_slaves(9 * static_cast<Eigen::Index>(i) + k) =
-            static_cast<double>(blocks[9 * mesh.local_node(slaves_[i]) + k]);
-    sum(of_slaves, mesh.communicator());
-
-    const Eigen::SparseMatrix<double> columns = added_;
-    for (std::size_t j = 0; j < masters_.size(); ++j)
-      if (is_owned(masters_[j]))
-        {
-          std::map<Eigen::Index, Eigen::Matrix3d> at_slave;
-          for (unsigned int b = 0; b < 3; ++b)
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(
-                   columns, 3 * static_cast<Eigen::Index>(j) + b);
-                 entry; ++entry)
-              at_slave.try_emplace(entry.row() / 3, Eigen::Matrix3d::Zero())
-                .first->second(entry.row() % 3, b) = entry.value();
-          Eigen::Map<Block> block(&blocks[9 * mesh.local_node(masters_[j])]);
-          for (const auto &[i, N] : at_slave)
-            block += (N.transpose() * Eigen::Map<const Eigen::Matrix3d>(&of_slaves(9 * i)) *
-                      N)
-                       .template cast<Number>();
-        }
+    std::vector<Eigen::Matrix3d> added(masters().size(), Eigen::Matrix3d::Zero());
+    for (std::size_t i = 0; i < of_slaves.size(); ++i)
+      {
+        const Eigen::Matrix3d K = R_[i] * of_slaves[i] * R_[i] + 2. * springs_[i];
+        std::map<Eigen::Index, Eigen::Matrix3d> row;
+        for (unsigned int a = 0; a < 3; ++a)
+          for (Matrix::InnerIterator entry(relation_->N,
+                                           3 * static_cast<Eigen::Index>(i) + a);
+               entry; ++entry)
+            row.try_emplace(entry.col() / 3, Eigen::Matrix3d::Zero())
+              .first->second(a, entry.col() % 3) = entry.value();
+        for (const auto &[j, N] : row)
+          added[j] += N.transpose() * K * N;
+      }
+    return added;
   }
 
 #define STICTION_INSTANTIATE(Number)                                                     \
@@ -241,9 +275,7 @@ namespace stiction
   template void BasisTransformation::forces_to_absolute(LA::VectorOf<Number> &) const;   \
   template void BasisTransformation::vmult(const StiffnessOperator<Number> &,            \
                                            LA::VectorOf<Number> &,                       \
-                                           const LA::VectorOf<Number> &) const;          \
-  template void BasisTransformation::add_to_diagonal_blocks(const MeshLevel &,           \
-                                                            std::vector<Number> &) const;
+                                           const LA::VectorOf<Number> &) const;
   STICTION_INSTANTIATE(float)
   STICTION_INSTANTIATE(double)
 #undef STICTION_INSTANTIATE

@@ -6,7 +6,6 @@
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/rigid_body_modes.h>
-#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/multigrid/coarse_solver.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
 #include <stiction/elasticity/stiffness/element_stiffness.h>
@@ -75,6 +74,7 @@ namespace stiction
     , fixed_(std::make_unique<LA::Vector>(fixed))
     , supported_nodes_(supported_nodes)
     , basis_(basis)
+    , added_(basis.added())
     , always_direct_(is_direct)
     , host_(std::make_unique<HostVector>(fixed))
   {
@@ -192,7 +192,7 @@ namespace stiction
       if (const auto slave = slave_of_.find(of_cell[v]); slave != slave_of_.end())
         for (Eigen::Index a = 0; a < 3; ++a)
           for (BasisTransformation::Matrix::InnerIterator entry(
-                 basis_.added(), 3 * static_cast<Eigen::Index>(slave->second) + a);
+                 added_, 3 * static_cast<Eigen::Index>(slave->second) + a);
                entry; ++entry)
             {
               const auto master = basis_.masters()[entry.col() / 3];

@@ -10,6 +10,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -139,6 +140,15 @@ namespace stiction
         if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated ||
             !hierarchy.level(l).is_trilinear())
           eigenvalue = levels_[l]->estimate_largest_eigenvalue();
+        if (!bases_[l].is_identity() && hierarchy.level(l).n_dofs() <= max_estimated)
+          {
+            // held at each other bodies have other eigenvalues
+            NodalConstraint held;
+            held.projection.setZero();
+            levels_[l]->set_supports(
+              NodalSupports(supported_nodes.first_dofs(l).size(), held));
+            eigenvalue = std::max(eigenvalue, levels_[l]->estimate_largest_eigenvalue());
+          }
         levels_[l]->set_largest_eigenvalue(eigenvalue);
       }
     set_coarsest(NodalSupports(supported_nodes.first_dofs(0).size()));
@@ -250,8 +260,12 @@ namespace stiction
       {
         Level &finest = *levels_[level];
         copy(finest.b, src, 1. / scale);
+        bases_[level].forces_to_absolute(finest.b);
+        finest.basis().forces_to_relative(finest.b);
         finest.project(finest.b);
         cycle(level);
+        finest.basis().to_absolute(finest.x);
+        bases_[level].to_relative(finest.x);
         dst.swap(finest.x); // which is made anew by every cycle
       }
     return scale / unit_;
@@ -270,8 +284,9 @@ namespace stiction
   void Multigrid::correct(const unsigned int level, LA::VectorOf<float> &x,
                           LA::VectorOf<float> &r)
   {
-    bases_[level].forces_to_absolute(r);
-    bases_[level].to_absolute(x);
+    const BasisTransformation &basis = levels_[level]->basis();
+    basis.forces_to_absolute(r);
+    basis.to_absolute(x);
     if (level == 0)
       background_->correct(x, r);
     else if (coarse_[level - 1])
@@ -291,20 +306,25 @@ namespace stiction
         cycle(level - 1);
         prolongate_add(level - 1, x, coarse.x);
       }
-    bases_[level].to_relative(x);
+    basis.to_relative(x);
+  }
+
+  const BasisTransformation &Multigrid::basis_of_cycle(const unsigned int level) const
+  {
+    return coarse_[level] ? bases_[level] : levels_[level]->basis();
   }
 
   void Multigrid::restrict_to(const unsigned int level, LA::VectorOf<float> &b,
                               const LA::VectorOf<float> &r) const
   {
     hierarchy_.transfer(level + 1).restrict_to(b, r);
-    bases_[level].forces_to_relative(b);
+    basis_of_cycle(level).forces_to_relative(b);
   }
 
   void Multigrid::prolongate_add(const unsigned int level, LA::VectorOf<float> &fine,
                                  LA::VectorOf<float> &x) const
   {
-    bases_[level].to_absolute(x);
+    basis_of_cycle(level).to_absolute(x);
     hierarchy_.transfer(level + 1).prolongate_add(fine, x);
   }
 } // namespace stiction

@@ -4,6 +4,7 @@
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/diagonal_matrix.h>
@@ -12,6 +13,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 namespace stiction
 {
@@ -36,6 +39,10 @@ namespace stiction
       const Eigen::Matrix3d held = (A.trace() / 3.) * (Eigen::Matrix3d::Identity() - P);
       return (P * (P * A * P + S + held).inverse() * P).cast<float>();
     }
+
+    // Of the mean diagonal entry of K at a node: with stiffer springs it is better to
+    // count from the other side.
+    constexpr double stiff_spring = 1.;
   } // namespace
 
   Multigrid::Level::Level(const LinearElasticity &elasticity, const MeshLevel &mesh,
@@ -51,8 +58,7 @@ namespace stiction
     , product_(mesh.zero_vector<float>())
     , direction_(mesh.zero_vector<float>())
   {
-    std::vector<float> blocks = K_.diagonal_blocks();
-    basis_.add_to_diagonal_blocks(mesh, blocks);
+    const std::vector<float> blocks = K_.diagonal_blocks();
     for (unsigned int i = 0; i < mesh.n_owned_nodes(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         inverse_diagonal_.local_element(3 * i + c) =
@@ -73,8 +79,75 @@ namespace stiction
             &blocks[9 * std::size_t(node.local)]);
           nodes_.push_back(node);
         }
+    if (!basis_.is_identity())
+      find_masters(mesh, blocks);
     set_supports(NodalSupports(first_dofs.size()));
     largest_eigenvalue_ = 0.f;
+  }
+
+  void Multigrid::Level::find_masters(const MeshLevel &mesh,
+                                      const std::vector<float> &blocks)
+  {
+    std::vector<double> of_slaves(9 * basis_.slaves().size(), 0.);
+    for (const Node &node : nodes_)
+      {
+        Eigen::Map<Eigen::Matrix3d> block(&of_slaves[9 * node.in_list]);
+        block = node.block.cast<double>();
+      }
+    dealii::Utilities::MPI::sum(of_slaves, mesh.communicator(), of_slaves);
+    for (std::size_t i = 0; i < basis_.slaves().size(); ++i)
+      blocks_of_slaves_.push_back(Eigen::Map<const Eigen::Matrix3d>(&of_slaves[9 * i]));
+
+    std::unordered_map<unsigned int, Node *> in_list;
+    for (Node &node : nodes_)
+      in_list[node.local] = &node;
+    for (std::size_t j = 0; j < basis_.masters().size(); ++j)
+      if (mesh.partitioner()->in_local_range(basis_.masters()[j]))
+        {
+          const unsigned int local = mesh.local_node(basis_.masters()[j]);
+          if (const auto node = in_list.find(local); node != in_list.end())
+            {
+              node->second->in_basis = static_cast<Eigen::Index>(j);
+              continue;
+            }
+          Master master;
+          master.local    = local;
+          master.in_basis = j;
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              master.stiffness(c) = blocks[9 * std::size_t(local) + 4 * c];
+              master.is_free(c) =
+                inverse_diagonal_.local_element(3 * local + c) != 0.f ? 1.f : 0.f;
+            }
+          masters_.push_back(master);
+        }
+  }
+
+  void Multigrid::Level::set_basis(const NodalSupports &supports)
+  {
+    if (basis_.is_identity())
+      return;
+    std::vector<Eigen::Matrix3d> relative(supports.size(), Eigen::Matrix3d::Identity()),
+      soft(supports.size(), Eigen::Matrix3d::Zero());
+    for (std::size_t i = 0; i < supports.size(); ++i)
+      {
+        const Eigen::Matrix3d spring = supports[i].spring / unit_;
+        const bool is_stiff =
+          spring.trace() > stiff_spring * blocks_of_slaves_[i].trace() / 3.;
+        if (!is_stiff)
+          {
+            relative[i] -= supports[i].projection;
+            soft[i] = spring;
+          }
+      }
+    basis_.set_relative_directions(std::move(relative), std::move(soft));
+    const std::vector<Eigen::Matrix3d> added = basis_.added_blocks(blocks_of_slaves_);
+    for (const Master &master : masters_)
+      at(inverse_diagonal_, master.local) = master.is_free.cwiseQuotient(
+        master.stiffness + added[master.in_basis].diagonal().cast<float>());
+    for (Node &node : nodes_)
+      if (node.in_basis >= 0)
+        node.added = added[node.in_basis];
   }
 
   float Multigrid::Level::estimate_largest_eigenvalue()
@@ -113,13 +186,19 @@ namespace stiction
 
   void Multigrid::Level::set_supports(const NodalSupports &supports)
   {
+    set_basis(supports);
     for (Node &node : nodes_)
       {
-        node.projection              = supports[node.in_list].projection.cast<float>();
-        const Eigen::Matrix3d spring = supports[node.in_list].spring / unit_;
-        node.spring                  = spring.cast<float>();
-        node.inverse                 = inverse_in_range(supports[node.in_list].projection,
-                                                        node.block.cast<double>(), spring);
+        node.projection        = supports[node.in_list].projection.cast<float>();
+        Eigen::Matrix3d spring = supports[node.in_list].spring / unit_;
+        Eigen::Matrix3d block  = node.block.cast<double>() + node.added;
+        if (!basis_.is_identity()) // which has the soft springs
+          {
+            spring -= basis_.springs()[node.in_list];
+            block += 2. * basis_.springs()[node.in_list];
+          }
+        node.spring  = spring.cast<float>();
+        node.inverse = inverse_in_range(supports[node.in_list].projection, block, spring);
         at(inverse_diagonal_, node.local).setZero();
       }
   }

@@ -24,15 +24,19 @@ namespace stiction
     /// @param unit of the stiffness, N/m: single precision has a small range.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold.
-    /// @param basis must outlive the object.
+    /// @param basis whose slaves are these nodes, if it is not the identity. The level has
+    ///   its own, in which slaves count from the other side only in directions in which
+    ///   they are held, and where they have stiff springs: what moves freely is smoothed
+    ///   best by itself.
     Level(const LinearElasticity &elasticity, const MeshLevel &mesh, double unit,
           const LA::Vector &fixed,
           const std::vector<dealii::types::global_dof_index> &first_dofs,
           const BasisTransformation &basis);
 
-    const BasisTransformation &basis() const { return basis_; }
-
     void set_supports(const NodalSupports &supports);
+
+    /// That of its vectors, which changes with the supports.
+    const BasisTransformation &basis() const { return basis_; }
 
     /// Sets to zero what v has in held directions.
     void project(Vector &v) const;
@@ -60,8 +64,11 @@ namespace stiction
     {
       unsigned int local  = 0; ///< number of the node
       std::size_t in_list = 0; ///< place in the list
-      /// The diagonal block of K̂.
+      Eigen::Index in_basis = -1; ///< place among the masters, -1 if it is none
+      /// The diagonal block of K.
       Eigen::Matrix3f block = Eigen::Matrix3f::Zero();
+      /// What is added to it in the basis, as to a master.
+      Eigen::Matrix3d added = Eigen::Matrix3d::Zero();
       /// The support, P and S.
       Eigen::Matrix3f projection = Eigen::Matrix3f::Identity();
       Eigen::Matrix3f spring     = Eigen::Matrix3f::Zero();
@@ -70,6 +77,20 @@ namespace stiction
       /// Scratch of a smoothing step.
       Eigen::Vector3f step = Eigen::Vector3f::Zero();
     };
+
+    /// A node opposite to others that this rank owns and that is none of the list.
+    struct Master
+    {
+      unsigned int local    = 0;                    ///< number of the node
+      std::size_t in_basis  = 0;                    ///< place among the masters
+      Eigen::Vector3f stiffness = Eigen::Vector3f::Zero(); ///< the diagonal of K
+      Eigen::Vector3f is_free = Eigen::Vector3f::Zero(); ///< 1 where not prescribed
+    };
+
+    void find_masters(const MeshLevel &mesh, const std::vector<float> &blocks);
+
+    /// Takes the relative directions of the basis and what that does to diagonals.
+    void set_basis(const NodalSupports &supports);
 
     /// What of x, direction and product counts as zero in a smoothing step.
     enum class Known
@@ -88,7 +109,9 @@ namespace stiction
     void smooth_on(Vector &x, const Vector &b);
 
     const double unit_;
-    const BasisTransformation &basis_;
+    BasisTransformation basis_;
+    std::vector<Eigen::Matrix3d> blocks_of_slaves_; ///< of K, of all ranks
+    std::vector<Master> masters_;
     StiffnessOperator<float> K_; ///< in the absolute basis
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<Node> nodes_;

@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -20,50 +21,55 @@ namespace stiction
 
   /// Displacements û in which some nodes, the slaves, count from what lies opposite:
   ///
-  ///     u = T û:  u_i = û_i + Σ_j N_ij u_j  at the slaves,  u = û  elsewhere,
+  ///     u = T û:  u_i = û_i + R_i Σ_j N_ij u_j  at the slaves,  u = û  elsewhere,
   ///
-  /// with 3 × 3 blocks N_ij (B. Wohlmuth, R. Krause, Monotone multigrid methods on
-  /// nonmatching grids for nonlinear multibody contact problems, 2003). What holds a
-  /// slave at the other side, then, holds it at a single node, and K̂ = TᵀKT is what a
-  /// single body's K would be. A node j may be a slave itself.
+  /// with 3 × 3 blocks N_ij and projections R_i, the identity to begin with (B. Wohlmuth,
+  /// R. Krause, Monotone multigrid methods on nonmatching grids for nonlinear multibody
+  /// contact problems, 2003). What holds a slave at the other side, then, holds it at a
+  /// single node, and K̂ = TᵀKT is what the K of a single body would be. A node j may be a
+  /// slave itself.
   ///
   /// The lists of nodes are known to all ranks.
   class BasisTransformation
   {
   public:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using Dofs   = std::vector<dealii::types::global_dof_index>;
 
     /// u = û.
-    BasisTransformation() = default;
+    BasisTransformation();
 
     /// @param slaves, masters the first unknowns of the nodes i and j.
     /// @param N row 3i + a, column 3j + b. Throws std::invalid_argument if displacements
     ///   would depend on themselves.
-    BasisTransformation(std::vector<dealii::types::global_dof_index> slaves,
-                        std::vector<dealii::types::global_dof_index> masters, Matrix N);
+    BasisTransformation(Dofs slaves, Dofs masters, Matrix N);
 
     /// That of the next coarser level: a slave sees what it sees on the finer one,
     /// interpolated. Collective.
     ///
     /// @param rows which slaves are vertices there. @param slaves their unknowns there.
-    BasisTransformation coarser(
-      const LevelTransfer &transfer, const MeshLevel &fine, const MeshLevel &coarse,
-      const std::vector<Eigen::Index> &rows,
-      const std::vector<dealii::types::global_dof_index> &slaves) const;
+    BasisTransformation coarser(const LevelTransfer &transfer, const MeshLevel &fine,
+                                const MeshLevel &coarse,
+                                const std::vector<Eigen::Index> &rows,
+                                const Dofs &slaves) const;
 
-    bool is_identity() const { return N_.nonZeros() == 0; }
+    bool is_identity() const { return relation_->masters.empty(); }
 
-    const std::vector<dealii::types::global_dof_index> &slaves() const { return slaves_; }
-    const std::vector<dealii::types::global_dof_index> &masters() const
-    {
-      return masters_;
-    }
+    const Dofs &slaves() const { return relation_->slaves; }
+    const Dofs &masters() const { return relation_->masters; }
 
     /// N.
-    const Matrix &relation() const { return N_; }
+    const Matrix &relation() const { return relation_->N; }
 
-    /// T − 1, of the same size.
-    const Matrix &added() const { return added_; }
+    /// T − 1 with R = 1, of the size of N.
+    Matrix added() const;
+
+    /// Takes R, which makes the displacements of slaves absolute in other directions, and
+    /// springs in these between slaves and what lies opposite.
+    void set_relative_directions(std::vector<Eigen::Matrix3d> R,
+                                 std::vector<Eigen::Matrix3d> springs);
+
+    const std::vector<Eigen::Matrix3d> &springs() const { return springs_; }
 
     /// v ← T v, T⁻¹ v. Collective.
     template<typename Number>
@@ -78,27 +84,32 @@ namespace stiction
     template<typename Number>
     void forces_to_absolute(LA::VectorOf<Number> &r) const;
 
-    /// dst = K̂ src. Collective.
+    /// dst = K̂ src, with the springs. Collective.
     template<typename Number>
     void vmult(const StiffnessOperator<Number> &K, LA::VectorOf<Number> &dst,
                const LA::VectorOf<Number> &src) const;
 
-    /// Adds to the diagonal blocks of K, nine numbers an owned node, what those of the
-    /// slaves are in K̂ to the nodes j: Σ_i N_ijᵀ K_ii N_ij, as if slaves were not
-    /// coupled with each other. Collective.
-    template<typename Number>
-    void add_to_diagonal_blocks(const MeshLevel &mesh, std::vector<Number> &blocks) const;
+    /// What the diagonal blocks K_ii of the slaves add to those of the masters in K̂,
+    /// Σ_i (R_i N_ij)ᵀ K_ii R_i N_ij, as if slaves were not coupled with each other, and
+    /// twice the springs, as is enough for these.
+    std::vector<Eigen::Matrix3d> added_blocks(
+      const std::vector<Eigen::Matrix3d> &of_slaves) const;
 
   private:
-    using Dofs = std::vector<dealii::types::global_dof_index>;
+    struct Relation
+    {
+      Dofs slaves, masters;
+      Matrix N;
+      Matrix chain;              ///< E: where slaves are masters
+      unsigned int n_chained = 0; ///< the k with (N E)^k N = 0, less one
+    };
 
-    /// v_to += factor A v_from, or its transpose.
-    template<typename Number, typename Operator>
-    static void add(double factor, const Operator &A, const Dofs &to, const Dofs &from,
-                    LA::VectorOf<Number> &v);
+    /// N u, given û at the masters.
+    Eigen::VectorXd opposite(const Eigen::VectorXd &of_masters) const;
 
-    Dofs slaves_, masters_;
-    Matrix N_, added_;
+    std::shared_ptr<const Relation> relation_;
+    std::vector<Eigen::Matrix3d> R_;       ///< empty: the identity
+    std::vector<Eigen::Matrix3d> springs_; ///< empty: none
   };
 } // namespace stiction
 

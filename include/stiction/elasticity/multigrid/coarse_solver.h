@@ -2,6 +2,7 @@
 #define stiction_elasticity_multigrid_coarse_solver_h
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 
 #include <deal.II/base/types.h>
@@ -18,7 +19,6 @@
 namespace stiction
 {
   class AmgPreconditioner;
-  class BasisTransformation;
   class HostVector;
   class LinearElasticity;
   class MeshLevel;
@@ -92,6 +92,7 @@ namespace stiction
     std::unique_ptr<LA::Vector> fixed_;
     std::vector<dealii::types::global_dof_index> supported_nodes_;
     const BasisTransformation &basis_;
+    const BasisTransformation::Matrix added_; ///< T − 1
     const bool always_direct_;
     /// Places in lists by first unknowns: of supported nodes, of slaves of the basis.
     std::unordered_map<dealii::types::global_dof_index, std::size_t> support_of_,

@@ -90,6 +90,9 @@ namespace stiction
     /// not kept.
     void correct(unsigned int level, LA::VectorOf<float> &x, LA::VectorOf<float> &r);
 
+    /// That of the vectors in a cycle of the level.
+    const BasisTransformation &basis_of_cycle(unsigned int level) const;
+
     /// From forces r on absolute displacements of the next finer level to those b of
     /// this one, and from x of this level, which is not kept, to absolute ones there.
     void restrict_to(unsigned int level, LA::VectorOf<float> &b,
