@@ -63,7 +63,7 @@ namespace stiction
       }
     else
       estimate_largest_eigenvalue();
-    set_springs(springs_);
+    set_springs(springs_, nullptr);
   }
 
   void BackgroundMultigrid::Grid::sum_over_ranks(BlockVector &v) const
@@ -141,24 +141,48 @@ namespace stiction
     largest_eigenvalue_ = static_cast<float>(1.1 * solver.eigenvalues().maxCoeff());
   }
 
-  void BackgroundMultigrid::Grid::set_springs(const Springs &springs)
+  void BackgroundMultigrid::Grid::set_springs(const Springs &springs,
+                                              std::unique_ptr<BlockMatrix> between)
   {
     springs_ = springs;
+    between_ = std::move(between);
     if (is_last_)
       {
         Eigen::MatrixXd matrix = dense_;
+        const auto add = [&](const std::size_t s, const std::size_t t, const auto &block) {
+          matrix.block<3, 3>(3 * Eigen::Index(touched_[s]), 3 * Eigen::Index(touched_[t])) +=
+            block.template cast<double>();
+        };
         for (std::size_t t = 0; t < touched_.size(); ++t)
-          matrix.block<3, 3>(3 * Eigen::Index(touched_[t]),
-                             3 * Eigen::Index(touched_[t])) += springs_[t].cast<double>();
+          add(t, t, springs_[t]);
+        if (between_)
+          {
+            const Eigen::MatrixXf all = between_->dense();
+            for (std::size_t s = 0; s < touched_.size(); ++s)
+              for (std::size_t t = 0; t < touched_.size(); ++t)
+                add(s, t, all.block<3, 3>(3 * Eigen::Index(s), 3 * Eigen::Index(t)));
+          }
         matrix = scale_.asDiagonal() * matrix * scale_.asDiagonal();
         matrix.diagonal().array() += regularization;
         factors_.compute(matrix);
         return;
       }
+    const BlockVector sums = between_ ? between_->off_diagonal_sums() : BlockVector();
     inverses_.resize(touched_.size());
     for (std::size_t t = 0; t < touched_.size(); ++t)
-      inverses_[t] =
-        (blocks_[t] + springs_[t]).cast<double>().inverse().eval().cast<float>();
+      {
+        Eigen::Matrix3f block = blocks_[t] + springs_[t];
+        if (between_)
+          {
+            // so that these springs add no larger eigenvalues
+            const auto row         = static_cast<Eigen::Index>(t);
+            Eigen::Matrix3f spring = between_->diagonal_block(row);
+            spring.diagonal()      = spring.diagonal().cwiseMax(
+              (spring.diagonal() + sums.row(row).transpose()) / largest_eigenvalue_);
+            block += spring;
+          }
+        inverses_[t] = block.cast<double>().inverse().eval().cast<float>();
+      }
   }
 
   void BackgroundMultigrid::Grid::vmult(BlockVector &y, const BlockVector &v) const
@@ -167,6 +191,14 @@ namespace stiction
     sum(y, communicator_);
     for (std::size_t t = 0; t < touched_.size(); ++t)
       y.row(touched_[t]) += (springs_[t] * v.row(touched_[t]).transpose()).transpose();
+    if (!between_)
+      return;
+    BlockVector moved(static_cast<Eigen::Index>(touched_.size()), 3), forces;
+    for (std::size_t t = 0; t < touched_.size(); ++t)
+      moved.row(static_cast<Eigen::Index>(t)) = v.row(touched_[t]);
+    between_->vmult(forces, moved);
+    for (std::size_t t = 0; t < touched_.size(); ++t)
+      y.row(touched_[t]) += forces.row(static_cast<Eigen::Index>(t));
   }
 
   void BackgroundMultigrid::Grid::apply_inverse_diagonal(BlockVector &y,

@@ -10,6 +10,7 @@
 
 #include <mpi.h>
 
+#include <memory>
 #include <vector>
 
 namespace stiction
@@ -36,8 +37,9 @@ namespace stiction
     /// Collective.
     void sum_over_ranks(BlockVector &v) const;
 
-    /// At the touched vertices.
-    void set_springs(const Springs &springs);
+    /// At the touched vertices. @param between bodies, a matrix of these vertices, if
+    ///   there are any.
+    void set_springs(const Springs &springs, std::unique_ptr<BlockMatrix> between);
 
     /// x becomes a smooth approximation for b, or a better one.
     void smooth_from_zero();
@@ -68,6 +70,7 @@ namespace stiction
     std::vector<unsigned int> touched_;
     Interpolation to_finer_;
     Springs springs_, blocks_, inverses_; ///< at touched vertices; blocks of D
+    std::unique_ptr<BlockMatrix> between_; ///< springs between touched vertices
     BlockVector diagonal_, inverse_diagonal_;
     float largest_eigenvalue_ = 0.f;
     BlockVector direction_, product_, scratch_;

@@ -1,4 +1,5 @@
 #include "background_grid.h"
+#include "springs_between_bodies.h"
 
 #include <stiction/base/all_gather.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
@@ -205,7 +206,8 @@ namespace stiction
 
   BackgroundMultigrid::BackgroundMultigrid(
     const LinearElasticity &elasticity, const MeshLevel &mesh, const double unit,
-    const LA::Vector &fixed, const std::vector<types::global_dof_index> &first_dofs)
+    const LA::Vector &fixed, const std::vector<types::global_dof_index> &first_dofs,
+    const BasisTransformation &basis)
     : unit_(unit)
     , stiffness_of_supported_(first_dofs.size(), 0.)
   {
@@ -252,18 +254,25 @@ namespace stiction
     to_mesh_      = grids.front().middleRows(
            mesh.n_owned_nodes() > 0 ? static_cast<Eigen::Index>(node(0)) : 0,
       static_cast<Eigen::Index>(mesh.n_owned_nodes()));
-    std::vector<unsigned int> touched = touched_by(to_supported_);
+    std::vector<types::global_dof_index> with_springs = first_dofs;
+    with_springs.insert(with_springs.end(), basis.masters().begin(),
+                        basis.masters().end());
+    std::vector<std::vector<unsigned int>> touched{
+      touched_by(rows_of(grids.front(), with_springs))};
     for (std::size_t g = 0; g < grids.size(); ++g)
       {
         if (g > 0)
           {
-            A       = BlockMatrix(grids_.back()->share(), grids[g]);
-            touched = touched_by(touched, grids[g]);
+            A = BlockMatrix(grids_.back()->share(), grids[g]);
+            touched.push_back(touched_by(touched.back(), grids[g]));
           }
         grids_.push_back(std::make_unique<Grid>(
-          std::move(A), touched, g > 0 ? grids[g] : Interpolation(),
+          std::move(A), touched.back(), g > 0 ? grids[g] : Interpolation(),
           g + 1 == grids.size(), mesh.communicator()));
       }
+    if (!basis.is_identity())
+      between_ = std::make_unique<SpringsBetweenBodies>(
+        basis, to_supported_, rows_of(grids.front(), basis.masters()), touched, grids);
   }
 
   BackgroundMultigrid::~BackgroundMultigrid() = default;
@@ -276,20 +285,31 @@ namespace stiction
                   stiffness_of_supported_[i] *
                     (Eigen::Matrix3d::Identity() - supports[i].projection))
                    .cast<float>();
+    std::vector<BlockMatrix> between;
+    if (between_)
+      {
+        between = between_->on_grids(finer);
+        for (std::size_t i = 0; i < finer.size(); ++i)
+          if (between_->has(i))
+            finer[i].setZero();
+      }
     const Interpolation *to_finer = &to_supported_;
     std::vector<unsigned int> rows(supports.size());
     std::iota(rows.begin(), rows.end(), 0u);
-    for (const auto &grid : grids_)
+    for (std::size_t g = 0; g < grids_.size(); ++g)
       {
-        const std::vector<unsigned int> &touched = grid->touched();
+        Grid &grid                               = *grids_[g];
+        const std::vector<unsigned int> &touched = grid.touched();
         Grid::Springs springs(touched.size(), Eigen::Matrix3f::Zero());
-        if (grid != grids_.front())
-          to_finer = &grid->to_finer();
+        if (g > 0)
+          to_finer = &grid.to_finer();
         for (std::size_t i = 0; i < rows.size(); ++i)
           for (Interpolation::InnerIterator entry(*to_finer, rows[i]); entry; ++entry)
             springs[std::lower_bound(touched.begin(), touched.end(), entry.col()) -
                     touched.begin()] += entry.value() * finer[i];
-        grid->set_springs(springs);
+        grid.set_springs(springs, between.empty()
+                                    ? nullptr
+                                    : std::make_unique<BlockMatrix>(std::move(between[g])));
         finer = std::move(springs);
         rows  = touched;
       }

@@ -130,7 +130,8 @@ namespace stiction
     if (has_background)
       background_ =
         std::make_unique<BackgroundMultigrid>(elasticity, hierarchy.level(0), unit_,
-                                              fixed_on(0), supported_nodes.first_dofs(0));
+                                              fixed_on(0), supported_nodes.first_dofs(0),
+                                              bases_[0]);
     float eigenvalue = 0.f;
     for (unsigned int l = has_background ? 0 : 1; l < hierarchy.n_levels(); ++l)
       {

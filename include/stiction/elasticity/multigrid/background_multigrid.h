@@ -2,6 +2,7 @@
 #define stiction_elasticity_multigrid_background_multigrid_h
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 
 #include <deal.II/base/types.h>
@@ -23,7 +24,9 @@ namespace stiction
   /// Supports are springs on the grids, none of which has a node where a support is:
   /// Σ_i φ_k(x_i) [S_i + d_i (I − P_i)] at vertex k for a node i with the spring S_i, the
   /// projection P_i and the mean d_i of the diagonal of K. A changed contact set
-  /// costs no more than that, and a dense factorisation on the last grid.
+  /// costs no more than that, and a dense factorisation on the last grid. Where another
+  /// body is opposite to node i, these springs are between the two, in absolute
+  /// displacements: (BP)ᵀ [S + d (I − P)] (BP), with B u = u_i − Σ_j N_ij u_j.
   ///
   /// Each rank has the products of its own cells; vectors of the grids are the same on
   /// all ranks, and every product is summed over them.
@@ -36,10 +39,11 @@ namespace stiction
     /// @param unit of the stiffness, N/m.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold, the same on all
-    ///   ranks. Collective.
+    ///   ranks. @param basis whose slaves they are, if it is not the identity. Collective.
     BackgroundMultigrid(const LinearElasticity &elasticity, const MeshLevel &mesh,
                         double unit, const LA::Vector &fixed,
-                        const std::vector<dealii::types::global_dof_index> &first_dofs);
+                        const std::vector<dealii::types::global_dof_index> &first_dofs,
+                        const BasisTransformation &basis);
     ~BackgroundMultigrid();
 
     /// Takes supports for the nodes of the list, the same on all ranks.
@@ -51,6 +55,7 @@ namespace stiction
 
   private:
     class Grid;
+    class SpringsBetweenBodies;
 
     /// x of a grid becomes one V-cycle for its b.
     void cycle(std::size_t grid);
@@ -59,6 +64,7 @@ namespace stiction
     Interpolation to_mesh_;      ///< of the owned nodes from the first grid
     Interpolation to_supported_; ///< of the nodes of the list
     std::vector<double> stiffness_of_supported_; ///< d_i, in units
+    std::unique_ptr<SpringsBetweenBodies> between_;
     std::vector<std::unique_ptr<Grid>> grids_;
   };
 } // namespace stiction

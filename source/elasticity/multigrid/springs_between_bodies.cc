@@ -1,0 +1,100 @@
+#include "springs_between_bodies.h"
+
+#include <algorithm>
+#include <map>
+
+namespace stiction
+{
+  namespace
+  {
+    using Interpolation = BackgroundMultigrid::Interpolation;
+
+    unsigned int place_in(const std::vector<unsigned int> &sorted,
+                          const Eigen::Index vertex)
+    {
+      return static_cast<unsigned int>(
+        std::lower_bound(sorted.begin(), sorted.end(), vertex) - sorted.begin());
+    }
+  } // namespace
+
+  BackgroundMultigrid::SpringsBetweenBodies::SpringsBetweenBodies(
+    const BasisTransformation &basis, const Interpolation &to_slaves,
+    const Interpolation &to_masters,
+    const std::vector<std::vector<unsigned int>> &touched,
+    const std::vector<Interpolation> &grids)
+    : of_slave_(basis.slaves().size())
+    , n_touched_(touched.front().size())
+  {
+    for (std::size_t i = 0; i < of_slave_.size(); ++i)
+      {
+        const auto row = static_cast<Eigen::Index>(i);
+        std::map<Eigen::Index, Eigen::Matrix3f> opposite; // N_ij
+        for (unsigned int a = 0; a < 3; ++a)
+          for (BasisTransformation::Matrix::InnerIterator entry(basis.relation(),
+                                                                3 * row + a);
+               entry; ++entry)
+            opposite.try_emplace(entry.col() / 3, Eigen::Matrix3f::Zero())
+              .first->second(a, entry.col() % 3) = static_cast<float>(entry.value());
+        if (opposite.empty())
+          continue;
+        std::map<unsigned int, Eigen::Matrix3f> blocks;
+        const auto add = [&](const Interpolation &from_grid, const Eigen::Index node,
+                             const Eigen::Matrix3f &factor) {
+          for (Interpolation::InnerIterator entry(from_grid, node); entry; ++entry)
+            blocks
+              .try_emplace(place_in(touched.front(), entry.col()),
+                           Eigen::Matrix3f::Zero())
+              .first->second += entry.value() * factor;
+        };
+        add(to_slaves, row, Eigen::Matrix3f::Identity());
+        for (const auto &[j, N] : opposite)
+          add(to_masters, j, -N);
+        of_slave_[i].assign(blocks.begin(), blocks.end());
+        sets_.emplace_back();
+        for (const auto &[vertex, block] : blocks)
+          sets_.back().push_back(vertex);
+      }
+    for (std::size_t g = 1; g < grids.size(); ++g)
+      {
+        std::vector<Eigen::Triplet<float>> entries;
+        for (std::size_t i = 0; i < touched[g - 1].size(); ++i)
+          for (Interpolation::InnerIterator entry(grids[g], touched[g - 1][i]); entry;
+               ++entry)
+            entries.emplace_back(i, place_in(touched[g], entry.col()), entry.value());
+        to_finer_.emplace_back(static_cast<Eigen::Index>(touched[g - 1].size()),
+                               static_cast<Eigen::Index>(touched[g].size()));
+        to_finer_.back().setFromTriplets(entries.begin(), entries.end());
+      }
+  }
+
+  std::vector<BlockMatrix> BackgroundMultigrid::SpringsBetweenBodies::on_grids(
+    const std::vector<Eigen::Matrix3f> &S) const
+  {
+    std::vector<BlockMatrix> matrices;
+    matrices.emplace_back(n_touched_, sets_);
+    BlockMatrix::Entries entries;
+    for (std::size_t i = 0; i < of_slave_.size(); ++i)
+      {
+        const Row &row = of_slave_[i];
+        if (row.empty() || S[i].isZero(0.f))
+          continue;
+        const auto n = static_cast<Eigen::Index>(row.size());
+        entries.vertices.clear();
+        entries.blocks.resize(9 * n, n);
+        for (Eigen::Index a = 0; a < n; ++a)
+          {
+            entries.vertices.push_back(row[a].first);
+            const Eigen::Matrix3f force = row[a].second.transpose() * S[i];
+            for (Eigen::Index b = 0; b <= a; ++b)
+              {
+                Eigen::Map<BlockMatrix::Block> block(&entries.blocks(9 * a, b));
+                block.noalias() = force * row[b].second;
+              }
+          }
+        matrices.front().add(entries);
+      }
+    for (const Interpolation &P : to_finer_)
+      matrices.emplace_back(matrices.back(), P);
+    return matrices;
+  }
+} // namespace stiction
