@@ -4,12 +4,18 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction
 {
   namespace
   {
+    // Of ρ: a stiffer spring, at a node on the edge of sticking, would take all digits of
+    // the preconditioner. The solution does not depend on it: there the force is along
+    // the slip, and the spring is not strained.
+    constexpr double stiffest_spring = 1e4;
+
     // Of the foundation: what holds a motion with less leaves it free.
     constexpr double no_stiffness = 1e-9;
 
@@ -51,8 +57,9 @@ namespace stiction
           {
             const Eigen::Vector2d t = a_t / norm;
             const Eigen::Vector2d across(-t(1), t(0));
-            node.spring.bottomRightCorner<2, 2>() =
-              rho(i) * b(i) / (norm - b(i)) * across * across.transpose();
+            const double spring =
+              rho(i) * std::min(b(i) / (norm - b(i)), stiffest_spring);
+            node.spring.bottomRightCorner<2, 2>() = spring * across * across.transpose();
             node.test.bottomLeftCorner<2, 1>() = -slip_bound.coefficient()(i) * t;
             node.load.tail<2>()                = slip_bound.constant()(i) * t;
           }
