@@ -196,6 +196,8 @@ namespace stiction
         return C;
       }
 
+      bool has_hanging_nodes() const { return !hanging_.empty(); }
+
       std::vector<Dof> dofs;
 
     private:
@@ -278,18 +280,28 @@ namespace stiction
 
     const Numbering of_slave(elasticity, slave_nodes),
       of_master(elasticity, master_nodes);
-    const SparseMatrix C         = of_slave.matrix(on_slave);
-    const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
-    const SparseMatrix M_hanging = C.transpose() * M * of_master.matrix(on_master);
-    slaves                       = of_slave.dofs;
-    masters                      = of_master.dofs;
-    areas                        = C.transpose() * D;
+    slaves  = of_slave.dofs;
+    masters = of_master.dofs;
     if (slaves.empty())
       return;
-    Eigen::SparseLU<SparseMatrix> inverse(D_hanging);
-    SparseMatrix solution = inverse.solve(M_hanging);
-    A                     = solution.pruned(1., no_weight);
-    gaps                  = inverse.solve(C.transpose() * weighted);
+    const SparseMatrix C = of_slave.matrix(on_slave);
+    const SparseMatrix M_hanging =
+      C.transpose() * M * of_master.matrix(on_master);
+    areas = C.transpose() * D;
+    if (of_slave.has_hanging_nodes())
+      {
+        const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
+        const Eigen::SparseLU<SparseMatrix> inverse(D_hanging);
+        const SparseMatrix solution = inverse.solve(M_hanging);
+        A                           = solution.pruned(1., no_weight);
+        gaps                        = inverse.solve(C.transpose() * weighted);
+      }
+    else
+      {
+        const Eigen::VectorXd inverse = areas.cwiseInverse();
+        A    = inverse.asDiagonal() * M_hanging;
+        gaps = inverse.cwiseProduct(C.transpose() * weighted);
+      }
   }
 
   Eigen::Index Mortar::row_of(const types::global_dof_index slave) const

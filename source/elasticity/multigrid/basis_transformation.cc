@@ -254,7 +254,7 @@ namespace stiction
     std::vector<Eigen::Matrix3d> added(masters().size(), Eigen::Matrix3d::Zero());
     for (std::size_t i = 0; i < of_slaves.size(); ++i)
       {
-        const Eigen::Matrix3d K = R_[i] * of_slaves[i] * R_[i] + 2. * springs_[i];
+        const Eigen::Matrix3d K = R_[i] * of_slaves[i] * R_[i] + springs_[i];
         std::map<Eigen::Index, Eigen::Matrix3d> row;
         for (unsigned int a = 0; a < 3; ++a)
           for (Matrix::InnerIterator entry(relation_->N,

@@ -42,7 +42,7 @@ namespace stiction
 
     // Of the mean diagonal entry of K at a node: with stiffer springs it is better to
     // count from the other side.
-    constexpr double stiff_spring = 1.;
+    constexpr double stiff_spring = 2.;
   } // namespace
 
   Multigrid::Level::Level(const LinearElasticity &elasticity, const MeshLevel &mesh,
@@ -195,7 +195,7 @@ namespace stiction
         if (!basis_.is_identity()) // which has the soft springs
           {
             spring -= basis_.springs()[node.in_list];
-            block += 2. * basis_.springs()[node.in_list];
+            block += basis_.springs()[node.in_list];
           }
         node.spring  = spring.cast<float>();
         node.inverse = inverse_in_range(supports[node.in_list].projection, block, spring);

@@ -90,8 +90,8 @@ namespace stiction
                const LA::VectorOf<Number> &src) const;
 
     /// What the diagonal blocks K_ii of the slaves add to those of the masters in K̂,
-    /// Σ_i (R_i N_ij)ᵀ K_ii R_i N_ij, as if slaves were not coupled with each other, and
-    /// twice the springs, as is enough for these.
+    /// Σ_i N_ijᵀ (R_i K_ii R_i + S_i) N_ij with the springs S_i, as if slaves were not
+    /// coupled with each other.
     std::vector<Eigen::Matrix3d> added_blocks(
       const std::vector<Eigen::Matrix3d> &of_slaves) const;
 
