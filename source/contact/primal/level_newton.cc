@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <deque>
 #include <string>
 #include <utility>
@@ -175,7 +173,6 @@ namespace stiction
                                          rho.cwiseProduct(state.w.head(rho.size())));
     PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
     linearization.tether(problem_.driven_motions(), problem_.foundation(), state.w);
-    if (std::getenv("DBG")) { int c=0,st=0,sl=0; double m=0; for (auto &n: linearization.nodes) { if (n.projection(0,0)==0.) ++c; if (n.projection(1,1)==0.) ++st; else if (n.spring.norm()>0) ++sl; m=std::max(m,n.spring.norm()); } std::printf("closed %d stick %d slip %d maxspring %g\n", c, st, sl, m);}
     const double force_scale  = residual.force_scale;
     const qp::Scaling scaling = residual.conditions.scaling();
     const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
@@ -187,7 +184,6 @@ namespace stiction
         std::max({now.residual / force_scale,
                   largest_at_nodes(now.contact_residual, scaling.force),
                   problem_.motion().force_error(now.lambda)});
-      if (std::getenv("DBG")) { std::printf("   it %u red %.2e res %.2e con %.2e non %.2e\n", now.iterations, now.reduction, now.residual/force_scale, largest_at_nodes(now.contact_residual, scaling.force), qp::natural_residual(now.lambda, -now.w, problem_.slip_bound(), scaling)); }
       return linear <=
              std::max(linear_part_of_tolerance * tolerance,
                       linear_part * qp::natural_residual(now.lambda, -now.w,
