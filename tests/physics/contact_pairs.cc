@@ -47,6 +47,14 @@ namespace
                     "Young's modulus = " + E, "Poisson ratio = 0.3", "Density = 1"});
   }
 
+  // What all problems are solved with, beside their own settings.
+  Settings method;
+
+  Run solve(const std::string &prm, const Settings &settings)
+  {
+    return Run(prm, method + settings);
+  }
+
   const std::string tolerance = section("Contact solver", {"Tolerance = 1e-11"});
 
   // The largest relative difference of pressures from p.
@@ -73,6 +81,22 @@ namespace
                                            "Contact boundary = lower.top",
                                            "Obstacle = boundary : upper.bottom"}) +
            section("Friction", {"Law = coulomb", "Coefficient = 0.5"}) + tolerance;
+  }
+
+  void check_pressure(const std::string &what, const std::string &prm,
+                      const Settings &settings)
+  {
+    const Run run = solve(prm, settings);
+    out() << what << ": certified " << yes(run.converged) << ", pressure to 1e-9 "
+          << yes(error_of_pressure(run, 1.) < 1e-9) << std::endl;
+  }
+
+  void try_all_dual_methods()
+  {
+    for (const Method &dual : all_methods())
+      if (dual.name.find("multigrid") == std::string::npos)
+        check_pressure(dual.name, file("plane.prm", column("0;0;0;0;0;1;0")),
+                       dual.settings + Settings{"Contact solver/Tolerance=1e-10"});
   }
 
   void patch_test()
@@ -105,29 +129,21 @@ namespace
            "Contact boundary = lower.top", "Obstacle = boundary : upper.bottom"}) +
         section("Friction", {"Law = coulomb", "Coefficient = 0.5"}) + tolerance);
 
-    const auto check = [](const std::string &what, const std::string &prm,
-                          const Settings &settings) {
-      const Run run(prm, settings);
-      out() << what << ": certified " << yes(run.converged) << ", pressure to 1e-9 "
-            << yes(error_of_pressure(run, 1.) < 1e-9) << std::endl;
-    };
     for (const std::string side : {"boundary", "obstacle"})
       {
         const Settings slave = {"Boundary conditions/Slave side=" + side};
-        check("plane, " + side, plane, slave);
-        check("tilted, " + side, tilted, slave);
-        check("narrower, " + side, punch, slave);
-        check("degree 2, " + side, plane, slave + Settings{"Geometry/Element degree=2"});
-        check("hanging nodes, " + side, plane,
-              slave + Settings{"Geometry/Contact refinement=1",
-                               "Geometry/Contact refinement where=0.5-x"});
-        check("refined, " + side, plane, slave + Settings{"Body upper/Refinement=1"});
+        check_pressure("plane, " + side, plane, slave);
+        check_pressure("tilted, " + side, tilted, slave);
+        check_pressure("narrower, " + side, punch, slave);
+        check_pressure("degree 2, " + side, plane,
+                       slave + Settings{"Geometry/Element degree=2"});
+        check_pressure("hanging nodes, " + side, plane,
+                       slave + Settings{"Geometry/Contact refinement=1",
+                                        "Geometry/Contact refinement where=0.5-x"});
+        check_pressure("refined, " + side, plane,
+                       slave + Settings{"Body upper/Refinement=1"});
       }
-    check("soft, frictionless", soft, {"Friction/Law=frictionless"});
-    for (const Method &method : all_methods())
-      if (method.name.find("multigrid") == std::string::npos)
-        check(method.name, plane,
-              method.settings + Settings{"Contact solver/Tolerance=1e-10"});
+    check_pressure("soft, frictionless", soft, {"Friction/Law=frictionless"});
   }
 
   // Two bricks with a curved gap between them, pressed on one another.
@@ -150,8 +166,8 @@ namespace
 
   void compare_with_rigid_plane()
   {
-    const Run one(file("one.prm", mirrored(true)), {});
-    const Run two(file("two.prm", mirrored(false)), {});
+    const Run one      = solve(file("one.prm", mirrored(true)), {});
+    const Run two      = solve(file("two.prm", mirrored(false)), {});
     const auto &forces = one.problem->state().lambda;
     const double error = (two.problem->state().lambda - forces).norm() / forces.norm();
     const bool is_open = (forces.head(forces.size() / 3).array() == 0.).any();
@@ -184,8 +200,10 @@ namespace
       {
         const Settings refined = {"Geometry/Global refinement=" +
                                   std::to_string(level + 1)};
-        const Run a(prm, refined + Settings{"Boundary conditions/Slave side=boundary"});
-        const Run b(prm, refined + Settings{"Boundary conditions/Slave side=obstacle"});
+        const Run a =
+          solve(prm, refined + Settings{"Boundary conditions/Slave side=boundary"});
+        const Run b =
+          solve(prm, refined + Settings{"Boundary conditions/Slave side=obstacle"});
         are_certified     = are_certified && a.converged && b.converged;
         difference[level] = std::abs(normal_force(a) / normal_force(b) - 1.);
       }
@@ -221,8 +239,9 @@ namespace
     bool are_certified = true;
     for (const unsigned int level : {0, 1})
       {
-        const Run run(prm, {"Geometry/Global refinement=" + std::to_string(level + 1),
-                            "Body outer/Refinement=1"});
+        const Run run =
+          solve(prm, {"Geometry/Global refinement=" + std::to_string(level + 1),
+                      "Body outer/Refinement=1"});
         are_certified   = are_certified && run.converged;
         const auto &all = run.summary()["contact"];
         error[level] =
@@ -253,17 +272,17 @@ namespace
 
   void stack_blocks()
   {
-    const Run run(
-      file("stack.prm", stack(0.)),
-      {"Contact pair one/Law=frictionless", "Contact pair two/Law=frictionless",
-       "Boundary conditions/Prescribed displacement=lower.bottom : free; free; 0 "
-       "| lower.left : 0; free; free | lower.front : free; 0; free"});
+    const Run run =
+      solve(file("stack.prm", stack(0.)),
+            {"Contact pair one/Law=frictionless", "Contact pair two/Law=frictionless",
+             "Boundary conditions/Prescribed displacement=lower.bottom : free; free; 0 "
+             "| lower.left : 0; free; free | lower.front : free; 0; free"});
     out() << "stack: certified " << yes(run.converged) << ", pressure to 1e-8 "
           << yes(error_of_pressure(run, 1.) < 1e-8) << std::endl;
     // the pull on the upper one is its volume's, of both its and the middle one's
     for (const double pull : {0.1999, 0.2001})
       out() << "pulled by " << pull << ": "
-            << how_it_ends(file("pulled.prm", stack(pull))) << std::endl;
+            << how_it_ends(file("pulled.prm", stack(pull)), method) << std::endl;
   }
 
   // Two blocks on a coarser plate, whose top is in both pairs.
@@ -283,7 +302,7 @@ namespace
                               {"Boundary = plate.top", "Obstacle = boundary : two.bottom",
                                "Law = coulomb", "Coefficient = 0.3"}) +
                       section("Contact solver", {"Tolerance = 1e-9"}));
-    const Run run(prm, {});
+    const Run run     = solve(prm, {});
     const auto &parts = run.summary()["contact"]["boundaries"];
     const bool are_1  = std::abs(parts[0]["normal_force"].get<double>() - 1.) < 1e-8 &&
                        std::abs(parts[1]["normal_force"].get<double>() - 1.) < 1e-8;
@@ -318,7 +337,7 @@ namespace
     };
     for (const double slope : {0.0199, 0.0201})
       out() << "pile on a slope of " << slope << ": "
-            << how_it_ends(file("pile.prm", pile(slope))) << std::endl;
+            << how_it_ends(file("pile.prm", pile(slope)), method) << std::endl;
   }
 
   void lay_on_stiff_foundation()
@@ -338,8 +357,8 @@ namespace
              section("Friction", {"Law = coulomb", "Coefficient = 0.3"}) +
              section("Contact solver", {"Tolerance = 1e-9"});
     };
-    const Run rigid(file("rigid.prm", problem(true)), {});
-    const Run stiff(file("stiff.prm", problem(false)), {});
+    const Run rigid    = solve(file("rigid.prm", problem(true)), {});
+    const Run stiff    = solve(file("stiff.prm", problem(false)), {});
     const auto &forces = rigid.problem->state().lambda;
     out() << "stiff foundation: certified " << yes(rigid.converged && stiff.converged)
           << ", forces of the rigid one to 1e-4 "
@@ -351,12 +370,18 @@ namespace
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  patch_test();
-  compare_with_rigid_plane();
-  exchange_sides();
-  put_shells_in_one_another();
-  stack_blocks();
-  share_a_side();
-  pile_up();
-  lay_on_stiff_foundation();
+  try_all_dual_methods();
+  for (const std::string name : {"newton", "newton multigrid"})
+    {
+      out() << "-- " << name << std::endl;
+      method = {"Contact solver/Method=" + name};
+      patch_test();
+      compare_with_rigid_plane();
+      exchange_sides();
+      put_shells_in_one_another();
+      stack_blocks();
+      share_a_side();
+      pile_up();
+      lay_on_stiff_foundation();
+    }
 }

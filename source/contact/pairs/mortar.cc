@@ -284,10 +284,9 @@ namespace stiction
     masters = of_master.dofs;
     if (slaves.empty())
       return;
-    const SparseMatrix C = of_slave.matrix(on_slave);
-    const SparseMatrix M_hanging =
-      C.transpose() * M * of_master.matrix(on_master);
-    areas = C.transpose() * D;
+    const SparseMatrix C         = of_slave.matrix(on_slave);
+    const SparseMatrix M_hanging = C.transpose() * M * of_master.matrix(on_master);
+    areas                        = C.transpose() * D;
     if (of_slave.has_hanging_nodes())
       {
         const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
@@ -299,8 +298,8 @@ namespace stiction
     else
       {
         const Eigen::VectorXd inverse = areas.cwiseInverse();
-        A    = inverse.asDiagonal() * M_hanging;
-        gaps = inverse.cwiseProduct(C.transpose() * weighted);
+        A                             = inverse.asDiagonal() * M_hanging;
+        gaps                          = inverse.cwiseProduct(C.transpose() * weighted);
       }
   }
 

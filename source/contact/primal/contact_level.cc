@@ -77,8 +77,7 @@ namespace stiction
     update();
   }
 
-  ContactLevel::ContactLevel(const ContactLevel &finer,
-                             const BasisTransformation &basis,
+  ContactLevel::ContactLevel(const ContactLevel &finer, const BasisTransformation &basis,
                              const LinearElasticity &elasticity,
                              const MeshHierarchy &hierarchy,
                              const DofSubsetHierarchy &dof_hierarchy,

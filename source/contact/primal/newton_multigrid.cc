@@ -59,10 +59,9 @@ namespace stiction
       std::vector<BasisTransformation> bases(hierarchy.n_levels());
       bases.back() = basis_of(B);
       for (unsigned int l = hierarchy.n_levels() - 1; l > 0; --l)
-        bases[l - 1] =
-          bases[l].coarser(hierarchy.transfer(l), hierarchy.level(l),
-                           hierarchy.level(l - 1), nodes.on_finer_level(l - 1),
-                           nodes.first_dofs(l - 1));
+        bases[l - 1] = bases[l].coarser(
+          hierarchy.transfer(l), hierarchy.level(l), hierarchy.level(l - 1),
+          nodes.on_finer_level(l - 1), nodes.first_dofs(l - 1));
       return bases;
     }
 
@@ -89,9 +88,9 @@ namespace stiction
     problems_.back() = std::make_unique<ContactLevel>(elasticity, surface,
                                                       multigrid_.basis(finest_level()));
     for (unsigned int l = finest_level(); l > 0; --l)
-      problems_[l - 1] = std::make_unique<ContactLevel>(
-        *problems_[l], multigrid_.basis(l - 1), elasticity, hierarchy_, dof_hierarchy_,
-        l - 1);
+      problems_[l - 1] =
+        std::make_unique<ContactLevel>(*problems_[l], multigrid_.basis(l - 1), elasticity,
+                                       hierarchy_, dof_hierarchy_, l - 1);
   }
 
   void NewtonMultigrid::update()
@@ -157,7 +156,7 @@ namespace stiction
 
         steps += statistics_[l].newton_steps - earlier[l].newton_steps;
       }
-    solution.u         = state_->u;
+    solution.u = state_->u;
     multigrid_.basis(finest_level()).to_absolute(solution.u);
     solution.lambda    = state_->lambda;
     solution.distances = state_->distances;

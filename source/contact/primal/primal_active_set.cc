@@ -60,8 +60,8 @@ namespace stiction
             const double spring =
               rho(i) * std::min(b(i) / (norm - b(i)), stiffest_spring);
             node.spring.bottomRightCorner<2, 2>() = spring * across * across.transpose();
-            node.test.bottomLeftCorner<2, 1>() = -slip_bound.coefficient()(i) * t;
-            node.load.tail<2>()                = slip_bound.constant()(i) * t;
+            node.test.bottomLeftCorner<2, 1>()    = -slip_bound.coefficient()(i) * t;
+            node.load.tail<2>()                   = slip_bound.constant()(i) * t;
           }
       }
   }

@@ -149,8 +149,10 @@ namespace stiction
     if (is_last_)
       {
         Eigen::MatrixXd matrix = dense_;
-        const auto add = [&](const std::size_t s, const std::size_t t, const auto &block) {
-          matrix.block<3, 3>(3 * Eigen::Index(touched_[s]), 3 * Eigen::Index(touched_[t])) +=
+        const auto add         = [&](const std::size_t s, const std::size_t t,
+                             const auto &block) {
+          matrix.block<3, 3>(3 * Eigen::Index(touched_[s]),
+                             3 * Eigen::Index(touched_[t])) +=
             block.template cast<double>();
         };
         for (std::size_t t = 0; t < touched_.size(); ++t)
@@ -178,7 +180,7 @@ namespace stiction
             const auto row         = static_cast<Eigen::Index>(t);
             Eigen::Matrix3f spring = between_->diagonal_block(row);
             spring.diagonal()      = spring.diagonal().cwiseMax(
-              (spring.diagonal() + sums.row(row).transpose()) / largest_eigenvalue_);
+                   (spring.diagonal() + sums.row(row).transpose()) / largest_eigenvalue_);
             block += spring;
           }
         inverses_[t] = block.cast<double>().inverse().eval().cast<float>();

@@ -69,7 +69,7 @@ namespace stiction
     BlockMatrix A_;
     std::vector<unsigned int> touched_;
     Interpolation to_finer_;
-    Springs springs_, blocks_, inverses_; ///< at touched vertices; blocks of D
+    Springs springs_, blocks_, inverses_;  ///< at touched vertices; blocks of D
     std::unique_ptr<BlockMatrix> between_; ///< springs between touched vertices
     BlockVector diagonal_, inverse_diagonal_;
     float largest_eigenvalue_ = 0.f;

@@ -307,9 +307,9 @@ namespace stiction
           for (Interpolation::InnerIterator entry(*to_finer, rows[i]); entry; ++entry)
             springs[std::lower_bound(touched.begin(), touched.end(), entry.col()) -
                     touched.begin()] += entry.value() * finer[i];
-        grid.set_springs(springs, between.empty()
-                                    ? nullptr
-                                    : std::make_unique<BlockMatrix>(std::move(between[g])));
+        grid.set_springs(springs, between.empty() ? nullptr
+                                                  : std::make_unique<BlockMatrix>(
+                                                      std::move(between[g])));
         finer = std::move(springs);
         rows  = touched;
       }

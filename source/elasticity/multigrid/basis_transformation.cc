@@ -268,13 +268,13 @@ namespace stiction
     return added;
   }
 
-#define STICTION_INSTANTIATE(Number)                                                     \
-  template void BasisTransformation::to_absolute(LA::VectorOf<Number> &) const;          \
-  template void BasisTransformation::to_relative(LA::VectorOf<Number> &) const;          \
-  template void BasisTransformation::forces_to_relative(LA::VectorOf<Number> &) const;   \
-  template void BasisTransformation::forces_to_absolute(LA::VectorOf<Number> &) const;   \
-  template void BasisTransformation::vmult(const StiffnessOperator<Number> &,            \
-                                           LA::VectorOf<Number> &,                       \
+#define STICTION_INSTANTIATE(Number)                                                   \
+  template void BasisTransformation::to_absolute(LA::VectorOf<Number> &) const;        \
+  template void BasisTransformation::to_relative(LA::VectorOf<Number> &) const;        \
+  template void BasisTransformation::forces_to_relative(LA::VectorOf<Number> &) const; \
+  template void BasisTransformation::forces_to_absolute(LA::VectorOf<Number> &) const; \
+  template void BasisTransformation::vmult(const StiffnessOperator<Number> &,          \
+                                           LA::VectorOf<Number> &,                     \
                                            const LA::VectorOf<Number> &) const;
   STICTION_INSTANTIATE(float)
   STICTION_INSTANTIATE(double)

@@ -125,8 +125,7 @@ namespace stiction
     DynamicSparsityPattern pattern(relevant);
     Eigen::MatrixXd T;
     level_.for_each_cell([&](const HexahedralCell &cell) {
-      const Indices indices =
-        unknowns_of(nodes_of(first_dofs_of(level_, cell.nodes), T));
+      const Indices indices = unknowns_of(nodes_of(first_dofs_of(level_, cell.nodes), T));
       for (const auto row : indices)
         pattern.add_entries(row, indices.begin(), indices.end());
     });
@@ -213,10 +212,10 @@ namespace stiction
   Eigen::Matrix3d CoarseSolver::projection(const types::global_dof_index first_dof,
                                            const NodalSupports &supports) const
   {
-    const auto support = support_of_.find(first_dof);
-    Eigen::Matrix3d P  = support == support_of_.end()
-                           ? Eigen::Matrix3d::Identity()
-                           : supports[support->second].projection;
+    const auto support  = support_of_.find(first_dof);
+    Eigen::Matrix3d P   = support == support_of_.end()
+                            ? Eigen::Matrix3d::Identity()
+                            : supports[support->second].projection;
     const auto opposite = is_fixed_opposite_.find(first_dof);
     for (unsigned int c = 0; c < 3; ++c)
       if (opposite != is_fixed_opposite_.end()

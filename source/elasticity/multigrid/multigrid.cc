@@ -111,8 +111,7 @@ namespace stiction
 
   Multigrid::Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
                        const DofSubsetHierarchy &supported_nodes,
-                       std::vector<BasisTransformation> bases,
-                       const bool is_geometric)
+                       std::vector<BasisTransformation> bases, const bool is_geometric)
     : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
     , elasticity_(elasticity)
@@ -128,16 +127,15 @@ namespace stiction
                                 elasticity.stiffness().matrix() == nullptr &&
                                 hierarchy.level(0).n_dofs() > max_coarsest;
     if (has_background)
-      background_ =
-        std::make_unique<BackgroundMultigrid>(elasticity, hierarchy.level(0), unit_,
-                                              fixed_on(0), supported_nodes.first_dofs(0),
-                                              bases_[0]);
+      background_ = std::make_unique<BackgroundMultigrid>(
+        elasticity, hierarchy.level(0), unit_, fixed_on(0), supported_nodes.first_dofs(0),
+        bases_[0]);
     float eigenvalue = 0.f;
     for (unsigned int l = has_background ? 0 : 1; l < hierarchy.n_levels(); ++l)
       {
-        levels_[l] = std::make_unique<Level>(elasticity, hierarchy.level(l), unit_,
-                                             fixed_on(l), supported_nodes.first_dofs(l),
-                                             bases_[l]);
+        levels_[l] =
+          std::make_unique<Level>(elasticity, hierarchy.level(l), unit_, fixed_on(l),
+                                  supported_nodes.first_dofs(l), bases_[l]);
         if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated ||
             !hierarchy.level(l).is_trilinear())
           eigenvalue = levels_[l]->estimate_largest_eigenvalue();

@@ -277,7 +277,7 @@ namespace stiction
 
   void Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const
   {
- basis_.vmult(K_, r, x);
+    basis_.vmult(K_, r, x);
     const std::size_t n    = x.locally_owned_size();
     float *const dst       = r.begin();
     const float *const rhs = b.begin();

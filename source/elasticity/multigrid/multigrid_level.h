@@ -24,7 +24,8 @@ namespace stiction
     /// @param unit of the stiffness, N/m: single precision has a small range.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold.
-    /// @param basis whose slaves are these nodes, if it is not the identity. The level has
+    /// @param basis whose slaves are these nodes, if it is not the identity. The level
+    /// has
     ///   its own, in which slaves count from the other side only in directions in which
     ///   they are held, and where they have stiff springs: what moves freely is smoothed
     ///   best by itself.
@@ -62,8 +63,8 @@ namespace stiction
     /// A node of the list that this rank owns.
     struct Node
     {
-      unsigned int local  = 0; ///< number of the node
-      std::size_t in_list = 0; ///< place in the list
+      unsigned int local    = 0;  ///< number of the node
+      std::size_t in_list   = 0;  ///< place in the list
       Eigen::Index in_basis = -1; ///< place among the masters, -1 if it is none
       /// The diagonal block of K.
       Eigen::Matrix3f block = Eigen::Matrix3f::Zero();
@@ -81,10 +82,10 @@ namespace stiction
     /// A node opposite to others that this rank owns and that is none of the list.
     struct Master
     {
-      unsigned int local    = 0;                    ///< number of the node
-      std::size_t in_basis  = 0;                    ///< place among the masters
+      unsigned int local        = 0;                       ///< number of the node
+      std::size_t in_basis      = 0;                       ///< place among the masters
       Eigen::Vector3f stiffness = Eigen::Vector3f::Zero(); ///< the diagonal of K
-      Eigen::Vector3f is_free = Eigen::Vector3f::Zero(); ///< 1 where not prescribed
+      Eigen::Vector3f is_free   = Eigen::Vector3f::Zero(); ///< 1 where not prescribed
     };
 
     void find_masters(const MeshLevel &mesh, const std::vector<float> &blocks);
@@ -112,7 +113,7 @@ namespace stiction
     BasisTransformation basis_;
     std::vector<Eigen::Matrix3d> blocks_of_slaves_; ///< of K, of all ranks
     std::vector<Master> masters_;
-    StiffnessOperator<float> K_; ///< in the absolute basis
+    StiffnessOperator<float> K_;      ///< in the absolute basis
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<Node> nodes_;
     Vector inverse_diagonal_; ///< zero at fixed unknowns and listed nodes

@@ -53,9 +53,8 @@ namespace stiction
     /// The problem on level @p level, @p finer being the one on the next finer
     /// level. Collective.
     ContactLevel(const ContactLevel &finer, const BasisTransformation &basis,
-                 const LinearElasticity &elasticity,
-                 const MeshHierarchy &hierarchy, const DofSubsetHierarchy &dof_hierarchy,
-                 unsigned int level);
+                 const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
+                 const DofSubsetHierarchy &dof_hierarchy, unsigned int level);
     ~ContactLevel();
 
     /// Takes loads, supports, gaps and friction afresh from the arguments of the

@@ -39,7 +39,8 @@ namespace stiction
     /// @param unit of the stiffness, N/m.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold, the same on all
-    ///   ranks. @param basis whose slaves they are, if it is not the identity. Collective.
+    ///   ranks. @param basis whose slaves they are, if it is not the identity.
+    ///   Collective.
     BackgroundMultigrid(const LinearElasticity &elasticity, const MeshLevel &mesh,
                         double unit, const LA::Vector &fixed,
                         const std::vector<dealii::types::global_dof_index> &first_dofs,

@@ -100,7 +100,7 @@ namespace stiction
     {
       Dofs slaves, masters;
       Matrix N;
-      Matrix chain;              ///< E: where slaves are masters
+      Matrix chain;               ///< E: where slaves are masters
       unsigned int n_chained = 0; ///< the k with (N E)^k N = 0, less one
     };
 

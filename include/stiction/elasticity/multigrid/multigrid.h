@@ -47,8 +47,7 @@ namespace stiction
     ///   The other arguments must outlive the object. Collective.
     Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
               const DofSubsetHierarchy &supported_nodes,
-              std::vector<BasisTransformation> bases = {},
-              bool is_geometric                      = true);
+              std::vector<BasisTransformation> bases = {}, bool is_geometric = true);
     ~Multigrid() override;
 
     /// That of a level.
