@@ -150,7 +150,6 @@ namespace stiction
           }
         levels_[l]->set_largest_eigenvalue(eigenvalue);
       }
-    set_coarsest(NodalSupports(supported_nodes.first_dofs(0).size()));
   }
 
   Multigrid::~Multigrid() = default;
@@ -163,7 +162,9 @@ namespace stiction
           is_factorized_[l] = false;
           coarse_[l].reset();
         }
-    set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
+    coarse_[0].reset();
+    if (background_)
+      set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
   }
 
   void Multigrid::set_coarsest(const NodalSupports &supports)
@@ -247,6 +248,8 @@ namespace stiction
   double Multigrid::vmult(const unsigned int level, LA::VectorOf<float> &dst,
                           const LA::Vector &src)
   {
+    if (!background_ && !coarse_[0]) // without supports bodies may be free to move
+      set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
     const double scale = power_of_two(src.linfty_norm());
     if (coarse_[level])
       {
