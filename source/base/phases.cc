@@ -84,15 +84,15 @@ namespace stiction
   {
     // those that no other one is around
     static const std::vector<std::string> outermost = {
-      "reading",     "mesh",           "assembly",   "contact_solve",
+      "reading",     "mesh",           "assembly",   "contact_surface", "contact_solve",
       "certificate", "error_estimate", "yardsticks", "output"};
     std::map<std::string, std::optional<double>> all(seconds_.begin(), seconds_.end());
     for (const Running &phase : running_) // what they took until now
       *all[phase.name] += seconds_since(phase.begin);
     for (const char *phase :
-         {"reading", "mesh", "assembly", "stiffness_setup", "dual_operator",
-          "dual_iteration", "displacement_iteration", "contact_solve", "certificate",
-          "error_estimate", "elastic_solve", "elastic_solve_iteration",
+         {"reading", "mesh", "assembly", "contact_surface", "stiffness_setup",
+          "dual_operator", "dual_iteration", "displacement_iteration", "contact_solve",
+          "certificate", "error_estimate", "elastic_solve", "elastic_solve_iteration",
           "sparse_factorization", "dual_cholesky", "yardsticks", "output", "total"})
       all.try_emplace(phase);
     if (all["total"])

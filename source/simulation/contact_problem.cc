@@ -282,7 +282,7 @@ namespace stiction
 
   void ContactProblem::make_contact_surface()
   {
-    const auto phase         = phases_.scope("mesh");
+    const auto phase         = phases_.scope("contact_surface");
     discretization_->surface = std::make_unique<ContactSurface>(
       *discretization_->elasticity, parameters_.of_contact());
     discretization_->elasticity->choose_anchors(discretization_->surface->first_dofs());

@@ -101,7 +101,7 @@ def phases(summary):
     seconds = dict(summary["seconds"])
     seconds["total"] -= seconds.pop("yardsticks")
     iteration = seconds["displacement_iteration"] or seconds["dual_iteration"]
-    names = ["mesh", "assembly", "stiffness_setup", "dual_operator"]
+    names = ["mesh", "assembly", "contact_surface", "stiffness_setup", "dual_operator"]
     return {
         "set-up": sum(seconds[name] or 0.0 for name in names),
         "contact iteration": iteration,

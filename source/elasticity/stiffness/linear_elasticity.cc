@@ -63,6 +63,8 @@ namespace stiction
   void LinearElasticity::choose_anchors(
     const std::vector<types::global_dof_index> &first_dofs)
   {
+    if (free_motions_->n() == 0)
+      return;
     anchors_ = stiction::choose_anchors(body_, constraints_, *free_motions_, first_dofs);
     constrain_load();
   }
