@@ -1,8 +1,10 @@
+#include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/phases.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/multigrid/basis_transformation.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -37,8 +39,19 @@ namespace stiction
     options.other_method = other_method();
     if (can_hand_over_)
       options.max_fallbacks = max_fallbacks;
-    newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
-                                                parameters.is_matrix_free(), options);
+    try
+      {
+        newton_ = std::make_unique<NewtonMultigrid>(
+          setting_.elasticity, setting_.surface, parameters.is_matrix_free(), options);
+      }
+    catch (const CircleOfSlaves &)
+      {
+        throw InputError(
+          parameters.source.describe("Boundary conditions/Slave side") +
+          ", contact pairs that meet at a node bear their forces on sides that follow "
+          "each other in a circle, must be other sides for 'Contact solver/Method = "
+          "newton multigrid'; the method 'newton' takes these.");
+      }
   }
 
   PrimalContactSolver::~PrimalContactSolver() = default;
@@ -76,7 +89,8 @@ namespace stiction
     return setting_.elasticity.mesh().n_dofs() <= Multigrid::max_factorized &&
            (setting_.parameters.dual_operator.form != "assembled" ||
             has_memory_to_hand_over(setting_.parameters,
-                                    3. * static_cast<double>(setting_.surface.n_nodes()),
+                                    static_cast<double>(
+                                      setting_.surface.B().all_dofs().size()),
                                     setting_.elasticity.mesh().communicator()));
   }
 

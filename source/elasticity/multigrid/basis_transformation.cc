@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace stiction
@@ -103,7 +102,7 @@ namespace stiction
         if (power.nonZeros() == 0)
           break;
         if (++relation->n_chained > longest_chain)
-          throw std::invalid_argument("displacements count from each other in a circle");
+          throw CircleOfSlaves("slaves count from each other in a circle");
       }
     relation->slaves  = std::move(slaves);
     relation->masters = std::move(masters);

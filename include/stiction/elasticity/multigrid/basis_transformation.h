@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,13 @@ namespace stiction
   class MeshLevel;
   template<typename Number>
   class StiffnessOperator;
+
+  /// Thrown where slaves count from each other in a circle, so that û does not say what u
+  /// is.
+  struct CircleOfSlaves : std::invalid_argument
+  {
+    using std::invalid_argument::invalid_argument;
+  };
 
   /// Displacements û in which some nodes, the slaves, count from what lies opposite:
   ///
@@ -40,8 +48,7 @@ namespace stiction
     BasisTransformation();
 
     /// @param slaves, masters the first unknowns of the nodes i and j.
-    /// @param N row 3i + a, column 3j + b. Throws std::invalid_argument if displacements
-    ///   would depend on themselves.
+    /// @param N row 3i + a, column 3j + b. Throws CircleOfSlaves.
     BasisTransformation(Dofs slaves, Dofs masters, Matrix N);
 
     /// That of the next coarser level: a slave sees what it sees on the finer one,
