@@ -25,6 +25,7 @@ LAYERS = (  # from the ground up
     "elasticity/mesh",
     "elasticity/model",
     "elasticity/stiffness",
+    "elasticity/levels",
     "elasticity/multigrid",
     "elasticity/solvers",
     "contact/obstacles",

@@ -4,7 +4,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
-#include <stiction/elasticity/multigrid/basis_transformation.h>
+#include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -41,8 +41,8 @@ namespace stiction
       options.max_fallbacks = max_fallbacks;
     try
       {
-        newton_ = std::make_unique<NewtonMultigrid>(
-          setting_.elasticity, setting_.surface, parameters.is_matrix_free(), options);
+        newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
+                                                    parameters.is_matrix_free(), options);
       }
     catch (const CircleOfSlaves &)
       {
@@ -88,10 +88,10 @@ namespace stiction
   {
     return setting_.elasticity.mesh().n_dofs() <= Multigrid::max_factorized &&
            (setting_.parameters.dual_operator.form != "assembled" ||
-            has_memory_to_hand_over(setting_.parameters,
-                                    static_cast<double>(
-                                      setting_.surface.B().all_dofs().size()),
-                                    setting_.elasticity.mesh().communicator()));
+            has_memory_to_hand_over(
+              setting_.parameters,
+              static_cast<double>(setting_.surface.B().all_dofs().size()),
+              setting_.elasticity.mesh().communicator()));
   }
 
   void PrimalContactSolver::update()

@@ -3,8 +3,8 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
-#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/contact_conditions.h>

@@ -4,8 +4,8 @@
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/multigrid/background_multigrid.h>
 #include <stiction/elasticity/multigrid/coarse_solver.h>
-#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
-#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/partitioner.h>

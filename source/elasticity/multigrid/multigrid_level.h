@@ -1,7 +1,7 @@
 #ifndef stiction_source_elasticity_multigrid_multigrid_level_h
 #define stiction_source_elasticity_multigrid_multigrid_level_h
 
-#include <stiction/elasticity/multigrid/basis_transformation.h>
+#include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 

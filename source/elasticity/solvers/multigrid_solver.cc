@@ -1,7 +1,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
-#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>

@@ -4,7 +4,7 @@
 #include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
-#include <stiction/elasticity/multigrid/basis_transformation.h>
+#include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 #include <stiction/qp/contact_scales.h>
 #include <stiction/qp/operators/equality_constraint.h>

@@ -4,8 +4,8 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/level_newton.h>
-#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
-#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/qp/certified_solve.h>
 

@@ -2,7 +2,7 @@
 #define stiction_elasticity_multigrid_coarse_solver_h
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
-#include <stiction/elasticity/multigrid/basis_transformation.h>
+#include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 
 #include <deal.II/base/types.h>

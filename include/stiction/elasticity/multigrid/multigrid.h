@@ -1,7 +1,7 @@
 #ifndef stiction_elasticity_multigrid_multigrid_h
 #define stiction_elasticity_multigrid_multigrid_h
 
-#include <stiction/elasticity/multigrid/basis_transformation.h>
+#include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
 
 #include <deal.II/base/types.h>

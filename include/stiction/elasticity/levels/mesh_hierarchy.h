@@ -1,8 +1,8 @@
-#ifndef stiction_elasticity_multigrid_mesh_hierarchy_h
-#define stiction_elasticity_multigrid_mesh_hierarchy_h
+#ifndef stiction_elasticity_levels_mesh_hierarchy_h
+#define stiction_elasticity_levels_mesh_hierarchy_h
 
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/multigrid/level_transfer.h>
+#include <stiction/elasticity/levels/level_transfer.h>
 
 #include <memory>
 #include <vector>

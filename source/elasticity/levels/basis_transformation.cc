@@ -1,7 +1,7 @@
 #include <stiction/base/all_gather.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/multigrid/level_transfer.h>
-#include <stiction/elasticity/multigrid/basis_transformation.h>
+#include <stiction/elasticity/levels/level_transfer.h>
+#include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/base/mpi.h>

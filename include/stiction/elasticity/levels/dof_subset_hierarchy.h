@@ -1,5 +1,5 @@
-#ifndef stiction_elasticity_multigrid_dof_subset_hierarchy_h
-#define stiction_elasticity_multigrid_dof_subset_hierarchy_h
+#ifndef stiction_elasticity_levels_dof_subset_hierarchy_h
+#define stiction_elasticity_levels_dof_subset_hierarchy_h
 
 #include <deal.II/base/types.h>
 

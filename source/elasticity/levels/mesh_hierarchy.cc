@@ -1,5 +1,5 @@
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 #include <stiction/base/all_gather.h>
-#include <stiction/elasticity/multigrid/dof_subset_hierarchy.h>
-#include <stiction/elasticity/multigrid/mesh_hierarchy.h>
+#include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>

@@ -1,5 +1,5 @@
-#ifndef stiction_elasticity_multigrid_basis_transformation_h
-#define stiction_elasticity_multigrid_basis_transformation_h
+#ifndef stiction_elasticity_levels_basis_transformation_h
+#define stiction_elasticity_levels_basis_transformation_h
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 

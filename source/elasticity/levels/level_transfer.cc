@@ -1,6 +1,6 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/multigrid/level_transfer.h>
+#include <stiction/elasticity/levels/level_transfer.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>

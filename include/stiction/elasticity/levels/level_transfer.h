@@ -1,5 +1,5 @@
-#ifndef stiction_elasticity_multigrid_level_transfer_h
-#define stiction_elasticity_multigrid_level_transfer_h
+#ifndef stiction_elasticity_levels_level_transfer_h
+#define stiction_elasticity_levels_level_transfer_h
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
