@@ -123,9 +123,10 @@ namespace stiction
     , is_factorized_(hierarchy.n_levels(), false)
   {
     bases_.resize(hierarchy.n_levels());
-    const bool has_background = is_geometric &&
-                                elasticity.stiffness().matrix() == nullptr &&
-                                hierarchy.level(0).n_dofs() > max_coarsest;
+    const bool has_background =
+      is_geometric && elasticity.stiffness().matrix() == nullptr &&
+      (hierarchy.level(0).n_dofs() > max_coarsest ||
+       !CoarseSolver::can_be_set_up(elasticity, hierarchy.level(0), bases_[0]));
     if (has_background)
       background_ = std::make_unique<BackgroundMultigrid>(
         elasticity, hierarchy.level(0), unit_, fixed_on(0), supported_nodes.first_dofs(0),
