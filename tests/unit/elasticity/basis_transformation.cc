@@ -1,0 +1,187 @@
+// Displacements that count from other nodes: T⁻¹T = 1, Tᵀ does the same work, K̂ = TᵀKT
+// is symmetric, slaves that are masters of others are followed in any order, circles are
+// refused, and a coarse slave sees what it sees on the finer level.
+
+#include "tests.h"
+
+#include <stiction/elasticity/levels/basis_transformation.h>
+#include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/mesh_hierarchy.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace stiction;
+
+namespace
+{
+  using Dofs = BasisTransformation::Dofs;
+
+  // The first unknowns of the nodes of a plane, in the order of their places.
+  Dofs nodes_at(const Body &body, const unsigned int axis, const double value)
+  {
+    using Placed = std::pair<std::array<double, 3>, dealii::types::global_dof_index>;
+    std::vector<Placed> mine, all;
+    for (const Body::Node &node : body.locally_owned_nodes())
+      if (std::abs(node.position[axis] - value) < 1e-10)
+        mine.push_back(
+          {{{node.position[0], node.position[1], node.position[2]}}, node.dofs[0]});
+    for (const auto &theirs : dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
+      all.insert(all.end(), theirs.begin(), theirs.end());
+    std::sort(all.begin(), all.end());
+    Dofs dofs;
+    for (const Placed &node : all)
+      dofs.push_back(node.second);
+    return dofs;
+  }
+
+  // A slave follows two nodes, turned a little.
+  BasisTransformation::Matrix relation(const std::size_t n_slaves,
+                                       const std::size_t n_masters)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < n_slaves; ++i)
+      for (const std::size_t j : {i % n_masters, (5 * i + 3) % n_masters})
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            entries.emplace_back(3 * i + a, 3 * j + b,
+                                 (a == b ? 0.5 : 0.1 * std::sin(double(i + a + 2 * b))));
+    BasisTransformation::Matrix N(3 * static_cast<Eigen::Index>(n_slaves),
+                                  3 * static_cast<Eigen::Index>(n_masters));
+    N.setFromTriplets(entries.begin(), entries.end());
+    return N;
+  }
+
+  // The same numbers on any number of ranks.
+  LA::Vector filled(const MeshLevel &level, const double frequency)
+  {
+    LA::Vector v         = level.zero_vector<double>();
+    const auto positions = level.node_positions();
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        v.local_element(3 * i + c) = std::sin(
+          frequency * (positions[i][0] + 2. * positions[i][1] + 3. * positions[i][2]) +
+          c);
+    return v;
+  }
+
+  double distance(const LA::Vector &a, const LA::Vector &b)
+  {
+    LA::Vector difference = a;
+    difference -= b;
+    return difference.l2_norm() / b.l2_norm();
+  }
+
+  void check(const std::string &name, const BasisTransformation &T,
+             const LinearElasticity &elasticity)
+  {
+    const MeshLevel &mesh = elasticity.mesh();
+    const LA::Vector u = filled(mesh, 1.), r = filled(mesh, 2.3);
+    LA::Vector Tu = u, back, Tr = r;
+    T.to_absolute(Tu);
+    back = Tu;
+    T.to_relative(back);
+    T.forces_to_relative(Tr);
+    const bool same_work = std::abs((Tu * r) / (u * Tr) - 1.) < 1e-12;
+    LA::Vector r_back    = Tr;
+    T.forces_to_absolute(r_back);
+
+    LA::Vector Ku = u, K_hat_u = u, K_hat_r = u;
+    elasticity.stiffness().vmult(Ku, Tu);
+    T.forces_to_relative(Ku);
+    T.vmult(elasticity.stiffness(), K_hat_u, u);
+    T.vmult(elasticity.stiffness(), K_hat_r, r);
+    out() << name << ": moves slaves " << yes(distance(Tu, u) > 0.01) << ", inverse "
+          << yes(distance(back, u) < 1e-13) << ", forces do the same work "
+          << yes(same_work) << ", and back " << yes(distance(r_back, r) < 1e-13)
+          << ", stiffness " << yes(distance(K_hat_u, Ku) < 1e-13) << ", symmetric "
+          << yes(std::abs((K_hat_u * r) / (u * K_hat_r) - 1.) < 1e-10) << std::endl;
+  }
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Parameters parameters;
+  parameters.read(shipped("brick.prm"),
+                  {"Geometry/Table 1 level=0", "Geometry/Lengths=4,3,1",
+                   "Geometry/Subdivisions=3,2,1", "Geometry/Global refinement=2"});
+  const Body body(parameters.geometry, MPI_COMM_WORLD);
+  const LinearElasticity elasticity(body, parameters.of_body());
+  const Dofs bottom = nodes_at(body, 2, 0.), top = nodes_at(body, 2, 1.);
+
+  BasisTransformation T(bottom, top, relation(bottom.size(), top.size()));
+  check("T", T, elasticity);
+
+  // the bottom follows the top, and a part of the top a part of the right end
+  Dofs right = nodes_at(body, 0, 4.), slaves = bottom, masters = top;
+  right.erase(std::remove_if(right.begin(), right.end(),
+                             [&](const auto dof) {
+                               return std::count(top.begin(), top.end(), dof) +
+                                        std::count(bottom.begin(), bottom.end(), dof) >
+                                      0;
+                             }),
+              right.end());
+  slaves.push_back(top.front());
+  masters.insert(masters.end(), right.begin(), right.end());
+  auto N = relation(slaves.size(), masters.size());
+  N.prune([&](const Eigen::Index row, const Eigen::Index column, double) {
+    const bool of_bottom = row < 3 * static_cast<Eigen::Index>(bottom.size());
+    const bool to_top    = column < 3 * static_cast<Eigen::Index>(top.size());
+    return of_bottom ? to_top : !to_top;
+  });
+  for (unsigned int c = 0; c < 3; ++c)
+    N.coeffRef(N.rows() - 3 + c, N.cols() - 3 + c) = 0.7;
+  check("a chain", BasisTransformation(slaves, masters, N), elasticity);
+
+  try
+    {
+      BasisTransformation(bottom, bottom, relation(bottom.size(), bottom.size()));
+      out() << "a circle is taken" << std::endl;
+    }
+  catch (const CircleOfSlaves &)
+    {
+      out() << "a circle is refused" << std::endl;
+    }
+
+  // R leaves the slaves where they are in other directions
+  std::vector<Eigen::Matrix3d> R(bottom.size(), Eigen::Vector3d::UnitZ().asDiagonal()),
+    none(bottom.size(), Eigen::Matrix3d::Zero());
+  BasisTransformation normal = T;
+  normal.set_relative_directions(R, none);
+  check("along z", normal, elasticity);
+  LA::Vector u = filled(elasticity.mesh(), 1.), Tu = u;
+  normal.to_absolute(Tu);
+  bool stays = true, moves = false;
+  for (const auto dof : bottom)
+    if (u.in_local_range(dof))
+      {
+        stays = stays && Tu(dof) == u(dof) && Tu(dof + 1) == u(dof + 1);
+        moves = moves || Tu(dof + 2) != u(dof + 2);
+      }
+  stays = dealii::Utilities::MPI::min(stays ? 1 : 0, MPI_COMM_WORLD) == 1;
+  moves = dealii::Utilities::MPI::max(moves ? 1 : 0, MPI_COMM_WORLD) == 1;
+  out() << "along z: moves along z " << yes(moves) << ", not along x and y " << yes(stays)
+        << std::endl;
+
+  const MeshHierarchy hierarchy(body, elasticity.mesh());
+  const DofSubsetHierarchy nodes(hierarchy, bottom);
+  const unsigned int l = hierarchy.n_levels() - 1;
+  const BasisTransformation coarse =
+    T.coarser(hierarchy.transfer(l), hierarchy.level(l), hierarchy.level(l - 1),
+              nodes.on_finer_level(l - 1), nodes.first_dofs(l - 1));
+  const LA::Vector u_coarse = filled(hierarchy.level(l - 1), 1.);
+  LA::Vector absolute = u_coarse, fine = hierarchy.level(l).zero_vector<double>(),
+             back = u_coarse;
+  coarse.to_absolute(absolute);
+  hierarchy.transfer(l).prolongate(fine, absolute);
+  T.to_relative(fine);
+  hierarchy.transfer(l).inject(back, fine);
+  out() << "prolonged and back: the same " << yes(distance(back, u_coarse) < 1e-13)
+        << ", not without T " << yes(distance(absolute, u_coarse) > 0.01) << std::endl;
+}
