@@ -142,16 +142,20 @@ namespace stiction
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
       if (ContactBoundary &boundary = boundaries_[b]; boundary.is_pair())
         {
-          auto first       = surface_faces(elasticity, boundary.id());
-          auto second      = surface_faces(elasticity, boundary.partner());
-          const auto &said = boundary.slave_side();
-          SlaveSide side   = choose_slave_side(first, second);
+          auto first           = surface_faces(elasticity, boundary.id());
+          auto second          = surface_faces(elasticity, boundary.partner());
+          const auto &said     = boundary.slave_side();
+          const SlaveSide best = choose_slave_side(first, second);
+          SlaveSide side       = best;
           if (said != "automatic")
-            side = {said == "boundary", "as 'Slave side' says"};
+            side = {said == "boundary", false, "as 'Slave side' says"};
           else if (const int first_is = rank(boundary.id()),
                    second_is          = rank(boundary.partner());
                    side.is_first ? first_is > second_is : second_is > first_is)
-            side = {!side.is_first, "the side that bears no other ones"};
+            side = {!side.is_first, false, "the side that bears no other ones"};
+          if (best.is_softer && best.is_first != side.is_first)
+            side.reason += ", although it is the stiffer one, for which newton "
+                           "multigrid takes many iterations";
           boundary.take_side(side.is_first, side.reason);
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(source.describe("Boundary conditions/Slave side") +

@@ -27,13 +27,13 @@ namespace stiction
   {
     const Means a(first), b(second);
     if (much_softer * a.stiffness <= b.stiffness)
-      return {true, "the softer side"};
+      return {true, true, "the softer side"};
     if (much_softer * b.stiffness <= a.stiffness)
-      return {false, "the softer side"};
+      return {false, true, "the softer side"};
     if (finer * a.size < b.size)
-      return {true, "the finer side"};
+      return {true, false, "the finer side"};
     if (finer * b.size < a.size)
-      return {false, "the finer side"};
-    return {true, "the first side"};
+      return {false, false, "the finer side"};
+    return {true, false, "the first side"};
   }
 } // namespace stiction

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace stiction
@@ -84,6 +85,37 @@ namespace stiction
                     3 * static_cast<Eigen::Index>(slaves.size()));
       matrix.setFromTriplets(entries.begin(), entries.end());
       return matrix;
+    }
+    // Slaves that follow other slaves follow what else is opposite alone, with the same
+    // sum of the weights: a coarse node stands for a patch, where pairs may meet that do
+    // not on the mesh itself.
+    Matrix without_chains(const Matrix &N, const Dofs &masters, const Dofs &slaves)
+    {
+      const std::set<types::global_dof_index> are_slaves(slaves.begin(), slaves.end());
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < N.rows() / 3; ++i)
+        {
+          double all = 0., kept = 0.; // of the diagonals of the blocks
+          const auto for_each_entry = [&](const auto &callback) {
+            for (Eigen::Index a = 0; a < 3; ++a)
+              for (Matrix::InnerIterator entry(N, 3 * i + a); entry; ++entry)
+                callback(entry, are_slaves.count(masters[entry.col() / 3]) == 0);
+          };
+          for_each_entry([&](const auto &entry, const bool is_kept) {
+            const double weight = entry.row() % 3 == entry.col() % 3 ? entry.value() : 0.;
+            all += weight;
+            kept += is_kept ? weight : 0.;
+          });
+          if (!(kept > 0.1 * all))
+            continue; // it moves by itself
+          for_each_entry([&](const auto &entry, const bool is_kept) {
+            if (is_kept)
+              entries.emplace_back(entry.row(), entry.col(), all / kept * entry.value());
+          });
+        }
+      Matrix M(N.rows(), N.cols());
+      M.setFromTriplets(entries.begin(), entries.end());
+      return M;
     }
   } // namespace
 
@@ -172,8 +204,15 @@ namespace stiction
         entries.emplace_back(3 * i + c, 3 * rows[i] + c, 1.);
     Matrix chosen(3 * static_cast<Eigen::Index>(rows.size()), relation_->N.rows());
     chosen.setFromTriplets(entries.begin(), entries.end());
-    return BasisTransformation(slaves, std::move(masters),
-                               Matrix(Matrix(chosen * relation_->N) * P));
+    const Matrix N = Matrix(chosen * relation_->N) * P;
+    try
+      {
+        return BasisTransformation(slaves, masters, N);
+      }
+    catch (const CircleOfSlaves &)
+      {
+        return BasisTransformation(slaves, masters, without_chains(N, masters, slaves));
+      }
   }
 
   void BasisTransformation::set_relative_directions(std::vector<Eigen::Matrix3d> R,
@@ -236,7 +275,10 @@ namespace stiction
     if (is_identity())
       return K.vmult(dst, src);
     const Eigen::VectorXd moved = opposite(values_at(masters(), src));
-    LA::VectorOf<Number> u      = src;
+    LA::VectorOf<Number> &u     = std::get<LA::VectorOf<Number>>(scratch_);
+    if (u.size() != src.size())
+      u.reinit(src, true);
+    u.copy_locally_owned_data_from(src);
     add_at(slaves(), times(R_, moved), u);
     K.vmult(dst, u);
     if (springs_.empty())

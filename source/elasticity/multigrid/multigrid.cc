@@ -137,10 +137,12 @@ namespace stiction
         levels_[l] =
           std::make_unique<Level>(elasticity, hierarchy.level(l), unit_, fixed_on(l),
                                   supported_nodes.first_dofs(l), bases_[l]);
-        if (eigenvalue == 0.f || hierarchy.level(l).n_dofs() <= max_estimated ||
-            !hierarchy.level(l).is_trilinear())
+        const bool is_estimated = eigenvalue == 0.f ||
+                                  hierarchy.level(l).n_dofs() <= max_estimated ||
+                                  !hierarchy.level(l).is_trilinear();
+        if (is_estimated)
           eigenvalue = levels_[l]->estimate_largest_eigenvalue();
-        if (!bases_[l].is_identity() && hierarchy.level(l).n_dofs() <= max_estimated)
+        if (is_estimated && !bases_[l].is_identity())
           {
             // held at each other bodies have other eigenvalues
             NodalConstraint held;

@@ -137,7 +137,7 @@ namespace stiction
         if (!is_stiff)
           {
             relative[i] -= supports[i].projection;
-            soft[i] = spring;
+            soft[i] = supports[i].projection * spring * supports[i].projection;
           }
       }
     basis_.set_relative_directions(std::move(relative), std::move(soft));

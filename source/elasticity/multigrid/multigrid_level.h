@@ -24,11 +24,10 @@ namespace stiction
     /// @param unit of the stiffness, N/m: single precision has a small range.
     /// @param fixed one at prescribed unknowns.
     /// @param first_dofs of the nodes that supports may hold.
-    /// @param basis whose slaves are these nodes, if it is not the identity. The level
-    /// has
-    ///   its own, in which slaves count from the other side only in directions in which
-    ///   they are held, and where they have stiff springs: what moves freely is smoothed
-    ///   best by itself.
+    /// @param basis whose slaves are these nodes, if it is not the identity. The
+    ///   level has its own, in which slaves count from the other side only in directions
+    ///   in which they are held, and where they have stiff springs: what moves freely is
+    ///   smoothed best by itself.
     Level(const LinearElasticity &elasticity, const MeshLevel &mesh, double unit,
           const LA::Vector &fixed,
           const std::vector<dealii::types::global_dof_index> &first_dofs,

@@ -1,4 +1,6 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/boundary_functions.h>
+#include <stiction/contact/interface/contact_pair_parameters.h>
 #include <stiction/simulation/checkpoint/problem_identity.h>
 #include <stiction/simulation/checkpoint/word_file.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -19,12 +21,28 @@ namespace stiction
 
     bool is_of_problem(const std::string &entry)
     {
-      static const std::set<std::string> single = {"Boundary conditions/Contact boundary",
-                                                   "Friction/Law",
-                                                   "Refinement/Adaptive steps"};
+      static const std::set<std::string> single = {
+        "Boundary conditions/Contact boundary", "Boundary conditions/Obstacle",
+        "Boundary conditions/Slave side", "Friction/Law", "Refinement/Adaptive steps"};
+      static const std::set<std::string> of_pair = {"Boundary", "Obstacle", "Slave side",
+                                                    "Law"};
+      const bool is_pair                         = entry.rfind("Contact pair ", 0) == 0;
       return entry.rfind("Geometry/", 0) == 0 ||
              entry.rfind(PlacedBody::section_name + " ", 0) == 0 ||
-             entry.rfind("Material/", 0) == 0 || single.count(entry) > 0;
+             entry.rfind("Material/", 0) == 0 || single.count(entry) > 0 ||
+             (is_pair && of_pair.count(entry.substr(entry.rfind('/') + 1)) > 0);
+    }
+
+    // Of obstacles which other boundaries they are: what is rigid may be another one.
+    std::string identity_of(const std::string &entry, const std::string &value)
+    {
+      if (entry.substr(entry.rfind('/') + 1) != "Obstacle")
+        return value;
+      std::string pairs;
+      for (const std::string &obstacle : split_at_bars(value))
+        if (const std::string name = paired_boundary(obstacle); !name.empty())
+          pairs += (pairs.empty() ? "" : " | ") + ("boundary : " + name);
+      return pairs;
     }
 
     // Without what may be written in several ways.
@@ -42,7 +60,7 @@ namespace stiction
     json identity;
     for (const auto &[entry, value] : parameters.source.values())
       if (is_of_problem(entry))
-        identity["entries"][entry] = value;
+        identity["entries"][entry] = identity_of(entry, value);
     if (parameters.geometry.type == "file")
       {
         const auto digest     = word_file::digest(parameters.geometry.mesh_file);

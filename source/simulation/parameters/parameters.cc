@@ -130,12 +130,15 @@ namespace stiction
                    "Stiffness solver/Type",
                    "must be 'automatic', 'multigrid' or 'amg' for 'Contact "
                    "solver/Method = newton multigrid'");
+    const bool has_primal_pairs =
+      contact_solver.is_primal() && contact.has_elastic_pairs();
     source.require(
-      !contact_solver.is_primal() || !contact.has_elastic_pairs() || is_matrix_free(),
-      stiffness_solver.type == "amg" ? "Stiffness solver/Type" : "Contact solver/Method",
-      "takes no pairs of bodies where K is assembled: 'Contact solver/Method = newton "
-      "multigrid' beside an obstacle 'boundary : NAME' needs 'Stiffness solver/Type = "
-      "multigrid', and 'Geometry/Element degree = 1' with local refinement");
+      !has_primal_pairs || stiffness_solver.type != "amg", "Stiffness solver/Type",
+      "must be 'automatic' or 'multigrid' for 'Contact solver/Method = newton "
+      "multigrid' beside an obstacle 'boundary : NAME'");
+    source.require(!has_primal_pairs || is_matrix_free(), "Geometry/Element degree",
+                   "must be 1 with local refinement for 'Contact solver/Method = newton "
+                   "multigrid' beside an obstacle 'boundary : NAME'");
     source.require(!contact_solver.is_primal() ||
                      contact_solver.coulomb_iteration == "direct",
                    "Contact solver/Coulomb iteration",

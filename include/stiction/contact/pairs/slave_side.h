@@ -12,6 +12,7 @@ namespace stiction
   struct SlaveSide
   {
     bool is_first;
+    bool is_softer; ///< by a factor of two or more
     std::string reason;
   };
 

@@ -4,12 +4,14 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <deal.II/base/types.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,7 +54,8 @@ namespace stiction
     BasisTransformation(Dofs slaves, Dofs masters, Matrix N);
 
     /// That of the next coarser level: a slave sees what it sees on the finer one,
-    /// interpolated. Collective.
+    /// interpolated; without the slaves in it where these would go round in a circle.
+    /// Collective.
     ///
     /// @param rows which slaves are vertices there. @param slaves their unknowns there.
     BasisTransformation coarser(const LevelTransfer &transfer, const MeshLevel &fine,
@@ -72,7 +75,7 @@ namespace stiction
     Matrix added() const;
 
     /// Takes R, which makes the displacements of slaves absolute in other directions, and
-    /// springs in these between slaves and what lies opposite.
+    /// springs S in these between slaves and what lies opposite, R S = 0.
     void set_relative_directions(std::vector<Eigen::Matrix3d> R,
                                  std::vector<Eigen::Matrix3d> springs);
 
@@ -98,7 +101,7 @@ namespace stiction
 
     /// What the diagonal blocks K_ii of the slaves add to those of the masters in K̂,
     /// Σ_i N_ijᵀ (R_i K_ii R_i + S_i) N_ij with the springs S_i, as if slaves were not
-    /// coupled with each other.
+    /// coupled with each other; after set_relative_directions().
     std::vector<Eigen::Matrix3d> added_blocks(
       const std::vector<Eigen::Matrix3d> &of_slaves) const;
 
@@ -117,6 +120,8 @@ namespace stiction
     std::shared_ptr<const Relation> relation_;
     std::vector<Eigen::Matrix3d> R_;       ///< empty: the identity
     std::vector<Eigen::Matrix3d> springs_; ///< empty: none
+    /// Of vmult(), in either precision, made when they are needed.
+    mutable std::tuple<LA::VectorOf<float>, LA::VectorOf<double>> scratch_;
   };
 } // namespace stiction
 
