@@ -291,9 +291,8 @@ namespace stiction
       {
         const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
         const Eigen::SparseLU<SparseMatrix> inverse(D_hanging);
-        const SparseMatrix solution = inverse.solve(M_hanging);
-        A                           = solution.pruned(1., no_weight);
-        gaps                        = inverse.solve(C.transpose() * weighted);
+        A    = SparseMatrix(inverse.solve(M_hanging));
+        gaps = inverse.solve(C.transpose() * weighted);
       }
     else
       {
@@ -301,6 +300,7 @@ namespace stiction
         A                             = inverse.asDiagonal() * M_hanging;
         gaps                          = inverse.cwiseProduct(C.transpose() * weighted);
       }
+    A.prune(1., no_weight);
   }
 
   Eigen::Index Mortar::row_of(const types::global_dof_index slave) const

@@ -142,6 +142,19 @@ namespace stiction
     relation_         = relation;
   }
 
+  std::map<Eigen::Index, Eigen::Matrix3d> BasisTransformation::blocks_of(
+    const std::size_t slave) const
+  {
+    std::map<Eigen::Index, Eigen::Matrix3d> blocks;
+    for (Eigen::Index a = 0; a < 3; ++a)
+      for (Matrix::InnerIterator entry(relation_->N,
+                                       3 * static_cast<Eigen::Index>(slave) + a);
+           entry; ++entry)
+        blocks.try_emplace(entry.col() / 3, Eigen::Matrix3d::Zero())
+          .first->second(a, entry.col() % 3) = entry.value();
+    return blocks;
+  }
+
   Matrix BasisTransformation::added() const
   {
     // T − 1 = N + N E (T − 1)
@@ -296,14 +309,7 @@ namespace stiction
     for (std::size_t i = 0; i < of_slaves.size(); ++i)
       {
         const Eigen::Matrix3d K = R_[i] * of_slaves[i] * R_[i] + springs_[i];
-        std::map<Eigen::Index, Eigen::Matrix3d> row;
-        for (unsigned int a = 0; a < 3; ++a)
-          for (Matrix::InnerIterator entry(relation_->N,
-                                           3 * static_cast<Eigen::Index>(i) + a);
-               entry; ++entry)
-            row.try_emplace(entry.col() / 3, Eigen::Matrix3d::Zero())
-              .first->second(a, entry.col() % 3) = entry.value();
-        for (const auto &[j, N] : row)
+        for (const auto &[j, N] : blocks_of(i))
           added[j] += N.transpose() * K * N;
       }
     return added;

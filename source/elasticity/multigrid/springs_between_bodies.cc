@@ -27,14 +27,7 @@ namespace stiction
   {
     for (std::size_t i = 0; i < of_slave_.size(); ++i)
       {
-        const auto row = static_cast<Eigen::Index>(i);
-        std::map<Eigen::Index, Eigen::Matrix3f> opposite; // N_ij
-        for (unsigned int a = 0; a < 3; ++a)
-          for (BasisTransformation::Matrix::InnerIterator entry(basis.relation(),
-                                                                3 * row + a);
-               entry; ++entry)
-            opposite.try_emplace(entry.col() / 3, Eigen::Matrix3f::Zero())
-              .first->second(a, entry.col() % 3) = static_cast<float>(entry.value());
+        const auto opposite = basis.blocks_of(i);
         if (opposite.empty())
           continue;
         std::map<unsigned int, Eigen::Matrix3f> blocks;
@@ -46,9 +39,9 @@ namespace stiction
                            Eigen::Matrix3f::Zero())
               .first->second += entry.value() * factor;
         };
-        add(to_slaves, row, Eigen::Matrix3f::Identity());
+        add(to_slaves, static_cast<Eigen::Index>(i), Eigen::Matrix3f::Identity());
         for (const auto &[j, N] : opposite)
-          add(to_masters, j, -N);
+          add(to_masters, j, -N.cast<float>());
         of_slave_[i].assign(blocks.begin(), blocks.end());
         sets_.emplace_back();
         for (const auto &[vertex, block] : blocks)

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <tuple>
@@ -68,8 +69,8 @@ namespace stiction
     const Dofs &slaves() const { return relation_->slaves; }
     const Dofs &masters() const { return relation_->masters; }
 
-    /// N.
-    const Matrix &relation() const { return relation_->N; }
+    /// The blocks N_ij of a slave, by the places of its masters.
+    std::map<Eigen::Index, Eigen::Matrix3d> blocks_of(std::size_t slave) const;
 
     /// T − 1 with R = 1, of the size of N.
     Matrix added() const;
