@@ -86,6 +86,7 @@ namespace stiction
       matrix.setFromTriplets(entries.begin(), entries.end());
       return matrix;
     }
+
     // Slaves that follow other slaves follow what else is opposite alone, with the same
     // sum of the weights: a coarse node stands for a patch, where pairs may meet that do
     // not on the mesh itself.

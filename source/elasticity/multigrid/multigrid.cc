@@ -251,7 +251,8 @@ namespace stiction
   double Multigrid::vmult(const unsigned int level, LA::VectorOf<float> &dst,
                           const LA::Vector &src)
   {
-    if (!background_ && !coarse_[0]) // without supports bodies may be free to move
+    // not earlier: without supports bodies may be free to move
+    if (!coarse_[level] && !background_ && !coarse_[0])
       set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
     const double scale = power_of_two(src.linfty_norm());
     if (coarse_[level])
