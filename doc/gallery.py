@@ -41,6 +41,9 @@ PICTURES = {
     "aside: the middle of the circle sticks.",
     "several_bodies/pin_in_hole": "A lug pulled over a pin with clearance: the hole, "
     "unrolled, touches the pin on less than half of its way round.",
+    "several_bodies/glued_pad": "A pad of rubber glued under a block of steel, pressed on "
+    "the floor and dragged: it slides but for a part near its trailing edge, which lifts; "
+    "at the leading edge the glue is pulled.",
     "several_bodies/block_between_blocks": "A block of rubber held between two of steel, "
     "and pulled to the right.",
     "several_bodies/brick_on_elastic_foundation": "The reference brick on a slab of the "

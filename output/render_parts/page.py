@@ -33,6 +33,7 @@ TEXT, RED = "#212121", "#B00020"
 # The colour is what friction does, in grey 0.9, 0.65, 0.75, 0.5, and lines or
 # dots over it tell that the node is open, or may be.
 OPEN, CLOSED, SLIP, STICK = "#D3E9F7", "#6FBFA5", "#F2B13C", "#3F8FC6"
+TIED, TENSION = "#B9A7D6", "#58A55C"
 KINDS = {contact_panels.OPEN: ("open", OPEN, None, None),
          contact_panels.CLOSED: ("closed", CLOSED, None, None),
          contact_panels.SLIP: ("slip", SLIP, None, None),
@@ -45,9 +46,10 @@ KINDS = {contact_panels.OPEN: ("open", OPEN, None, None),
                                       "white"),
          contact_panels.UNDECIDED: ("undecided", "white", "....", "#707070"),
          contact_panels.PRESSED: ("undecided, pressed", CLOSED, "....", "white"),
+         contact_panels.TIED: ("tied", TIED, None, None),
          contact_panels.CLAMPED: ("clamped or nothing opposite", "#C4C4C4", "////",
                                   "#707070")}
-STRESS, PRESSURE = colormaps["viridis"], colormaps["magma_r"]
+STRESS, PRESSURE = colormaps["viridis"], colormaps["magma_r"].with_extremes(under=TENSION)
 
 
 class Page:
@@ -218,8 +220,8 @@ def draw_header(page, run):
         contact_force(run, contact),
         "nodes: " + ", ".join(
             f"{status} {contact[status]}" for status in
-            ("open", "closed", "slip", "stick", "undecided")
-            if contact[status])]))
+            ("open", "closed", "slip", "stick", "tied", "undecided")
+            if contact.get(status))]))
 
 
 def draw_body(page, run, body_picture, height):
@@ -284,8 +286,11 @@ def draw_slot(page, slot, place, name, units, largest, certified):
     pressure = page.axes(left + inset, top + slot.reach, width, height)
     draw_pressure(pressure, slot.panel, largest)
     frame(pressure, slot, units["length"], upwards=slot.stacked)
+    words = "pressure" if certified else "pressure, not certified"
+    if (slot.panel.pressure[slot.panel.kind == contact_panels.TIED] < 0).any():
+        words += ", green: tension"
     page.color_bar(left + TICKS, top + slot.map_height + 0.02, COLUMN, PRESSURE,
-                   largest, "pressure" if certified else "pressure, not certified",
+                   largest, words,
                    units["stress"])
 
 

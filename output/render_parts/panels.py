@@ -12,10 +12,10 @@ from . import meshes
 
 # what a node is drawn as, by its normal and its tangential status
 (OPEN, CLOSED, SLIP, STICK, OPEN_SLIP, OPEN_STICK, MAYBE_SLIP, MAYBE_STICK,
- UNDECIDED, PRESSED, CLAMPED) = range(11)
+ UNDECIDED, PRESSED, CLAMPED, TIED) = range(12)
 KIND = {(0, 0): OPEN, (1, 0): CLOSED, (1, 1): SLIP, (1, 2): STICK,
         (0, 1): OPEN_SLIP, (0, 2): OPEN_STICK, (3, 1): MAYBE_SLIP,
-        (3, 2): MAYBE_STICK, (-1, -1): CLAMPED}  # all others are undecided
+        (3, 2): MAYBE_STICK, (-1, -1): CLAMPED, (1, 4): TIED}  # all others are undecided
 AXES = "xyz"
 NOTHING = 1e-6  # parts of the largest pressure that are none
 

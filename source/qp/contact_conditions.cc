@@ -49,6 +49,12 @@ namespace stiction
         const Eigen::Vector2d lambda_t(lambda_(i + m), lambda_(i + 2 * m));
         const Eigen::Vector2d slip(-gradient_(i + m), -gradient_(i + 2 * m));
 
+        if (qp::is_tied(slip_bound_(i)))
+          {
+            // the KKT residual has the slip
+            raise(contact_figures_.penetration, std::abs(gap) / u0);
+            continue;
+          }
         raise(contact_figures_.penetration, -gap / u0);
         raise(contact_figures_.complementarity,
               std::abs(lambda_(i)) / force * std::min(std::abs(gap) / u0, 1.));
@@ -61,7 +67,7 @@ namespace stiction
                            lambda_t.dot(slip)) *
                   180. / M_PI);
       }
-    if (!lambda_.allFinite() || !slip_bound_.allFinite())
+    if (!lambda_.allFinite() || slip_bound_.hasNaN())
       {
         contact_figures_.kkt_residual =
           std::numeric_limits<double>::quiet_NaN(); // no set has such a radius

@@ -24,6 +24,11 @@ namespace stiction
         const double F      = slip_bound.coefficient()(i);
         const double margin = 5. * accuracy * (1. + stiffness(i) * u0 / force);
 
+        if (slip_bound.is_tied(i))
+          {
+            statuses.push_back({NormalStatus::closed, TangentialStatus::tied});
+            continue;
+          }
         // a NaN is neither above nor below
         NodeStatus status{NormalStatus::undecided, TangentialStatus::undecided};
         if (a(0) > margin)

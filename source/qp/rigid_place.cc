@@ -27,6 +27,7 @@ namespace stiction::qp
         , rho_(stiffness)
         , is_rough_(slip_bound.constant().array() > 0. ||
                     slip_bound.coefficient().array() > 0.)
+        , is_tied_(slip_bound.constant().array() == tied)
       {
       }
 
@@ -44,9 +45,9 @@ namespace stiction::qp
         const Eigen::VectorXd r = start_ + G_ * alpha;
         for (Eigen::Index i = 0; i < m; ++i)
           {
-            const double depth = -r(i);
-            lambda(i)          = rho_(i) * std::max(depth, 0.);
-            const bool sticks  = depth > 0. && is_rough_(i);
+            const bool is_closed = r(i) < 0. || is_tied_(i);
+            const bool sticks    = is_closed && is_rough_(i);
+            lambda(i)            = is_closed ? -rho_(i) * r(i) : 0.;
             for (const Eigen::Index k : {i + m, i + 2 * m})
               lambda(k) = sticks ? -rho_(i) * r(k) : 0.;
           }
@@ -61,7 +62,7 @@ namespace stiction::qp
         Eigen::MatrixXd H           = least_stiffness * rho_.minCoeff() *
                             Eigen::MatrixXd::Identity(e_.size(), e_.size());
         for (Eigen::Index i = 0; i < m; ++i)
-          if (depth(i) > 0.)
+          if (depth(i) > 0. || is_tied_(i))
             for (Eigen::Index c = 0; c < (is_rough_(i) ? 3 : 1); ++c)
               H.noalias() += rho_(i) * G_.row(i + c * m).transpose() * G_.row(i + c * m);
         return H;
@@ -72,7 +73,7 @@ namespace stiction::qp
       const Eigen::VectorXd &e_;
       const Eigen::VectorXd &start_;
       const Eigen::VectorXd &rho_;
-      const Eigen::Array<bool, Eigen::Dynamic, 1> is_rough_;
+      const Eigen::Array<bool, Eigen::Dynamic, 1> is_rough_, is_tied_;
     };
   } // namespace
 
@@ -85,8 +86,9 @@ namespace stiction::qp
     for (unsigned int k = 0; k < max_steps; ++k)
       {
         const Eigen::VectorXd slope = energy.slope(alpha);
-        const double size           = std::max(constraint.e.norm(),
-                                               energy.forces(alpha).head(stiffness.size()).sum());
+        const double size =
+          std::max(constraint.e.norm(),
+                   energy.forces(alpha).head(stiffness.size()).cwiseAbs().sum());
         if (slope.norm() <= balanced * size)
           break;
         const Eigen::VectorXd step = energy.curvature(alpha).llt().solve(-slope);

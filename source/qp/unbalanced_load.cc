@@ -94,12 +94,14 @@ namespace stiction::qp
   UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint,
                                  const SlipBound &slip_bound)
   {
-    const auto &[G, e]      = constraint;
-    const Eigen::Index n    = e.size();
-    const Eigen::Index m    = slip_bound.n_nodes();
-    const double size       = e.norm();
-    UnbalancedLoad result   = {e, Eigen::VectorXd::Zero(3 * m)};
-    const bool has_constant = !slip_bound.constant().isZero(0.);
+    const auto &[G, e]    = constraint;
+    const Eigen::Index n  = e.size();
+    const Eigen::Index m  = slip_bound.n_nodes();
+    const double size     = e.norm();
+    UnbalancedLoad result = {e, Eigen::VectorXd::Zero(3 * m)};
+    bool has_constant     = false;
+    for (Eigen::Index i = 0; i < m; ++i)
+      has_constant = has_constant || slip_bound.is_given(i);
     if (!(size > 0.))
       return {Eigen::VectorXd::Zero(n), result.lambda};
 
@@ -113,6 +115,11 @@ namespace stiction::qp
         all.work(n) = share;
         return all;
       };
+    // of those that grow without end the one that does most work
+    const auto largest_force = [&](const Eigen::Index i, const Eigen::Vector3d &motion) {
+      return slip_bound.is_tied(i) ? motion.normalized()
+                                   : along(motion, 1., slip_bound.coefficient()(i));
+    };
     // given friction acts as a whole or in part: the parts and what is left are one
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
     b.head(n)         = e;
@@ -135,7 +142,7 @@ namespace stiction::qp
         for (Eigen::Index i = 0; i < m; ++i)
           {
             const Eigen::Vector3d motion = at_node(v, i);
-            const Eigen::Vector3d force  = along(motion, 1., slip_bound.coefficient()(i));
+            const Eigen::Vector3d force  = largest_force(i, motion);
             if (force.dot(motion) <= 0.)
               continue;
             work =
@@ -148,13 +155,12 @@ namespace stiction::qp
           }
         Candidate next;
         if (best >= 0)
-          next = candidate(
-            {{best, along(at_node(v, best), 1., slip_bound.coefficient()(best))}}, 0.);
+          next = candidate({{best, largest_force(best, at_node(v, best))}}, 0.);
         if (has_constant)
           {
             std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces;
             for (Eigen::Index i = 0; i < m; ++i)
-              if (slip_bound.constant()(i) > 0.)
+              if (slip_bound.is_given(i))
                 forces.emplace_back(i,
                                     along(at_node(v, i), 0., slip_bound.constant()(i)));
             Candidate together = candidate(std::move(forces), size);
@@ -198,7 +204,7 @@ namespace stiction::qp
       return Eigen::MatrixXd::Identity(n, n);
     Eigen::MatrixXd felt = G;
     for (Eigen::Index i = 0; i < m; ++i)
-      if (slip_bound.constant()(i) == 0. && slip_bound.coefficient()(i) == 0.)
+      if (slip_bound.is_frictionless(i))
         felt.row(i + m) = felt.row(i + 2 * m) = Eigen::RowVectorXd::Zero(n);
     const Eigen::BDCSVD<Eigen::MatrixXd> svd(felt,
                                              Eigen::ComputeThinU | Eigen::ComputeFullV);

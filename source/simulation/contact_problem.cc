@@ -297,6 +297,7 @@ namespace stiction
                       law == "coulomb" ? "Coulomb friction"
                       : law == "given" ? "given friction"
                       : law == "mixed" ? "several laws of friction"
+                      : law == "tied"  ? "tied"
                                        : "no friction"));
     if (const std::string loose =
           why_loose(*discretization_->elasticity, *discretization_->surface);
@@ -324,6 +325,11 @@ namespace stiction
                        ", problem files know one law of friction for all nodes, "
                        "so 'Friction/Law' must not have both 'given' and "
                        "'coulomb'.");
+    if (!parameters_.output.export_directory.empty() &&
+        discretization_->surface->slip_bound().has_tied())
+      throw InputError(parameters_.source.describe("Output/Export directory") +
+                       ", problem files know no tied nodes, so 'Friction/Law' must not "
+                       "have 'tied'.");
   }
 
   std::string ContactProblem::why_no_equilibrium() const

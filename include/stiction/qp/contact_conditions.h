@@ -26,7 +26,7 @@ namespace stiction
     {
       /// max_i ‖π − P_γ(π − w)‖: the contact and friction conditions.
       double kkt_residual = 0.;
-      /// max(−w_ν, 0).
+      /// max(−w_ν, 0); |w_ν| where the node is tied.
       double penetration = 0.;
       /// max π_ν min(|w_ν|, 1): a pressure across a gap is as wrong across a
       /// wide one. Times a gap that no displacement closes it would ask for

@@ -27,7 +27,8 @@ namespace stiction
     none      = 0, ///< no friction can act
     slip      = 1,
     stick     = 2,
-    undecided = 3
+    undecided = 3,
+    tied      = 4 ///< to what it is paired with, always closed
   };
 
   /// What a contact node does, along the normal and across it: with given
@@ -48,6 +49,7 @@ namespace stiction
   /// a = π − w, and F the coefficient of friction (0 with given friction), a
   /// node is
   ///
+  /// - closed and tied if the law says so, otherwise
   /// - closed if a_ν > m, open if a_ν < −m, else undecided;
   /// - without friction if there is none at all, or if it is open and friction
   ///   needs pressure; undecided if friction needs pressure and whether the

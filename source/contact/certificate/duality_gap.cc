@@ -28,7 +28,6 @@ namespace stiction
 
     // The frozen bound, and the forces made feasible.
     Eigen::VectorXd feasible = state.lambda;
-    feasible.head(m)         = feasible.head(m).cwiseMax(0.);
     const qp::HalfLinesTimesDiscs feasible_set(surface.slip_bound().at(feasible));
     feasible_set.project(feasible);
 

@@ -26,6 +26,9 @@ namespace stiction
     // Of the loads: that much less, and there may be an equilibrium.
     constexpr double at_the_limit = 1e-6;
 
+    // Of what the loads push with: less is none.
+    constexpr double no_force = 1e-12;
+
     // A motion turns the body if this part of it or more is rotation, at the ends of the
     // body.
     constexpr double least_turn = 1e-3;
@@ -124,7 +127,8 @@ namespace stiction
       const double length          = sliding.norm();
       const Tensor<1, 3> direction = sliding / length;
       const double pushing         = load * direction;
-      const double borne           = std::max(pushing - work / length, 0.);
+      double borne                 = pushing - work / length;
+      borne                        = borne > no_force * pushing ? borne : 0.;
       // so many digits that they differ
       std::string push, bear;
       for (unsigned int digits = 4; digits <= 12 && push == bear; ++digits)
@@ -197,7 +201,8 @@ namespace stiction
     const Eigen::VectorXd moved = balance.G * rho;
     double work                 = balance.e.dot(rho);
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-      work -= surface.slip_bound().constant()(i) * at_node(moved, i).tail<2>().norm();
+      if (surface.slip_bound().is_given(i))
+        work -= surface.slip_bound().constant()(i) * at_node(moved, i).tail<2>().norm();
     const std::string begin = rho.norm() <= at_the_limit * balance.e.norm()
                                 ? "no equilibrium exists, by a hair: "
                                 : "no equilibrium exists: ";

@@ -29,6 +29,7 @@ namespace stiction
     const std::string displacement_entry = "Boundary conditions/Obstacle displacement";
     const std::string rotation_entry     = "Boundary conditions/Obstacle rotation";
     const std::string slave_entry        = "Boundary conditions/Slave side";
+    const std::string gap_entry          = "Boundary conditions/Initial gap";
     const std::string mesh_gap_entry     = "Boundary conditions/Mesh gap";
     const std::string force_entry        = "Boundary conditions/Obstacle force";
 
@@ -79,6 +80,8 @@ namespace stiction
     {
       if (law == FrictionLaw::frictionless)
         return ", no friction";
+      if (law == FrictionLaw::tied)
+        return ", tied";
       return (law == FrictionLaw::coulomb
                 ? ", Coulomb friction, F = " + coefficient
                 : ", given friction, slip stress " + slip_stress) +
@@ -112,8 +115,7 @@ namespace stiction
     const auto obstacles = values(obstacle_entry, parameters.pairs.obstacle);
     const auto sides     = values(slave_entry, parameters.pairs.slave_side);
     const auto mesh_gaps = values(mesh_gap_entry, parameters.pairs.mesh_gap);
-    const auto gaps =
-      values("Boundary conditions/Initial gap", parameters.pairs.initial_gap);
+    const auto gaps      = values(gap_entry, parameters.pairs.initial_gap);
     const auto displacements =
       values(displacement_entry, parameters.pairs.obstacle_displacement);
     const auto rotations = values(rotation_entry, parameters.pairs.obstacle_rotation);
@@ -156,7 +158,7 @@ namespace stiction
           boundary.obstacle_ =
             Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
                            size, time, body.communicator());
-        boundary.gap_         = formula("Boundary conditions/Initial gap", gaps[b]);
+        boundary.gap_         = formula(gap_entry, gaps[b]);
         const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
         boundary.friction_    = std::make_unique<FrictionData>(
           law, coefficients[b], slip_stresses[b], directions[b], source, time);
@@ -170,6 +172,17 @@ namespace stiction
           (boundary.angle_ != 0. ? ", turned " + rotations[b] : "") +
           (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
           describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
+        if (boundary.is_tied() && partner.empty())
+          throw InputError(source.describe("Friction/Law") + ", boundary '" +
+                           boundary.name_ +
+                           "' can only be tied to another boundary of the mesh, say "
+                           "'Obstacle = boundary : NAME', or hold it with 'Boundary "
+                           "conditions/Prescribed displacement'.");
+        if (boundary.is_tied() && !are_zero(gaps[b]))
+          throw InputError(source.describe(gap_entry) + ", must be 0 for boundary '" +
+                           boundary.name_ +
+                           "', which is tied to what it is paired with as both are "
+                           "meshed.");
         if (!partner.empty())
           {
             boundary.pair_with(partner, body);
@@ -209,6 +222,11 @@ namespace stiction
       throw InputError(source_->describe(force_entry) + reason);
   }
 
+  bool ContactBoundary::is_tied() const
+  {
+    return friction_->law() == FrictionLaw::tied;
+  }
+
   void ContactBoundary::take_side(const bool is_slave, const std::string &reason)
   {
     if (!is_slave)
@@ -219,8 +237,8 @@ namespace stiction
     description_ =
       "boundary " + partner_name_ +
       description_.substr(std::min(description_.find(','), description_.size())) +
-      (keeps_mesh_gap() ? "" : ", distance of the meshes removed") + "; forces on " +
-      name_ + ", " + reason;
+      (keeps_mesh_gap() || is_tied() ? "" : ", distance of the meshes removed") +
+      "; forces on " + name_ + ", " + reason;
   }
 
   void ContactBoundary::set_rotation(const std::vector<double> &numbers)

@@ -130,6 +130,8 @@ namespace stiction
     Eigen::VectorXd offset = motion_.offset_at_start();
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
+        if (slip_bound_.is_tied(i))
+          continue; // it has not slipped
         const Eigen::Vector3d local = nodes_[i].displacement_to_local(at_node(origin, i));
         for (unsigned int c = 1; c < 3; ++c)
           offset(i + c * n_nodes()) -= local(c);

@@ -177,9 +177,10 @@ namespace stiction
     const Eigen::Index i = mortar.row_of(node.first_dof);
     if (i < 0 || mortar.areas(i) < least_cover * node.area)
       return false;
-    node.area = mortar.areas(i);
-    node.gap  = boundaries_[node.boundary].initial_gap(node.position) +
-               (boundaries_[node.boundary].keeps_mesh_gap() ? mortar.gaps(i) : 0.);
+    node.area                       = mortar.areas(i);
+    const ContactBoundary &boundary = boundaries_[node.boundary];
+    node.gap                        = boundary.initial_gap(node.position) +
+               (boundary.keeps_mesh_gap() && !boundary.is_tied() ? mortar.gaps(i) : 0.);
     return true;
   }
 

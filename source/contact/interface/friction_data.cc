@@ -4,6 +4,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/interface/friction_parameters.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -137,7 +138,9 @@ namespace stiction
 
   void FrictionData::set(ContactNode &node, const Rubbing &rubbing) const
   {
-    if (law_ == FrictionLaw::frictionless)
+    if (law_ == FrictionLaw::tied)
+      node.slip_stress = qp::tied;
+    if (!bound_)
       return;
     const bool is_coulomb = law_ == FrictionLaw::coulomb;
     const auto values     = bound_->at(node.position, rubbing);

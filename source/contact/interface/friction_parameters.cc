@@ -16,7 +16,9 @@ namespace stiction
                   "frictionless; given: the tangential traction is at most the "
                   "slip stress, at every node of the contact boundary (Tresca "
                   "friction); coulomb: at most the coefficient times the "
-                  "contact pressure. One for all contact boundaries, or one for "
+                  "contact pressure; tied, of contact pairs alone: both sides are one "
+                  "body, and neither slip nor open from where they are meshed. One for "
+                  "all contact boundaries, or one for "
                   "each, separated by '|'. Must be said.",
                   prm, Patterns::Anything());
     add_parameter("Coefficient", coefficient,
@@ -60,6 +62,7 @@ namespace stiction
     for (const std::string &law : split_at_bars(law_name))
       laws.push_back(law == "given"     ? FrictionLaw::given
                      : law == "coulomb" ? FrictionLaw::coulomb
+                     : law == "tied"    ? FrictionLaw::tied
                                         : FrictionLaw::frictionless);
     return laws;
   }
@@ -81,11 +84,12 @@ namespace stiction
 
   void FrictionParameters::check(const ParameterFile &source) const
   {
+    const std::vector<std::string> allowed = {"frictionless", "given", "coulomb", "tied"};
     for (const std::string &law : split_at_bars(law_name))
-      source.require(law_name.empty() || law == "frictionless" || law == "given" ||
-                       law == "coulomb",
+      source.require(law_name.empty() ||
+                       std::count(allowed.begin(), allowed.end(), law) > 0,
                      "Friction/Law",
-                     "each law must be 'frictionless', 'given' or 'coulomb'" +
-                       did_you_mean(law, {"frictionless", "given", "coulomb"}));
+                     "each law must be 'frictionless', 'given', 'coulomb' or 'tied'" +
+                       did_you_mean(law, allowed));
   }
 } // namespace stiction

@@ -229,11 +229,18 @@ namespace stiction
         }
     motion_ = ObstacleMotion(std::move(offset), std::move(directions), std::move(forces));
 
-    const qp::SlipBound &bound     = finer_->slip_bound_;
-    const Eigen::VectorXd constant = weights_.transpose() * bound.constant();
-    slip_bound_                    = bound.is_coulomb()
-                                       ? qp::SlipBound::mixed(constant, bound.coefficient()(on_finer_))
-                                       : qp::SlipBound::given(constant);
+    // no force of a tied node passes to those between that are not
+    const qp::SlipBound &bound = finer_->slip_bound_;
+    Eigen::VectorXd given      = bound.constant();
+    for (Eigen::Index i = 0; i < given.size(); ++i)
+      given(i) = bound.is_given(i) ? given(i) : 0.;
+    Eigen::VectorXd constant = weights_.transpose() * given;
+    for (Eigen::Index j = 0; j < m; ++j)
+      if (bound.is_tied(on_finer_[j]))
+        constant(j) = qp::tied;
+    slip_bound_ = bound.is_coulomb()
+                    ? qp::SlipBound::mixed(constant, bound.coefficient()(on_finer_))
+                    : qp::SlipBound::given(constant);
   }
 
   ContactLevel::~ContactLevel() = default;
@@ -311,7 +318,7 @@ namespace stiction
       return;
     if (elasticity_.free_motions().n() > 0)
       {
-        if ((a.head(n_nodes()).array() > 0.).any())
+        if (slip_bound_.has_tied() || (a.head(n_nodes()).array() > 0.).any())
           return;
         const Eigen::VectorXd ways =
           qp::rigid_place(balance_, -state.w, nodal_stiffness(), slip_bound_).alpha;

@@ -46,7 +46,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < m; ++i)
       {
         PrimalActiveSet::Node &node = result.nodes[i];
-        if (a(i) > 0.)
+        if (a(i) > 0. || qp::is_tied(slip_bound_(i)))
           node.spring(0, 0) = rho_(i);
         const Eigen::Vector2d a_t(a(i + m), a(i + 2 * m));
         const double norm = a_t.norm();

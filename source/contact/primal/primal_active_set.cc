@@ -37,7 +37,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < m; ++i)
       {
         Node &node = nodes[i];
-        if (a(i) > 0.)
+        if (a(i) > 0. || slip_bound.is_tied(i))
           {
             node.projection -= nn;
             node.shift(0) = -w(i);

@@ -128,7 +128,8 @@ namespace stiction
         values[pressure_]          = lambda(i) / node.area;
         values[gap_]               = r(i);
         values[area_]              = node.area;
-        values[slip_bound_]        = certificate_.slip_bound()(i) / node.area;
+        const double bound         = certificate_.slip_bound()(i);
+        values[slip_bound_]        = qp::is_tied(bound) ? 0. : bound / node.area;
         values[normal_status_]     = static_cast<double>(statuses_[i].normal);
         values[tangential_status_] = static_cast<double>(statuses_[i].tangential);
         if (slip_path_.size() > 0)

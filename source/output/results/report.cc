@@ -95,13 +95,26 @@ namespace stiction
                     counts.undecided_normal);
     }
 
-    // "slip 120, stick 35 (undecided 0)", nothing where no friction can act
+    // "slip 120, stick 35 (undecided 0), tied 20", nothing where no friction can act
     std::string tangential_counts(const RunResult::NodeCounts &counts)
     {
-      return counts.slip + counts.stick + counts.undecided_tangential == 0
-               ? std::string()
-               : format("slip %u, stick %u (undecided %u)", counts.slip, counts.stick,
-                        counts.undecided_tangential);
+      std::string text;
+      if (counts.slip + counts.stick + counts.undecided_tangential > 0)
+        text = format("slip %u, stick %u (undecided %u)", counts.slip, counts.stick,
+                      counts.undecided_tangential);
+      if (counts.tied > 0)
+        text += (text.empty() ? "" : ", ") + format("tied %u", counts.tied);
+      return text;
+    }
+
+    void print_largest_pressure(Log &log, const std::string &indentation,
+                                const RunResult::Contact &contact, const Units &units)
+    {
+      print_row(log, indentation + label("largest pressure", units.stress),
+                format("%.6g", contact.max_pressure));
+      if (contact.tied > 0)
+        print_row(log, indentation + label("largest tension", units.stress),
+                  format("%.6g", contact.max_tension));
     }
 
     // The parts of several contact boundaries.
@@ -129,8 +142,7 @@ namespace stiction
                     force.text_of(boundary.tangential_force));
           print_row(log, "  " + label("moment", units.moment),
                     moment.text_of(boundary.moment));
-          print_row(log, "  " + label("largest pressure", units.stress),
-                    format("%.6g", boundary.max_pressure));
+          print_largest_pressure(log, "  ", boundary, units);
         }
     }
 
@@ -167,8 +179,7 @@ namespace stiction
                         format("%.6g", boundary.torque));
             }
         }
-      print_row(log, label("largest pressure", units.stress),
-                format("%.6g", contact.max_pressure));
+      print_largest_pressure(log, "", contact, units);
       print_row(log, label("largest displacement", units.length),
                 format("%.6g", result.displacement.max));
       const auto energies =

@@ -51,7 +51,7 @@ namespace stiction
                                      density)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunResult::NodeCounts, open, closed,
                                      undecided_normal, slip, stick, undecided_tangential,
-                                     undecided)
+                                     tied, undecided)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunResult::Support, name, id, force, moment)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SupportReactions::AtPoint, at, force)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunResult::Displacement, max, at)
@@ -83,6 +83,7 @@ namespace stiction
                     {"force_on_body", contact.force_on_body},
                     {"moment", contact.moment},
                     {"max_pressure", contact.max_pressure},
+                    {"max_tension", contact.max_tension},
                     {"area", contact.area}});
   }
 
@@ -164,6 +165,7 @@ namespace stiction
       counts.stick += status.tangential == TangentialStatus::stick ? 1 : 0;
       counts.undecided_tangential +=
         status.tangential == TangentialStatus::undecided ? 1 : 0;
+      counts.tied += status.tangential == TangentialStatus::tied ? 1 : 0;
       counts.undecided += status.is_undecided() ? 1 : 0;
     }
 
@@ -183,6 +185,8 @@ namespace stiction
         contact.area += node.area;
       contact.normal_force += lambda(0);
       contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
+      if (status.tangential == TangentialStatus::tied)
+        contact.max_tension = std::max(contact.max_tension, -lambda(0) / node.area);
       contact.tangential_force += friction;
       if (is_outer)
         {

@@ -62,7 +62,7 @@ namespace stiction
         const auto tolerance         = [&]() {
           return std::max(inner_reduction * residual(), 0.5 * rule.residual);
         };
-        normal_half_sweep(iterate, scaling, tolerance());
+        normal_half_sweep(iterate, slip_bound, scaling, tolerance());
         const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
         if (slip_bound.is_coulomb())
           make_feasible(iterate, bound, Q_);
@@ -94,10 +94,11 @@ namespace stiction
     return result;
   }
 
-  void GaussSeidel::normal_half_sweep(DualIterate &iterate, const qp::Scaling &scaling,
-                                      const double tolerance)
+  void GaussSeidel::normal_half_sweep(DualIterate &iterate,
+                                      const qp::SlipBound &slip_bound,
+                                      const qp::Scaling &scaling, const double tolerance)
   {
-    const qp::HalfLines half_lines(Q_.n_nodes());
+    const qp::HalfLines half_lines(slip_bound.constant());
     qp::Proportioning solver(normal_block_, half_lines, normal_norm_);
     half_sweep(iterate, DualBlock::normal,
                [&](Eigen::VectorXd &lambda, Eigen::VectorXd &gradient) {

@@ -34,7 +34,8 @@ namespace stiction::qp
         const Eigen::Vector2d a_t(a(i + t1_), a(i + t2_));
         const double norm = a_t.norm();
 
-        const double normal_change = has_normal_ ? x(i) - std::max(a(i), 0.) : 0.;
+        const bool is_pressed      = a(i) > 0. || slip_bound.is_tied(i);
+        const double normal_change = has_normal_ ? x(i) - (is_pressed ? a(i) : 0.) : 0.;
         const Eigen::Vector2d tangential_change =
           x_t - (norm > radius(i) ? radius(i) / norm * a_t : a_t);
         square += normal_change * normal_change + tangential_change.squaredNorm();
@@ -63,7 +64,7 @@ namespace stiction::qp
 
         if (!has_normal_)
           continue;
-        if (a(i) > 0.)
+        if (is_pressed)
           add(i, Eigen::Vector3d::UnitX(), follows, 0.);
         else
           prescribed_(i) = -x(i);

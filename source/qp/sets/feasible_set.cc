@@ -59,17 +59,18 @@ namespace stiction::qp
 
   // ------------------------------------------------------------ HalfLines
 
-  HalfLines::HalfLines(const Eigen::Index n_nodes)
-    : FeasibleSet(n_nodes, 1)
+  HalfLines::HalfLines(const Eigen::VectorXd &slip_bound)
+    : FeasibleSet(slip_bound.size(), 1)
+    , is_tied_(slip_bound.array() == tied)
   {
   }
 
   void HalfLines::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
-    for (double &entry : x)
-      if (entry < 0.) // a NaN stays one
-        entry = 0.;
+    for (Eigen::Index i = 0; i < size(); ++i)
+      if (x(i) < 0. && !is_tied_(i)) // a NaN stays one
+        x(i) = 0.;
   }
 
   void HalfLines::split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
@@ -81,7 +82,7 @@ namespace stiction::qp
     free.setZero(size());
     chopped.setZero(size());
     for (Eigen::Index i = 0; i < size(); ++i)
-      if (x(i) > 0.)
+      if (x(i) > 0. || is_tied_(i))
         free(i) = gradient(i);
       else
         chopped(i) = std::min(gradient(i), 0.);
@@ -92,7 +93,7 @@ namespace stiction::qp
   {
     double alpha = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < size(); ++i)
-      if (d(i) < 0.)
+      if (d(i) < 0. && !is_tied_(i))
         alpha = std::min(alpha, -x(i) / d(i));
     return alpha;
   }
@@ -156,7 +157,7 @@ namespace stiction::qp
     for (Eigen::Index i = 0; i < m; ++i)
       {
         const double a = d(i) * d(i) + d(i + m) * d(i + m);
-        if (a == 0.)
+        if (a == 0. || is_tied(radii_(i)))
           continue;
         // Positive root of a α² + 2 b α − c = 0, in the form that does not
         // cancel. c is how far inside the node is, never negative.
@@ -173,7 +174,7 @@ namespace stiction::qp
 
   HalfLinesTimesDiscs::HalfLinesTimesDiscs(Eigen::VectorXd radii)
     : FeasibleSet(radii.size(), 3)
-    , half_lines_(radii.size())
+    , half_lines_(radii)
     , discs_(std::move(radii))
   {
   }

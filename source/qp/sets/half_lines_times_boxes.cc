@@ -18,7 +18,7 @@ namespace stiction::qp
                                            const unsigned int n_intervals)
     : FeasibleSet(half_widths.size(), 1 + n_intervals)
     , half_widths_(std::move(half_widths))
-    , half_lines_(half_widths_.size())
+    , half_lines_(half_widths_)
   {
     for (const double half_width : half_widths_)
       if (!(half_width >= 0.))

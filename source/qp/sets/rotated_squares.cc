@@ -1,3 +1,4 @@
+#include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/rotated_squares.h>
 
 #include <algorithm>
@@ -76,9 +77,9 @@ namespace stiction::qp
     eigen_assert(forces.size() == 3 * m);
     const int r = static_cast<int>(n_squares_);
     Eigen::VectorXd unknowns(n_unknowns());
-    unknowns.head(m) = forces.head(m).cwiseMax(0.);
     for (Eigen::Index i = 0; i < m; ++i)
       {
+        unknowns(i)     = is_tied(slip_bound_(i)) ? forces(i) : std::max(forces(i), 0.);
         const double x1 = forces(i + m), x2 = forces(i + 2 * m);
         // The edge, in units of π/(2r) from the first axis; then the projected
         // point by its parts along the normal and along the edge.

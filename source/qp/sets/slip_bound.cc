@@ -30,6 +30,16 @@ namespace stiction::qp
     return SlipBound(std::move(c), std::move(F), true);
   }
 
+  bool SlipBound::is_tied(const Eigen::Index node) const
+  {
+    return qp::is_tied(constant_(node));
+  }
+
+  bool SlipBound::has_tied() const
+  {
+    return (constant_.array() == tied).any();
+  }
+
   Eigen::VectorXd SlipBound::at(const Eigen::VectorXd &lambda) const
   {
     if (!is_coulomb_)
@@ -51,7 +61,7 @@ namespace stiction::qp
                           const SlipBound &slip_bound, const Scaling &scaling)
   {
     const Eigen::VectorXd bound = slip_bound.at(x);
-    if (!x.allFinite() || !bound.allFinite()) // no set has such radii
+    if (!x.allFinite() || bound.hasNaN()) // no set has such radii
       return std::numeric_limits<double>::quiet_NaN();
     if (x.size() == 2 * slip_bound.n_nodes())
       return Discs(bound).natural_residual(x, gradient, scaling);

@@ -71,9 +71,11 @@ namespace stiction::qp
       return {d_(i), {slip_bound_.coefficient()(i) * d_(i), d_(i + m_), d_(i + 2 * m_)}};
     }
 
+    bool is_tied(const Eigen::Index i) const { return slip_bound_.is_tied(i); }
+
     bool has_friction(const Eigen::Index i) const
     {
-      return slip_bound_.constant()(i) > 0. || slip_bound_.coefficient()(i) > 0.;
+      return !is_tied(i) && !slip_bound_.is_frictionless(i);
     }
 
     // λ_ν w_ν and (g, λ_t)∘(σ, w_t) of a node.
@@ -120,8 +122,9 @@ namespace stiction::qp
     , d_(VectorXd::Zero(x.size()))
     , unit_(x.size())
   {
-    x_.head(m_) = scaling.force;
-    gradient_   = gradient + Q_ * (x_ - x);
+    for (Eigen::Index i = 0; i < m_; ++i)
+      x_(i) = is_tied(i) ? 0. : scaling.force(i);
+    gradient_ = gradient + Q_ * (x_ - x);
 
     // on the central path of a problem whose gradient is as large
     scale_       = 0.;
@@ -134,6 +137,8 @@ namespace stiction::qp
       }
     for (Eigen::Index i = 0; i < m_; ++i)
       {
+        if (is_tied(i))
+          continue;
         const ConePoint p = force(i);
         duals_[i].normal  = large * scaling.displacement_at(i);
         if (has_friction(i))
@@ -155,7 +160,7 @@ namespace stiction::qp
 
     // what is missing to first order, and to where the prediction says
     const double predicted = mean_product(std::min(1., largest_step()));
-    const double centre    = mu * std::pow(std::max(predicted / mu, 0.), 3);
+    const double centre = mu > 0. ? mu * std::pow(std::max(predicted / mu, 0.), 3) : 0.;
     for (Eigen::Index i = 0; i < m_; ++i)
       {
         const ConePoint missed = product(force_change(i), dual_changes_[i]);
@@ -183,6 +188,8 @@ namespace stiction::qp
     double sum = 0., n = 0.;
     for (Eigen::Index i = 0; i < m_; ++i)
       {
+        if (is_tied(i))
+          continue;
         ConePoint p = force(i), d = duals_[i];
         if (length > 0.)
           {
@@ -199,7 +206,7 @@ namespace stiction::qp
             ++n;
           }
       }
-    return sum / n;
+    return n > 0. ? sum / n : 0.;
   }
 
   void InteriorPoint::Path::factorize()
@@ -207,6 +214,8 @@ namespace stiction::qp
     Eigen::MatrixXd A = Q_;
     for (Eigen::Index i = 0; i < m_; ++i)
       {
+        if (is_tied(i))
+          continue;
         const Eigen::Index k[] = {i, i + m_, i + 2 * m_};
         const ConePoint p      = force(i);
         A(i, i) += duals_[i].normal / p.normal;
@@ -237,8 +246,14 @@ namespace stiction::qp
     VectorXd right_hand_side = VectorXd::Zero(3 * m_);
     for (Eigen::Index i = 0; i < m_; ++i)
       {
-        const ConePoint p  = force(i);
-        const Vector3d w   = at(gradient_, i);
+        const ConePoint p = force(i);
+        const Vector3d w  = at(gradient_, i);
+        if (is_tied(i))
+          {
+            for (Eigen::Index c = 0; c < 3; ++c)
+              right_hand_side(i + c * m_) = -w(c);
+            continue;
+          }
         right_hand_side(i) = changes[i].normal / p.normal - (w(0) - duals_[i].normal);
         if (!has_friction(i))
           continue;
@@ -252,6 +267,8 @@ namespace stiction::qp
 
     for (Eigen::Index i = 0; i < m_; ++i)
       {
+        if (is_tied(i))
+          continue;
         const Vector3d w  = at(gradient_, i) + at(Qd_, i);
         const ConePoint p = force(i), dp = force_change(i);
         ConePoint &change = dual_changes_[i];
@@ -270,6 +287,8 @@ namespace stiction::qp
     double step = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < m_; ++i)
       {
+        if (is_tied(i))
+          continue;
         const ConePoint p = force(i), dp = force_change(i);
         step = std::min({step, step_to_zero(p.normal, dp.normal),
                          step_to_zero(duals_[i].normal, dual_changes_[i].normal)});
@@ -284,11 +303,14 @@ namespace stiction::qp
   {
     VectorXd y = x_;
     for (Eigen::Index i = 0; i < m_; ++i)
-      if (x_(i) / scaling_.force(i) < duals_[i].normal / scaling_.displacement_at(i))
+      if (!is_tied(i) &&
+          x_(i) / scaling_.force(i) < duals_[i].normal / scaling_.displacement_at(i))
         y(i) = 0.;
     const VectorXd bound = slip_bound_.at(y);
     for (Eigen::Index i = 0; i < m_; ++i)
       {
+        if (is_tied(i))
+          continue;
         const Vector3d p = force(i).cone;
         const double t   = p.tail<2>().norm();
         const bool slips = (p(0) - t) / scaling_.force(i) <

@@ -2,8 +2,8 @@
 // forces, gaps and slips that satisfy all conditions are chosen, and h so that
 // they solve it. Q may have six eigenvalues up to 1e8 times the others, as that
 // of a body that is held weakly; bounds may be given, zero, Coulomb's, or of
-// each kind at some nodes. What it hands back is feasible, and the gradient
-// belongs to it. It says so when it may not go on.
+// each kind at some nodes; nodes may be tied. What it hands back is feasible, and the
+// gradient belongs to it. It says so when it may not go on.
 
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
@@ -28,13 +28,18 @@ int main()
   VectorXd some = none, others = none;
   for (Index i = 0; i < m; ++i)
     (i % 4 == 1 ? some : others)(i) = i % 5 == 2 ? 0. : 1.;
+  VectorXd tied_nodes = none;
+  for (Index i = 1; i < m; i += 4)
+    tied_nodes(i) = tied;
 
   const std::vector<std::pair<std::string, SlipBound>> laws = {
     {"no friction", SlipBound::given(none)},
     {"given friction", SlipBound::given(0.3 * all)},
     {"F = 0.3", SlipBound::coulomb(0.3 * all)},
     {"F = 1", SlipBound::coulomb(all)},
-    {"mixed", SlipBound::mixed(0.3 * some, 0.5 * others)}};
+    {"mixed", SlipBound::mixed(0.3 * some, 0.5 * others)},
+    {"some tied", SlipBound::mixed(tied_nodes, 0.5 * others)},
+    {"all tied", SlipBound::given(VectorXd::Constant(m, tied))}};
   for (const auto &[law, bound] : laws)
     for (const double ratio : {1., 1e4, 1e8})
       {

@@ -87,12 +87,13 @@ int main()
       VectorXd gaps = VectorXd::Constant(3, -0.1);
       gaps(k)       = -0.3;
       std::cout << "  a node that penetrates most: "
-                << HalfLines(3).natural_residual(VectorXd::Zero(3), gaps,
-                                                 {VectorXd::Ones(3), 0.5})
+                << HalfLines(VectorXd::Zero(3))
+                     .natural_residual(VectorXd::Zero(3), gaps, {VectorXd::Ones(3), 0.5})
                 << " (0.6)" << std::endl;
     }
   std::cout << "  no nodes: "
-            << HalfLines(0).natural_residual(VectorXd(0), VectorXd(0), {VectorXd(0), 1.})
+            << HalfLines(VectorXd(0))
+                 .natural_residual(VectorXd(0), VectorXd(0), {VectorXd(0), 1.})
             << " (0)" << std::endl;
 
   // ------------------------------------------------- zero iff x is optimal

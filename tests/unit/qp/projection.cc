@@ -135,7 +135,7 @@ int main()
   VectorXd radii(5);
   radii << 1., 0., 0.25, 1e-3, 2.;
 
-  check("HalfLines", HalfLines(5), true, false, radii);
+  check("HalfLines", HalfLines(radii), true, false, radii);
   check("Discs", Discs(radii), false, true, radii);
   check("HalfLinesTimesDiscs", HalfLinesTimesDiscs(radii), true, true, radii);
 

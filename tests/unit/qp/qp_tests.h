@@ -136,11 +136,13 @@ namespace qp_tests
   }
 
   /// The nearest point of the half-lines (first n_half_lines entries) times
-  /// the discs (two blocks of entries after them), as one would write it.
+  /// the discs (two blocks of entries after them), as one would write it; with half-lines
+  /// a node of infinite radius is free along the normal, too.
   inline void project(VectorXd &x, const Index n_half_lines, const VectorXd &radii)
   {
     for (Index i = 0; i < n_half_lines; ++i)
-      x(i) = std::max(x(i), 0.);
+      if (i >= radii.size() || !std::isinf(radii(i)))
+        x(i) = std::max(x(i), 0.);
     const Index m = radii.size();
     for (Index i = n_half_lines; i < n_half_lines + m; ++i)
       {
@@ -185,7 +187,7 @@ namespace qp_tests
   }
 
   /// Forces x, and r for them, that satisfy all conditions: a third of the
-  /// nodes are open, the others stick or slip.
+  /// nodes are open, the others stick or slip; tied ones bear forces of all directions.
   inline void choose_solution(Random &random, const stiction::qp::SlipBound &bound,
                               VectorXd &x, VectorXd &r)
   {
@@ -199,6 +201,13 @@ namespace qp_tests
     const VectorXd angle = random.vector(m, 0., 6.28);
     for (Index i = 0; i < m; ++i)
       {
+        if (bound.is_tied(i))
+          {
+            r(i) = 0.;
+            for (const Index k : {i, i + m, i + 2 * m})
+              x(k) = amount(k) - 0.5;
+            continue;
+          }
         const bool slips = i % 2 == 0;
         const double t   = slips ? g(i) : 0.9 * amount(i + m) * g(i);
         x(i + m)         = t * std::cos(angle(i));

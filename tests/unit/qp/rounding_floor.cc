@@ -36,7 +36,7 @@ namespace
       return DiscActiveSet(A, discs, 1., static_cast<DiscActiveSet::Variant>(method))
         .solve(x, gradient, scaling, tolerance, 3000);
     if (method == 6)
-      return Proportioning(A, HalfLines(radii.size()), 1.)
+      return Proportioning(A, HalfLines(VectorXd::Zero(radii.size())), 1.)
         .solve(x, gradient, scaling, tolerance, 3000);
     if (method == 7)
       return Proportioning(A, discs, 1.).solve(x, gradient, scaling, tolerance, 3000);

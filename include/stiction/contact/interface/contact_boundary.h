@@ -83,6 +83,10 @@ namespace stiction
     /// "automatic", "boundary" or "obstacle".
     const std::string &slave_side() const { return slave_side_; }
 
+    /// Whether it and its partner are one body: they neither open nor slip from where
+    /// they are meshed.
+    bool is_tied() const;
+
     /// Whether the distance of the meshes of a pair is part of the gap.
     bool keeps_mesh_gap() const { return mesh_gap_ == "kept"; }
 

@@ -15,7 +15,8 @@ namespace stiction
   {
     frictionless, ///< g = 0
     given,        ///< g = area × slip stress, also where the node is open
-    coulomb       ///< g = F λ_ν
+    coulomb,      ///< g = F λ_ν
+    tied          ///< g = ∞: neither slips nor opens
   };
 
   /// The section 'Friction', of several contact boundaries separated by '|'.

@@ -43,8 +43,8 @@ namespace stiction
 
   private:
     /// λ_ν^(i) of ALGORITHM GS.
-    void normal_half_sweep(DualIterate &iterate, const qp::Scaling &scaling,
-                           double tolerance);
+    void normal_half_sweep(DualIterate &iterate, const qp::SlipBound &slip_bound,
+                           const qp::Scaling &scaling, double tolerance);
 
     /// λ_t^(i) of ALGORITHM GS.
     void tangential_half_sweep(DualIterate &iterate, const Eigen::VectorXd &slip_bound,

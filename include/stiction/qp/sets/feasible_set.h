@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 namespace stiction::qp
 {
   /// The units in which a residual is measured.
@@ -69,11 +71,22 @@ namespace stiction::qp
     unsigned int n_components_;
   };
 
-  /// x_i ≥ 0: the normal contact forces, Λ_ν of the paper's problem (D).
+  /// The slip bound of a node that is tied: no force is too large in any direction,
+  /// along the normal neither.
+  constexpr double tied = std::numeric_limits<double>::infinity();
+
+  constexpr bool is_tied(const double slip_bound)
+  {
+    return slip_bound == tied;
+  }
+
+  /// x_i ≥ 0: the normal contact forces, Λ_ν of the paper's problem (D); any number
+  /// where the node is tied.
   class HalfLines : public FeasibleSet
   {
   public:
-    explicit HalfLines(Eigen::Index n_nodes);
+    /// @param slip_bound of each node; which ones are tied is all that counts.
+    explicit HalfLines(const Eigen::VectorXd &slip_bound);
 
     void project(Eigen::VectorXd &x) const override;
 
@@ -82,10 +95,13 @@ namespace stiction::qp
 
     double largest_feasible_step(const Eigen::VectorXd &x,
                                  const Eigen::VectorXd &d) const override;
+
+  private:
+    Eigen::Array<bool, Eigen::Dynamic, 1> is_tied_;
   };
 
   /// x_i² + x_{i+m}² ≤ g_i²: the tangential contact forces, Λ_t of the
-  /// paper's problem (D). Radii may be zero.
+  /// paper's problem (D). Radii may be zero, and infinite where a node is tied.
   class Discs : public FeasibleSet
   {
   public:
@@ -111,7 +127,7 @@ namespace stiction::qp
   };
 
   /// Half-lines times discs: the whole feasible set of the paper's problem
-  /// (D), with entries (λ_ν; λ_t1; λ_t2).
+  /// (D), with entries (λ_ν; λ_t1; λ_t2). Where a node is tied it is the whole space.
   class HalfLinesTimesDiscs : public FeasibleSet
   {
   public:

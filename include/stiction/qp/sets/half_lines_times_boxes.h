@@ -7,7 +7,7 @@ namespace stiction::qp
 {
   /// x_i ≥ 0 in the first block and |x_i| ≤ b_i in each of the others: bounds
   /// only, as for the rotated squares that replace the circles. Half-widths
-  /// may be zero.
+  /// may be zero, and infinite where a node is tied.
   class HalfLinesTimesBoxes : public FeasibleSet
   {
   public:

@@ -9,14 +9,15 @@ namespace stiction::qp
 
   /// The slip bound as a function of the contact forces, node by node
   /// g_i = c_i + F_i max(λ_ν,i, 0): fixed (given friction, and none with c = 0)
-  /// or by Coulomb's law. Different nodes may follow different laws.
+  /// or by Coulomb's law. Different nodes may follow different laws. A node with
+  /// c_i = ∞ is tied: it neither slips nor opens, and its force is any vector.
   class SlipBound
   {
   public:
     /// No contact nodes.
     SlipBound() = default;
 
-    /// g_i ≥ 0, unit: N.
+    /// g_i ≥ 0, unit: N, infinite where a node is tied.
     static SlipBound given(Eigen::VectorXd g);
 
     /// g_i = F_i max(λ_ν,i, 0), F_i ≥ 0 without a unit.
@@ -55,6 +56,21 @@ namespace stiction::qp
     const Eigen::VectorXd &data() const { return is_coulomb_ ? coefficient_ : constant_; }
 
     Eigen::Index n_nodes() const { return constant_.size(); }
+
+    bool is_tied(Eigen::Index node) const;
+    bool has_tied() const;
+
+    /// Whether friction can act at a node without pressure, of a node that is not tied.
+    bool is_given(const Eigen::Index node) const
+    {
+      return constant_(node) > 0. && !is_tied(node);
+    }
+
+    /// Whether no tangential force can act at a node at all.
+    bool is_frictionless(const Eigen::Index node) const
+    {
+      return constant_(node) == 0. && coefficient_(node) == 0.;
+    }
 
     /// The bound for contact forces (λ_ν; λ_t1; λ_t2); the first n_nodes()
     /// entries of @p lambda are looked at.

@@ -1,0 +1,40 @@
+#ifndef stiction_tests_several_bodies_h
+#define stiction_tests_several_bodies_h
+
+#include "tests.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+// A parameter file in the directory of the test.
+inline std::string file(const std::string &name, const std::string &text)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::ofstream(name) << text;
+  MPI_Barrier(MPI_COMM_WORLD);
+  return name;
+}
+
+inline std::string section(const std::string &name, const std::vector<std::string> &lines)
+{
+  std::string text = "subsection " + name + "\n";
+  for (const std::string &line : lines)
+    text += "  set " + line + "\n";
+  return text + "end\n";
+}
+
+inline std::string brick(const std::string &name, const std::string &lengths,
+                         const std::string &subdivisions, const std::string &translation,
+                         const std::string &rotation = "0;0;0;0;0;1;0",
+                         const std::string &E        = "1000")
+{
+  return section("Body " + name,
+                 {"Lengths = " + lengths, "Subdivisions = " + subdivisions,
+                  "Translation = " + translation, "Rotation = " + rotation,
+                  "Young's modulus = " + E, "Poisson ratio = 0.3", "Density = 1"});
+}
+
+#endif
