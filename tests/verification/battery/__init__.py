@@ -1,0 +1,1 @@
+"""The battery: cases with answers that are known from elsewhere."""
