@@ -76,7 +76,7 @@ namespace
   std::vector<Candidate> candidates()
   {
     const auto half_lines = [](const VectorXd &radii) {
-      return std::make_unique<HalfLines>(radii.size());
+      return std::make_unique<HalfLines>(VectorXd::Zero(radii.size()));
     };
     const auto discs = [](const VectorXd &radii) {
       return std::make_unique<Discs>(radii);

@@ -26,7 +26,8 @@ namespace stiction
       "have the numbers it gives them. file: a mesh from 'Mesh "
       "file'. Refined curved boundaries follow the shape, those of a file "
       "stay as the file has them. May be left out where "
-      "'Lengths' or 'Table 1 level' say that it is a brick. Several bodies have in place "
+      "'Lengths' or 'Table 1 level' say that it is a brick, or 'Mesh file' that it is a "
+      "file. Several bodies have in place "
       "of it a section each, 'subsection Body NAME', with the entries from Type to Mesh "
       "file and Refinement, Translation, Rotation, Young's modulus, Poisson ratio, "
       "Density; their boundaries are called 'NAME.bottom' then.",
@@ -108,6 +109,8 @@ namespace stiction
     // no other body has such edges
     if (type.empty() && !lengths.empty())
       type = "brick";
+    if (type.empty() && !mesh_file.empty())
+      type = "file";
     location = source.describe(entry_of_shape());
     if (type == "file" && !mesh_file.empty())
       mesh_file = source.find_file(entry("Mesh file"), mesh_file);

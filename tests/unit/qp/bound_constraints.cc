@@ -115,7 +115,7 @@ namespace
         const Index n         = 1 + k % 10;
         const Problem problem = make(random, n);
         const VectorXd exact  = best_of_all_faces(problem);
-        const HalfLines half_lines(n);
+        const HalfLines half_lines(VectorXd::Zero(n));
         for (const double entry : exact)
           ++(entry > 0. ? carrying : open);
 

@@ -71,7 +71,7 @@ namespace
     std::unique_ptr<FeasibleSet> set() const
     {
       if (method == Method::half_lines)
-        return std::make_unique<HalfLines>(radii.size());
+        return std::make_unique<HalfLines>(VectorXd::Zero(radii.size()));
       if (method == Method::product)
         return std::make_unique<HalfLinesTimesDiscs>(radii);
       return std::make_unique<Discs>(radii);

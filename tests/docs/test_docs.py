@@ -1,0 +1,170 @@
+"""README and the guide say what is so: links and files exist, the page of parameters is
+the program's, every command runs, and the part of README's own is certified.
+
+Call: test_docs.py PROGRAM
+"""
+
+import glob
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+PAGES = [os.path.join(ROOT, name) for name in ("README.md", "CONTRIBUTING.md")] + sorted(
+    glob.glob(os.path.join(ROOT, "doc", "**", "*.md"), recursive=True))
+sys.path.insert(0, os.path.join(ROOT, "doc"))
+import parameters  # pylint: disable=wrong-import-position
+
+
+def read(page):
+    """The text of a page."""
+    with open(page, encoding="utf-8") as file:
+        return file.read()
+
+
+def commands(page):
+    """The indented commands of a page, continued lines joined."""
+    text = read(page).replace("\\\n", " ")
+    return [shlex.split(line) for line in re.findall(
+        r"^ {4,}((?:\./run|build/stiction) .*)$", text, re.MULTILINE)]
+
+
+class Pages(unittest.TestCase):
+    """What the pages say of the project."""
+
+    def test_links(self):
+        for page in PAGES:
+            for link in re.findall(r"\]\(([^)]+)\)", read(page)):
+                if "://" not in link:
+                    path = link.partition("#")[0]
+                    self.assertTrue(not path or os.path.exists(
+                        os.path.join(os.path.dirname(page), path)), f"{page}: {link}")
+
+    def test_files(self):
+        for page in PAGES:
+            for name in re.findall(r"`(?:\./)?((?:parameters|output|doc|source|tests)/[\w./]+?\."
+                                   r"(?:prm|py|md|msh|cc|h))`", read(page)):
+                if "NAME" not in name and (
+                        not name.startswith("output/") or name.endswith(".py")):
+                    self.assertTrue(os.path.exists(os.path.join(ROOT, name)),
+                                    f"{page}: {name}")
+
+    def test_anchors(self):
+        for page in PAGES:
+            for path, anchor in re.findall(r"\]\(([\w/.]*)#([\w-]+)\)", read(page)):
+                there = os.path.join(os.path.dirname(page), path) if path else page
+                titles = [re.sub(r"[^\w -]", "", title).strip().lower().replace(" ", "-")
+                          for title in re.findall(r"^#+ (.*)$", read(there), re.MULTILINE)]
+                self.assertIn(anchor, titles, page)
+
+    def test_parameters(self):
+        self.assertEqual(read(os.path.join(ROOT, "doc", "parameters.md")),
+                         parameters.page(PROGRAM), "call doc/parameters.py PROGRAM")
+
+    def test_every_shipped_file_is_listed(self):
+        listed = read(os.path.join(ROOT, "doc", "shipped_files.md"))
+        for name in glob.glob(os.path.join(ROOT, "parameters", "*.prm")):
+            self.assertIn(os.path.basename(name), listed)
+
+
+class Commands(unittest.TestCase):
+    """What the pages say to type."""
+
+    def solve(self, arguments, directory, statuses=(0,)):
+        """Runs the program in a directory that has the project's folders."""
+        end = subprocess.run([PROGRAM, *arguments], cwd=directory, capture_output=True,
+                             text=True, check=False)
+        self.assertIn(end.returncode, statuses, f"{arguments}\n{end.stderr[-400:]}")
+
+    def test_commands(self):
+        words = re.findall(r"^  (\w+)\)$", read(os.path.join(ROOT, "run")), re.MULTILINE)
+        done = set()
+        with tempfile.TemporaryDirectory() as directory:
+            os.symlink(os.path.join(ROOT, "parameters"),
+                       os.path.join(directory, "parameters"))
+            for page in PAGES:
+                for command in commands(page):
+                    if command[0] == "./run" and not command[1].endswith(".prm"):
+                        self.assertIn(command[1], words, page)
+                        continue
+                    if not command[1].startswith(("parameters/", "--problem")) or (
+                            "newton_multigrid" in command[1]):  # a million unknowns
+                        continue
+                    arguments = command[1:]
+                    while "-n" in arguments:
+                        del arguments[arguments.index("-n"):arguments.index("-n") + 2]
+                    arguments = [word for word in arguments if word != "--picture"]
+                    if str(arguments) in done:
+                        continue
+                    done.add(str(arguments))
+                    # the history that friction ends is one of the tutorials
+                    self.solve(arguments, directory,
+                               (1, 2) if "Time/End=1" in arguments else (0,))
+        self.assertGreater(len(done), 8)
+
+    def test_own_part(self):
+        text = read(os.path.join(ROOT, "README.md"))
+        block = re.search(r"^ {7}subsection Geometry.*?(?=^\S|^\d)", text,
+                          re.MULTILINE | re.DOTALL)[0]
+        with tempfile.TemporaryDirectory() as directory:
+            with open(os.path.join(directory, "part.prm"), "w", encoding="utf-8") as file:
+                file.write(block)
+            with open(os.path.join(directory, "part.msh"), "w", encoding="utf-8") as file:
+                file.write(box(4))
+            self.solve(["part.prm", "--validate"], directory)
+            self.solve(["part.prm"], directory)
+            for name in ("solution.pvtu", "contact.pvtu"):
+                self.assertTrue(os.path.exists(
+                    os.path.join(directory, "output", "stiction", name)))
+
+    def test_python(self):
+        text = read(os.path.join(ROOT, "doc", "tutorials.md"))
+        script = re.search(r"^    import sys$.*?\n\n(?=\S)", text, re.MULTILINE | re.DOTALL)[0]
+        script = "\n".join(line[4:] for line in script.splitlines())
+        self.assertIn("stiction.run(", script)
+        script = script.replace("for F in (0.0, 0.1, 0.2, 0.3, 0.4)", "for F in (0.0, 0.3)")
+        script = script.replace("stiction.run(", "solve(").replace(
+            "import stiction\n", "import functools, stiction\n"
+            f"solve = functools.partial(stiction.run, program={PROGRAM!r})\n")
+        end = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True,
+                             text=True, check=False)
+        self.assertEqual(end.returncode, 0, end.stderr)
+        self.assertEqual(len(end.stdout.splitlines()), 2)
+        self.assertTrue(all(" True " in line for line in end.stdout.splitlines()))
+
+
+def box(n):
+    """A cube of n³ hexahedra with named faces, as Gmsh writes it."""
+    def node(i, j, k):
+        return 1 + i + (n + 1) * (j + (n + 1) * k)
+    text = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"wall\"\n"
+            "2 2 \"top\"\n2 3 \"sole\"\n3 4 \"steel\"\n$EndPhysicalNames\n")
+    places = [(i, j, k) for k in range(n + 1) for j in range(n + 1) for i in range(n + 1)]
+    text += f"$Nodes\n{len(places)}\n" + "".join(
+        f"{node(*place)} {place[0] / n} {place[1] / n} {place[2] / n}\n"
+        for place in places) + "$EndNodes\n"
+    elements = []
+    for a in range(n):
+        for b in range(n):
+            elements += [
+                f"3 2 1 1 {node(0, a, b)} {node(0, a + 1, b)} {node(0, a + 1, b + 1)} "
+                f"{node(0, a, b + 1)}",
+                f"3 2 2 2 {node(a, b, n)} {node(a + 1, b, n)} {node(a + 1, b + 1, n)} "
+                f"{node(a, b + 1, n)}",
+                f"3 2 3 3 {node(a, b, 0)} {node(a + 1, b, 0)} {node(a + 1, b + 1, 0)} "
+                f"{node(a, b + 1, 0)}"]
+            elements += ["5 2 4 4 " + " ".join(str(node(a + x, b + y, c + z)) for x, y, z in (
+                (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1),
+                (0, 1, 1))) for c in range(n)]
+    return text + f"$Elements\n{len(elements)}\n" + "".join(
+        f"{number} {element}\n" for number, element in enumerate(elements, 1)
+    ) + "$EndElements\n"
+
+
+if __name__ == "__main__":
+    unittest.main()
