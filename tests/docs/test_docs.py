@@ -17,8 +17,9 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 PAGES = [os.path.join(ROOT, name) for name in ("README.md", "CONTRIBUTING.md")] + sorted(
     glob.glob(os.path.join(ROOT, "doc", "**", "*.md"), recursive=True))
-sys.path.insert(0, os.path.join(ROOT, "doc"))
+sys.path[:0] = [os.path.join(ROOT, "doc"), os.path.join(ROOT, "tests", "verification")]
 import parameters  # pylint: disable=wrong-import-position
+from battery.mesh import cube  # pylint: disable=wrong-import-position
 
 
 def read(page):
@@ -115,7 +116,7 @@ class Commands(unittest.TestCase):
             with open(os.path.join(directory, "part.prm"), "w", encoding="utf-8") as file:
                 file.write(block)
             with open(os.path.join(directory, "part.msh"), "w", encoding="utf-8") as file:
-                file.write(box(4))
+                file.write(cube(4))
             self.solve(["part.prm", "--validate"], directory)
             self.solve(["part.prm"], directory)
             for name in ("solution.pvtu", "contact.pvtu"):
@@ -136,34 +137,6 @@ class Commands(unittest.TestCase):
         self.assertEqual(end.returncode, 0, end.stderr)
         self.assertEqual(len(end.stdout.splitlines()), 2)
         self.assertTrue(all(" True " in line for line in end.stdout.splitlines()))
-
-
-def box(n):
-    """A cube of n³ hexahedra with named faces, as Gmsh writes it."""
-    def node(i, j, k):
-        return 1 + i + (n + 1) * (j + (n + 1) * k)
-    text = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"wall\"\n"
-            "2 2 \"top\"\n2 3 \"sole\"\n3 4 \"steel\"\n$EndPhysicalNames\n")
-    places = [(i, j, k) for k in range(n + 1) for j in range(n + 1) for i in range(n + 1)]
-    text += f"$Nodes\n{len(places)}\n" + "".join(
-        f"{node(*place)} {place[0] / n} {place[1] / n} {place[2] / n}\n"
-        for place in places) + "$EndNodes\n"
-    elements = []
-    for a in range(n):
-        for b in range(n):
-            elements += [
-                f"3 2 1 1 {node(0, a, b)} {node(0, a + 1, b)} {node(0, a + 1, b + 1)} "
-                f"{node(0, a, b + 1)}",
-                f"3 2 2 2 {node(a, b, n)} {node(a + 1, b, n)} {node(a + 1, b + 1, n)} "
-                f"{node(a, b + 1, n)}",
-                f"3 2 3 3 {node(a, b, 0)} {node(a + 1, b, 0)} {node(a + 1, b + 1, 0)} "
-                f"{node(a, b + 1, 0)}"]
-            elements += ["5 2 4 4 " + " ".join(str(node(a + x, b + y, c + z)) for x, y, z in (
-                (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1),
-                (0, 1, 1))) for c in range(n)]
-    return text + f"$Elements\n{len(elements)}\n" + "".join(
-        f"{number} {element}\n" for number, element in enumerate(elements, 1)
-    ) + "$EndElements\n"
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ import numpy as np
 
 import verify
 from battery.case import ROOT, Row, Solver, order, stiction
+from battery.random_bodies import judge
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 BRICK = os.path.join(ROOT, "parameters", "brick.prm")
@@ -103,6 +104,23 @@ class Files(unittest.TestCase):
                          else len(steps))
         self.assertEqual(len(run.contact(step=1)["area"]), len(run.contact()["area"]))
         self.assertEqual(run.history["boundary"][0], "bottom")
+
+    def test_judge(self):
+        with tempfile.TemporaryDirectory() as directory:
+            run = stiction.run(BRICK, {"Geometry/Table 1 level": 1,
+                                       "Output/Export directory": directory},
+                               program=PROGRAM)
+            energy = run.summary["energy"]["strain"]
+            self.assertLess(judge(directory, energy), 1e-7)
+            for change, least in ((lambda x: 1.001 * x, 1e-4), (lambda x: 0 * x + 1, 1e-2)):
+                name = os.path.join(directory, "lambda.mtx")
+                with open(name, encoding="utf-8") as file:
+                    lines = file.readlines()
+                first = next(k for k, line in enumerate(lines) if line[0] != "%") + 1
+                with open(name, "w", encoding="utf-8") as file:
+                    file.writelines(lines[:first] + [
+                        f"{change(float(line)):.17g}\n" for line in lines[first:]])
+                self.assertGreater(judge(directory, energy), least)
 
     def test_errors(self):
         for call, says in (

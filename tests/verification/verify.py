@@ -13,12 +13,14 @@ import sys
 import time
 
 try:
-    from battery import hertz, manufactured, patch, report, structures, tangential
+    from battery import (hertz, invariances, manufactured, patch, random_bodies, report,
+                         structures, tangential)
     from battery.case import ROOT, Solver, stiction
 except ModuleNotFoundError as missing:
     sys.exit(f"verify.py: needs the Debian package python3-{missing.name}")
 
-CASES = {name: function for module in (patch, manufactured, hertz, tangential, structures)
+CASES = {name: function for module in (
+    patch, manufactured, hertz, tangential, structures, invariances, random_bodies)
          for name, function in module.CASES.items()}
 
 

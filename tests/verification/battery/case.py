@@ -84,9 +84,9 @@ class Solver:
         """A shipped parameter file with other settings."""
         return self(os.path.join(ROOT, "parameters", name), settings)
 
-    def __call__(self, problem, settings=None):
+    def __call__(self, problem, settings=None, ranks=1):
         settings = {"Output/Print progress": "false", **(settings or {})}
-        run = stiction.run(problem, settings, program=self.program)
+        run = stiction.run(problem, settings, ranks=ranks, program=self.program)
         self.progress()
         if not run.certified:
             self.rows.append(Row("a run", "not certified", "certified", run.message,
