@@ -62,4 +62,10 @@ check 1 "run: '--output' is no command, './run --help' lists them" --output x
 mkdir -p parameters/meshes
 echo 'import sys; print("mesh of", *sys.argv[1:])' >parameters/meshes/step_to_msh.py
 check 0 'mesh of a.step a.msh --size 5' mesh a.step a.msh --size 5
+mkdir -p parameters/methods
+printf '# A block. It is\n# red.\nsubsection A\n# no\n' >parameters/block.prm
+printf '# A method, of\n# two lines: so.\n\n' >parameters/methods/m.prm
+list=$(printf '%-52s %s' parameters/block.prm 'A block')
+list+=$(printf '|%-52s %s' parameters/methods/m.prm 'A method, of two lines')
+check 0 "$list" list
 exit $((failures > 0))
