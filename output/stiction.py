@@ -10,8 +10,8 @@
     print(nodes["points"][nodes["pressure"].argmax()])
 
 'read(DIRECTORY)' is the same for a run that was made before. Whether a run is certified
-is in it, and its error in words; only what is no run at all, such as a file that is
-missing, raises an Error.
+is in it, and in 'message' why one that was made here is not; only what is no run at all,
+such as a file that is missing, raises an Error.
 """
 
 import base64
@@ -100,6 +100,7 @@ def run(parameters, settings=None, directory=None, ranks=1, program=None):
         weakref.finalize(result, shutil.rmtree, directory, ignore_errors=True)
         return result
     os.makedirs(directory, exist_ok=True)
+    parameters = os.fspath(parameters)
     if "\n" in parameters:
         text, parameters = parameters, os.path.join(directory, "input.prm")
         with open(parameters, "w", encoding="utf-8") as file:
@@ -108,6 +109,7 @@ def run(parameters, settings=None, directory=None, ranks=1, program=None):
     if ranks > 1:
         command = ["mpirun", "--quiet", "--oversubscribe", "-n", str(ranks)] + command
     for entry, value in (settings or {}).items():
+        value = str(value).lower() if isinstance(value, bool) else value
         command += ["--set", f"{entry}={value}"]
     environment = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", **os.environ}
     if os.geteuid() == 0:  # Open MPI refuses to run as root, even in a container
@@ -118,9 +120,9 @@ def run(parameters, settings=None, directory=None, ranks=1, program=None):
     except OSError as error:
         raise Error(f"cannot run '{program}': {error.strerror}") from error
     said = [line for line in (end.stderr + end.stdout).splitlines()
-            if line.startswith(("stiction: ", "NOT CONVERGED: "))]
+            if line.startswith(("stiction: ", "NOT CONVERGED: ", "INTERRUPTED: "))]
     message = said[0].split(": ", 1)[1] if said else ""
-    if end.returncode not in (0, 2):
+    if end.returncode not in (0, 2, 3):
         raise Error(message or f"'{program}' ended with status {end.returncode}")
     return Run(directory, end.returncode, message)
 

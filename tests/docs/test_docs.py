@@ -69,8 +69,9 @@ class Pages(unittest.TestCase):
 
     def test_every_shipped_file_is_listed(self):
         listed = read(os.path.join(ROOT, "doc", "shipped_files.md"))
-        for name in glob.glob(os.path.join(ROOT, "parameters", "*.prm")):
-            self.assertIn(os.path.basename(name), listed)
+        for folder in ("", "several_bodies"):
+            for name in glob.glob(os.path.join(ROOT, "parameters", folder, "*.prm")):
+                self.assertIn(os.path.basename(name), listed)
 
 
 class Commands(unittest.TestCase):

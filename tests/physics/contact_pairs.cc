@@ -311,6 +311,36 @@ namespace
             << how_it_ends(file("pile.prm", pile(slope)), method) << std::endl;
   }
 
+  // A block on a plate on a slope of 0.25, which tips if it is higher than 4, and a beam
+  // whose centre is beyond the edge of the plate at x = 2, or not.
+  void tip()
+  {
+    const auto problem = [](const std::string &body, const double slope) {
+      return brick("plate", "2,1,0.5", "8,4,1", "0;0;-0.5") + body +
+             section("Boundary conditions",
+                     {"Prescribed displacement = plate.bottom : 0; 0; 0",
+                      "Gravity = " + exact(slope) + "; 0; -1",
+                      "Contact boundary = body.bottom",
+                      "Obstacle = boundary : plate.top"}) +
+             section("Friction", {"Law = coulomb", "Coefficient = 0.5"}) +
+             section("Contact solver", {"Tolerance = 1e-6"});
+    };
+    for (const double height : {3.99, 4.01})
+      out() << "height " << height << " on a slope: "
+            << how_it_ends(file("high.prm", problem(brick("body", "1,1," + exact(height),
+                                                          "3,3,4", "0.5;0;0"),
+                                                    0.25)),
+                           method)
+            << std::endl;
+    for (const double begin : {0.75, 0.81})
+      out() << "centre at x = " << begin + 1.2 << " beyond the edge at 2 or not: "
+            << how_it_ends(file("beam.prm", problem(brick("body", "2.4,1,0.5", "6,3,1",
+                                                          exact(begin) + ";0;0"),
+                                                    0.)),
+                           method)
+            << std::endl;
+  }
+
   void lay_on_stiff_foundation()
   {
     const auto problem = [](const bool is_rigid) {
@@ -353,6 +383,7 @@ int main(int argc, char **argv)
       stack_blocks();
       share_a_side();
       pile_up();
+      tip();
       lay_on_stiff_foundation();
     }
 }

@@ -187,7 +187,7 @@ namespace
         const Run run =
           solve(prm, {"Geometry/Global refinement=" + std::to_string(level + 1),
                       "Body outer/Refinement=1"});
-        const auto contact = run.summary()["contact"];
+        const auto contact = run.summary()["contact"]["boundaries"][0];
         are_certified      = are_certified && run.converged;
         error[level]       = std::abs(contact["normal_force"].get<double>() /
                                         contact["area"].get<double>() / -4.8942 -
@@ -196,6 +196,42 @@ namespace
     out() << "shell: certified " << yes(are_certified) << ", tension to 2 % "
           << yes(error[1] < 0.02) << ", three times as near on cells of half the size "
           << yes(error[1] < error[0] / 3.) << std::endl;
+  }
+
+  // Two cubes, one clamped at its base up to the joint, where its nodes cannot be those
+  // that are tied; and both above a floor that they do not touch, whose nodes of the
+  // joint stay tied.
+  void hold_a_rim()
+  {
+    const auto cubes = [](const std::string &more, const std::string &side) {
+      return brick("left", "1,1,1", "4,4,4", "0;0;0") +
+             brick("right", "1,1,1", "4,4,4", "1;0;0") +
+             section("Boundary conditions", {"Traction = left.left : 0; 0; 1",
+                                             "Prescribed displacement = " + more}) +
+             section("Contact pair joint",
+                     {"Boundary = right.left", "Obstacle = boundary : left.right",
+                      "Law = tied", "Slave side = " + side});
+    };
+    const auto energy = [](const std::string &prm) {
+      const Run run = solve(file("rim.prm", prm + tolerance("1e-10")));
+      return run.converged ? run.summary()["energy"]["strain"].get<double>() : 0.;
+    };
+    const double held = energy(cubes("right.bottom : 0; 0; 0", "obstacle"));
+    out() << "held rim: the other side is chosen "
+          << yes(std::abs(energy(cubes("right.bottom : 0; 0; 0", "automatic")) - held) <
+                 1e-8 * held)
+          << std::endl;
+
+    const double alone = energy(cubes("right.right : 0; 0; 0", "boundary"));
+    std::string floors;
+    for (const std::string name : {"left", "right"})
+      floors += section("Contact pair floor of " + name,
+                        {"Boundary = " + name + ".bottom", "Obstacle = foundation",
+                         "Initial gap = 1", "Law = frictionless"});
+    out() << "nodes of two contacts stay tied "
+          << yes(std::abs(energy(floors + cubes("right.right : 0; 0; 0", "boundary")) -
+                          alone) < 1e-8 * alone)
+          << std::endl;
   }
 
   std::string hanging(const std::string &held)
@@ -212,7 +248,7 @@ namespace
   void hang_a_body()
   {
     const Run run      = solve(file("hanging.prm", hanging("ceiling.top : 0; 0; 0")));
-    const double force = run.summary()["contact"]["normal_force"];
+    const double force = run.summary()["contact"]["boundaries"][0]["normal_force"];
     out() << "hanging: certified " << yes(run.converged) << ", tension is the weight "
           << yes(std::abs(force + 10.) < 1e-7) << std::endl;
     out() << "nothing holds both: "
@@ -233,6 +269,7 @@ int main(int argc, char **argv)
       patch_test();
       compare_with_whole();
       pull_a_shell();
+      hold_a_rim();
       hang_a_body();
     }
 }

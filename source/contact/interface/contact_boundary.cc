@@ -234,9 +234,9 @@ namespace stiction
         std::swap(id_, partner_);
         std::swap(name_, partner_name_);
       }
+    const std::string said = description_.substr(0, description_.find("; forces on "));
     description_ =
-      "boundary " + partner_name_ +
-      description_.substr(std::min(description_.find(','), description_.size())) +
+      "boundary " + partner_name_ + said.substr(std::min(said.find(','), said.size())) +
       (keeps_mesh_gap() || is_tied() ? "" : ", distance of the meshes removed") +
       "; forces on " + name_ + ", " + reason;
   }

@@ -39,8 +39,9 @@ namespace stiction
       "here and all those of the section Friction have one value for all "
       "contact boundaries, or one for each, separated by '|' in the same "
       "order. In place of these lists there may be a section a contact boundary, "
-      "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Initial "
-      "gap, Displacement, Rotation, Force, Law, Coefficient, Slip stress, First "
+      "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Slave side, "
+      "Mesh gap, Initial gap, Displacement, Rotation, Force, Law, Coefficient, Slip "
+      "stress, First "
       "direction.",
       prm, Patterns::Anything());
     add_parameter(

@@ -58,6 +58,59 @@ namespace stiction
       return least;
     }
 
+    // Of the size of faces: a tie across a wider gap would pass on no moment.
+    constexpr double widest_tie = 0.25;
+
+    // How many slaves are held along some axis along which most of what they face is not:
+    // a tie has no hold on them there.
+    unsigned int n_lost(const LinearElasticity &elasticity, const Mortar &mortar)
+    {
+      LA::Vector held = elasticity.zero_vector();
+      for (const auto dof : held.locally_owned_elements())
+        held(dof) = elasticity.is_prescribed(dof) ? 1. : 0.;
+      const Eigen::VectorXd slaves = DofSubset::of_nodes(mortar.slaves).restriction(held);
+      const Eigen::VectorXd masters =
+        DofSubset::of_nodes(mortar.masters).restriction(held);
+      const Eigen::Index m = mortar.A.rows(), n = mortar.A.cols();
+      unsigned int lost = 0;
+      for (Eigen::Index i = 0; i < m; ++i)
+        {
+          bool is_lost = false;
+          for (Eigen::Index c = 0; c < 3; ++c)
+            if (slaves(i + c * m) > 0.)
+              {
+                double all = 0., free = 0.;
+                for (decltype(mortar.A)::InnerIterator a(mortar.A, i); a; ++a)
+                  {
+                    all += std::abs(a.value());
+                    free += std::abs(a.value()) * (1. - masters(a.col() + c * n));
+                  }
+                is_lost = is_lost || free > 0.5 * all;
+              }
+          lost += is_lost ? 1 : 0;
+        }
+      return lost;
+    }
+
+    // Throws InputError if a tied pair is too far apart to be one.
+    void require_close(const ContactBoundary &pair, const Mortar &mortar,
+                       const std::vector<SurfaceFace> &slaves,
+                       const ParameterFile &source)
+    {
+      double size = 0.;
+      for (const SurfaceFace &face : slaves)
+        size += face.diameter() / static_cast<double>(slaves.size());
+      const double distance =
+        mortar.slaves.empty() ? 0. : mortar.gaps.cwiseAbs().maxCoeff();
+      if (distance > widest_tie * size)
+        throw InputError(
+          source.describe("Friction/Law") + ", boundary '" + pair.name() + "' is up to " +
+          format("%.3g", distance) + " away from '" + pair.partner_name() +
+          "', to which it is tied, must be within " + format("%.3g", widest_tie * size) +
+          ", a quarter of the size of its faces: across a gap a tie passes "
+          "on no moment.");
+    }
+
     // Throws InputError if the sides of a pair overlap by more than a body is thick.
     void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
                               const Body &body, const ParameterFile &source)
@@ -167,8 +220,40 @@ namespace stiction
           if (!side.is_first)
             std::swap(first, second);
           mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
+          if (boundary.is_tied())
+            {
+              with_forces.erase(boundary.id());
+              tie(b, elasticity, first, second, source);
+              with_forces.insert(boundary.id());
+            }
           require_side_by_side(boundary, *mortars_[b], elasticity.body(), source);
         }
+  }
+
+  void ContactSurface::tie(const std::size_t b, const LinearElasticity &elasticity,
+                           const std::vector<SurfaceFace> &slaves,
+                           const std::vector<SurfaceFace> &masters,
+                           const ParameterFile &source)
+  {
+    ContactBoundary &boundary = boundaries_[b];
+    require_close(boundary, *mortars_[b], slaves, source);
+    const unsigned int lost = n_lost(elasticity, *mortars_[b]);
+    if (lost == 0)
+      return;
+    auto other = std::make_unique<Mortar>(elasticity, masters, slaves);
+    if (boundary.slave_side() == "automatic" &&
+        !is_contact_boundary(boundary.partner()) && n_lost(elasticity, *other) == 0)
+      {
+        mortars_[b] = std::move(other);
+        boundary.take_side(false, "the side that is held less");
+        return;
+      }
+    throw InputError(
+      source.describe("Boundary conditions/Prescribed displacement") + ", holds " +
+      std::to_string(lost) + " nodes of boundary '" + boundary.name() +
+      "', but not those of '" + boundary.partner_name() +
+      "' to which they are tied, so that the tie would be lost there, must "
+      "hold both, or 'Slave side' must be the other one.");
   }
 
   bool ContactSurface::place_in_pair(ContactNode &node) const

@@ -73,7 +73,9 @@ namespace stiction
                       share[normal + c] += w * values.normal_vector(q)[c];
                   }
                 boundary_area_ += share[area];
-                share[boundary] = static_cast<double>(place - boundaries_.begin());
+                share[boundary] =
+                  static_cast<double>(place - boundaries_.begin()) +
+                  (place->is_tied() ? 0. : static_cast<double>(boundaries_.size()));
                 if (!elasticity_.is_hanging(dofs[i]))
                   add_with_prescribed(dofs[i], 1., share);
                 else
@@ -107,7 +109,8 @@ namespace stiction
     const auto place = shares_.emplace(dof, share);
     Share &sum       = place.first->second;
     // A node belongs to the first of its boundaries, which is why the others'
-    // shares are dropped.
+    // shares are dropped; to tied ones before others, as a hole in a part is worse than
+    // a node without contact.
     if (!place.second && share[boundary] > sum[boundary])
       return;
     const bool is_new = place.second || share[boundary] < sum[boundary];
@@ -184,8 +187,8 @@ namespace stiction
         node.normal /= node.normal.norm();
         node.area           = share[area];
         node.youngs_modulus = share[modulus];
-        node.boundary       = static_cast<unsigned int>(share[boundary]);
-        node.first_dof      = static_cast<types::global_dof_index>(share[first_dof]);
+        node.boundary  = static_cast<unsigned int>(share[boundary]) % boundaries_.size();
+        node.first_dof = static_cast<types::global_dof_index>(share[first_dof]);
         nodes.push_back(node);
       }
     return nodes;

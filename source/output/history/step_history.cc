@@ -86,7 +86,7 @@ namespace stiction
           Row row;
           row << step.number << step.time << boundary.name << boundary.force
               << boundary.moment << boundary.normal_force;
-          if (boundary.normal_force > 0.)
+          if (boundary.normal_force > 0. && !boundary.is_tied)
             row << boundary.center;
           else
             row << ""

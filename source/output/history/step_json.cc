@@ -60,7 +60,8 @@ namespace stiction
         {"torque", boundary.torque},
         {"dissipated", boundary.dissipated},
         {"dissipated_total", boundary.dissipated_total},
-        {"is_pair", boundary.is_pair}};
+        {"is_pair", boundary.is_pair},
+        {"is_tied", boundary.is_tied}};
     }
 
     BoundaryStep boundary_from(const json &boundary)
@@ -78,7 +79,8 @@ namespace stiction
               boundary.at("torque"),
               boundary.at("dissipated"),
               boundary.at("dissipated_total"),
-              boundary.value("is_pair", false)};
+              boundary.value("is_pair", false),
+              boundary.value("is_tied", false)};
     }
   } // namespace
 

@@ -56,7 +56,10 @@ namespace stiction
         steps[b].obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
         steps[b].obstacle_angle = boundary.angle();
-        if (steps[b].normal_force > 0.)
+        steps[b].is_tied        = boundary.is_tied();
+        if (steps[b].is_tied)
+          steps[b].center = dealii::Tensor<1, 3>();
+        else if (steps[b].normal_force > 0.)
           steps[b].center /= steps[b].normal_force;
         steps[b].dissipated_total = steps[b].dissipated;
       }

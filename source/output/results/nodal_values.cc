@@ -87,8 +87,9 @@ namespace stiction
             write_three(out, (Eigen::Vector3d::Zero() -
                               node.force_to_cartesian(at_node(certificate.lambda(), i)))
                                .eval());
-            out << certificate.lambda()(i) << ',' << certificate.slip_bound()(i) << ','
-                << r(i) << ',';
+            const double bound = certificate.slip_bound()(i);
+            out << certificate.lambda()(i) << ',' << (qp::is_tied(bound) ? 0. : bound)
+                << ',' << r(i) << ',';
             write_three(out, node.displacement_to_cartesian(
                                {0., 0. - r(i + m), 0. - r(i + 2 * m)}));
             out << static_cast<int>(statuses[i].normal) << ','

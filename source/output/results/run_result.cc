@@ -159,13 +159,14 @@ namespace stiction
     void count(RunResult::NodeCounts &counts, const NodeStatus status)
     {
       counts.open += status.normal == NormalStatus::open ? 1 : 0;
-      counts.closed += status.normal == NormalStatus::closed ? 1 : 0;
+      const bool is_tied = status.tangential == TangentialStatus::tied;
+      counts.tied += is_tied ? 1 : 0;
+      counts.closed += status.normal == NormalStatus::closed && !is_tied ? 1 : 0;
       counts.undecided_normal += status.normal == NormalStatus::undecided ? 1 : 0;
       counts.slip += status.tangential == TangentialStatus::slip ? 1 : 0;
       counts.stick += status.tangential == TangentialStatus::stick ? 1 : 0;
       counts.undecided_tangential +=
         status.tangential == TangentialStatus::undecided ? 1 : 0;
-      counts.tied += status.tangential == TangentialStatus::tied ? 1 : 0;
       counts.undecided += status.is_undecided() ? 1 : 0;
     }
 
@@ -300,8 +301,13 @@ namespace stiction
         RunResult::ContactPart &part = result.boundaries[node.boundary];
         ++part.nodes;
         count(part, statuses[i]);
-        add_forces(result.contact, node, lambda, statuses[i], part.opposite.empty());
         part.torque += node.arm * add_forces(part, node, lambda, statuses[i]);
+        // sums of contact are without what ties bear
+        if (statuses[i].tangential == TangentialStatus::tied)
+          result.contact.max_tension =
+            std::max(result.contact.max_tension, part.max_tension);
+        else
+          add_forces(result.contact, node, lambda, statuses[i], part.opposite.empty());
       }
 
     for (const auto &[id, support] : reactions.boundaries())

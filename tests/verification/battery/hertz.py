@@ -34,7 +34,7 @@ def sphere(solver, quick):
     allowed = 0.03 if quick else 0.01
     rows = [Row("largest pressure", found["largest pressure"], p0, SOURCE, allowed),
             Row("radius of contact", found["radius of contact"], a, SOURCE, allowed),
-            Row("order in h of the pressure", order(errors["largest pressure"]), 1,
+            Row("order in h of the radius", order(errors["radius of contact"]), 1,
                 "the edge of contact is where a node is", 0, "order")]
     x = np.linspace(0, 1, 100)
     near = r < 1.6 * a

@@ -27,6 +27,7 @@ namespace stiction
   struct Mortar;
   class ParameterFile;
   struct State;
+  struct SurfaceFace;
 
   /// One node of a contact boundary that may touch its obstacle.
   ///
@@ -205,6 +206,11 @@ namespace stiction
     /// Chooses the sides of pairs and finds what lies opposite to the slaves.
     /// Throws InputError if one would be the slave of two.
     void join_pairs(const LinearElasticity &elasticity, const ParameterFile &source);
+    /// Sees that a tied pair holds: takes the other side where supports hold nodes of
+    /// this one alone. Throws InputError if neither does, or if the sides are far apart.
+    void tie(std::size_t b, const LinearElasticity &elasticity,
+             const std::vector<SurfaceFace> &slaves,
+             const std::vector<SurfaceFace> &masters, const ParameterFile &source);
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.

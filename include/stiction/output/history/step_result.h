@@ -22,7 +22,7 @@ namespace stiction
     std::string name;
     dealii::Tensor<1, 3> force, moment;
     double normal_force = 0.;
-    dealii::Tensor<1, 3> center; ///< of pressure; zero without a normal force
+    dealii::Tensor<1, 3> center; ///< of pressure; zero without it
     /// Of the nodes that are open, that slip and that stick; no undecided ones.
     double open_area = 0., slip_area = 0., stick_area = 0.;
     dealii::Tensor<1, 3> obstacle_displacement;
@@ -31,6 +31,7 @@ namespace stiction
     /// By friction, in the step and since the start.
     double dissipated = 0., dissipated_total = 0.;
     bool is_pair = false; ///< the opposite force acts on another body of the mesh
+    bool is_tied = false; ///< forces pull as well, and have no centre of pressure
   };
 
   /// What the contact solver did, on all meshes of a step.

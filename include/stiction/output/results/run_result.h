@@ -67,10 +67,9 @@ namespace stiction
       bool decides;
     };
 
-    /// How many contact nodes are open, closed and undecided_normal, which is
+    /// How many contact nodes are open, closed, undecided_normal and tied, which is
     /// all of them; how many slip, stick and are undecided_tangential, which is
-    /// all at which friction may act and that are not tied; how many are tied, closed
-    /// all of them; and how many are undecided in either.
+    /// all at which friction may act; and how many are undecided in either.
     struct NodeCounts
     {
       unsigned int open = 0, closed = 0, undecided_normal = 0;
@@ -80,7 +79,8 @@ namespace stiction
     /// What happens on the contact boundaries. Forces are those on the body,
     /// tangential_force the sum of the parts tangential to the contact surface;
     /// moments are about the origin, area is that of the closed nodes. Tension is
-    /// what pulls at tied nodes along the normal.
+    /// what pulls at tied nodes along the normal. Sums over all boundaries are without
+    /// tied ones.
     struct Contact : NodeCounts
     {
       double normal_force = 0., max_pressure = 0., max_tension = 0., area = 0.;
