@@ -217,7 +217,7 @@ namespace
           _exit(1);
         const MatrixXd matrix = MatrixXd::Identity(1, 1);
         const DenseOperator A(matrix);
-        const HalfLines half_line(1);
+        const HalfLines half_line(VectorXd::Zero(1));
         VectorXd x = VectorXd::Zero(1), r = VectorXd::Constant(1, -1.);
         Overshooting(A, half_line, 1.).solve(x, r, {VectorXd::Ones(1), 1.}, 1e-8, 10);
         _exit(0);

@@ -10,6 +10,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
+#include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/slave_side.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -60,37 +61,6 @@ namespace stiction
 
     // Of the size of faces: a tie across a wider gap would pass on no moment.
     constexpr double widest_tie = 0.25;
-
-    // How many slaves are held along some axis along which most of what they face is not:
-    // a tie has no hold on them there.
-    unsigned int n_lost(const LinearElasticity &elasticity, const Mortar &mortar)
-    {
-      LA::Vector held = elasticity.zero_vector();
-      for (const auto dof : held.locally_owned_elements())
-        held(dof) = elasticity.is_prescribed(dof) ? 1. : 0.;
-      const Eigen::VectorXd slaves = DofSubset::of_nodes(mortar.slaves).restriction(held);
-      const Eigen::VectorXd masters =
-        DofSubset::of_nodes(mortar.masters).restriction(held);
-      const Eigen::Index m = mortar.A.rows(), n = mortar.A.cols();
-      unsigned int lost = 0;
-      for (Eigen::Index i = 0; i < m; ++i)
-        {
-          bool is_lost = false;
-          for (Eigen::Index c = 0; c < 3; ++c)
-            if (slaves(i + c * m) > 0.)
-              {
-                double all = 0., free = 0.;
-                for (decltype(mortar.A)::InnerIterator a(mortar.A, i); a; ++a)
-                  {
-                    all += std::abs(a.value());
-                    free += std::abs(a.value()) * (1. - masters(a.col() + c * n));
-                  }
-                is_lost = is_lost || free > 0.5 * all;
-              }
-          lost += is_lost ? 1 : 0;
-        }
-      return lost;
-    }
 
     // Throws InputError if a tied pair is too far apart to be one.
     void require_close(const ContactBoundary &pair, const Mortar &mortar,
@@ -237,12 +207,12 @@ namespace stiction
   {
     ContactBoundary &boundary = boundaries_[b];
     require_close(boundary, *mortars_[b], slaves, source);
-    const unsigned int lost = n_lost(elasticity, *mortars_[b]);
+    const unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
     if (lost == 0)
       return;
     auto other = std::make_unique<Mortar>(elasticity, masters, slaves);
     if (boundary.slave_side() == "automatic" &&
-        !is_contact_boundary(boundary.partner()) && n_lost(elasticity, *other) == 0)
+        !is_contact_boundary(boundary.partner()) && n_held_alone(elasticity, *other) == 0)
       {
         mortars_[b] = std::move(other);
         boundary.take_side(false, "the side that is held less");

@@ -102,7 +102,7 @@ int main()
   check_disc("Near the circle, nearly tangential", false, 1e-16, 1e-3, 1e-16, 1e-3, -1.);
 
   // ------------------------------------------------------------ half-lines
-  const HalfLines half_lines(3);
+  const HalfLines half_lines(VectorXd::Zero(3));
   VectorXd x(3), d(3);
   x << 1., 0., 3.;
   std::cout << "Half-lines" << std::endl;

@@ -35,7 +35,7 @@ namespace
         const double norm)
       : A(matrix)
       , discs(radii)
-      , half_lines(radii.size())
+      , half_lines(VectorXd::Zero(radii.size()))
       , product(radii)
     {
       if (method < 6)

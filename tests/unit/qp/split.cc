@@ -49,7 +49,7 @@ int main()
   VectorXd radii(m);
   radii << 1., 0., 0.25, 1e-3, 2., 1e3;
   const HalfLinesTimesDiscs product(radii);
-  const HalfLines half_lines(m);
+  const HalfLines half_lines(VectorXd::Zero(m));
   const Discs discs(radii);
 
   // ------------------------------------------------------- the definitions
