@@ -1,4 +1,5 @@
 #include <stiction/qp/rigid_place.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <Eigen/Cholesky>
 

@@ -11,6 +11,7 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/rigid_place.h>
 #include <stiction/qp/unbalanced_load.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>

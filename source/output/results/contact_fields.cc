@@ -10,6 +10,7 @@
 #include <stiction/output/results/vtu.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>

@@ -6,6 +6,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/output/results/nodal_values.h>
 #include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/la_parallel_vector.h>
