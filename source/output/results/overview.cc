@@ -216,10 +216,11 @@ namespace stiction
       line(place.second.find('=') == std::string::npos ? "held" : "moved",
            place.first + ": " + place.second);
     if (elasticity.free_motions().n() > 0)
-      line("free", std::string(surface.slip_bound().has_tied()
-                                 ? "nothing but contact and ties hold the body where it can "
-                                 : "nothing but contact holds the body where it can ") +
-                     elasticity.free_motions().in_words());
+      line("free",
+           std::string(surface.slip_bound().has_tied()
+                         ? "nothing but contact and ties hold the body where it can "
+                         : "nothing but contact holds the body where it can ") +
+             elasticity.free_motions().in_words());
 
     // with its rounding, for what is left of it
     Tensor<1, 3> inside = sum_of_loads(elasticity);
