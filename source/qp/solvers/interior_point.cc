@@ -71,11 +71,9 @@ namespace stiction::qp
       return {d_(i), {slip_bound_.coefficient()(i) * d_(i), d_(i + m_), d_(i + 2 * m_)}};
     }
 
-    bool is_tied(const Eigen::Index i) const { return slip_bound_.is_tied(i); }
-
     bool has_friction(const Eigen::Index i) const
     {
-      return !is_tied(i) && !slip_bound_.is_frictionless(i);
+      return !slip_bound_.is_frictionless(i);
     }
 
     // λ_ν w_ν and (g, λ_t)∘(σ, w_t) of a node.
@@ -101,6 +99,7 @@ namespace stiction::qp
     const SlipBound &slip_bound_;
     const Scaling &scaling_;
     const Eigen::Index m_;
+    std::vector<Eigen::Index> bounded_; // nodes that are not tied
     VectorXd x_, gradient_;
     std::vector<ConePoint> duals_, dual_changes_;
     double scale_; // of μ
@@ -123,7 +122,11 @@ namespace stiction::qp
     , unit_(x.size())
   {
     for (Eigen::Index i = 0; i < m_; ++i)
-      x_(i) = is_tied(i) ? 0. : scaling.force(i);
+      if (!slip_bound.is_tied(i))
+        {
+          bounded_.push_back(i);
+          x_(i) = scaling.force(i);
+        }
     gradient_ = gradient + Q_ * (x_ - x);
 
     // on the central path of a problem whose gradient is as large
@@ -135,10 +138,8 @@ namespace stiction::qp
         large          = std::max(large, at(gradient_, i).norm() / u);
         scale_ += scaling.force(i) * u / static_cast<double>(m_);
       }
-    for (Eigen::Index i = 0; i < m_; ++i)
+    for (const Eigen::Index i : bounded_)
       {
-        if (is_tied(i))
-          continue;
         const ConePoint p = force(i);
         duals_[i].normal  = large * scaling.displacement_at(i);
         if (has_friction(i))
@@ -186,10 +187,8 @@ namespace stiction::qp
   double InteriorPoint::Path::mean_product(const double length) const
   {
     double sum = 0., n = 0.;
-    for (Eigen::Index i = 0; i < m_; ++i)
+    for (const Eigen::Index i : bounded_)
       {
-        if (is_tied(i))
-          continue;
         ConePoint p = force(i), d = duals_[i];
         if (length > 0.)
           {
@@ -212,10 +211,8 @@ namespace stiction::qp
   void InteriorPoint::Path::factorize()
   {
     Eigen::MatrixXd A = Q_;
-    for (Eigen::Index i = 0; i < m_; ++i)
+    for (const Eigen::Index i : bounded_)
       {
-        if (is_tied(i))
-          continue;
         const Eigen::Index k[] = {i, i + m_, i + 2 * m_};
         const ConePoint p      = force(i);
         A(i, i) += duals_[i].normal / p.normal;
@@ -243,18 +240,14 @@ namespace stiction::qp
 
   void InteriorPoint::Path::find_direction(const std::vector<ConePoint> &changes)
   {
-    VectorXd right_hand_side = VectorXd::Zero(3 * m_);
-    for (Eigen::Index i = 0; i < m_; ++i)
+    // without bounds the step is Newton's
+    VectorXd right_hand_side = -gradient_;
+    for (const Eigen::Index i : bounded_)
       {
-        const ConePoint p = force(i);
-        const Vector3d w  = at(gradient_, i);
-        if (is_tied(i))
-          {
-            for (Eigen::Index c = 0; c < 3; ++c)
-              right_hand_side(i + c * m_) = -w(c);
-            continue;
-          }
+        const ConePoint p  = force(i);
+        const Vector3d w   = at(gradient_, i);
         right_hand_side(i) = changes[i].normal / p.normal - (w(0) - duals_[i].normal);
+        right_hand_side(i + m_) = right_hand_side(i + 2 * m_) = 0.;
         if (!has_friction(i))
           continue;
         const Vector3d t =
@@ -265,10 +258,8 @@ namespace stiction::qp
     d_            = unit_.cwiseProduct(lu_.solve(unit_.cwiseProduct(right_hand_side)));
     Qd_.noalias() = Q_ * d_;
 
-    for (Eigen::Index i = 0; i < m_; ++i)
+    for (const Eigen::Index i : bounded_)
       {
-        if (is_tied(i))
-          continue;
         const Vector3d w  = at(gradient_, i) + at(Qd_, i);
         const ConePoint p = force(i), dp = force_change(i);
         ConePoint &change = dual_changes_[i];
@@ -285,10 +276,8 @@ namespace stiction::qp
   double InteriorPoint::Path::largest_step() const
   {
     double step = std::numeric_limits<double>::infinity();
-    for (Eigen::Index i = 0; i < m_; ++i)
+    for (const Eigen::Index i : bounded_)
       {
-        if (is_tied(i))
-          continue;
         const ConePoint p = force(i), dp = force_change(i);
         step = std::min({step, step_to_zero(p.normal, dp.normal),
                          step_to_zero(duals_[i].normal, dual_changes_[i].normal)});
@@ -302,15 +291,12 @@ namespace stiction::qp
   VectorXd InteriorPoint::Path::point_on_boundary() const
   {
     VectorXd y = x_;
-    for (Eigen::Index i = 0; i < m_; ++i)
-      if (!is_tied(i) &&
-          x_(i) / scaling_.force(i) < duals_[i].normal / scaling_.displacement_at(i))
+    for (const Eigen::Index i : bounded_)
+      if (x_(i) / scaling_.force(i) < duals_[i].normal / scaling_.displacement_at(i))
         y(i) = 0.;
     const VectorXd bound = slip_bound_.at(y);
-    for (Eigen::Index i = 0; i < m_; ++i)
+    for (const Eigen::Index i : bounded_)
       {
-        if (is_tied(i))
-          continue;
         const Vector3d p = force(i).cone;
         const double t   = p.tail<2>().norm();
         const bool slips = (p(0) - t) / scaling_.force(i) <

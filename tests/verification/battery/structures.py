@@ -7,11 +7,11 @@ from .case import Curve, Plot, Row, order, section, sections
 
 def greco(solver, quick):
     """The GRECO plate: SSNV128 of Code_Aster."""
-    run = solver.shipped("greco_plate.prm", {
+    coarse = {
         "Geometry/Subdivisions": "32, 1, 32", "Geometry/Lengths": "0.04, 0.00125, 0.04",
         "Boundary conditions/Prescribed points":
             "0.04; 0; 0 : free; free; 0 | 0.04; 0.00125; 0 : free; free; 0"}
-        if quick else {})
+    run = solver.shipped("greco_plate.prm", coarse if quick else {})
     nodes = run.contact()
     line = nodes["points"][:, 1] < 1e-9
     x, u = 1e3 * nodes["points"][line, 0], 1e5 * nodes["displacement"][line, 0]
@@ -20,11 +20,7 @@ def greco(solver, quick):
                                ("D", 7.5, 1.9792), ("E", 11.25, 1.5406)):
         rows.append(Row(f"displacement of {name}, 1e-5 m", u[np.argmin(abs(x - place))],
                         value, "Code_Aster V6.03.128, quadratic elements", 0.01))
-    free = solver.shipped("greco_plate.prm", {
-        "Friction/Law": "frictionless", "Geometry/Subdivisions": "32, 1, 32",
-        "Geometry/Lengths": "0.04, 0.00125, 0.04",
-        "Boundary conditions/Prescribed points":
-            "0.04; 0; 0 : free; free; 0 | 0.04; 0.00125; 0 : free; free; 0"})
+    free = solver.shipped("greco_plate.prm", {**coarse, "Friction/Law": "frictionless"})
     without = free.contact()
     corner = np.argmin(np.abs(without["points"][:, :2]).sum(axis=1))
     rows.append(Row("displacement of A without friction",
