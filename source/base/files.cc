@@ -24,13 +24,18 @@ namespace stiction
         out.setstate(std::ios::failbit); // deal.II met the failing stream
       }
     out.close();
+    finish_file(unfinished, name, out.good());
+  }
 
-    std::error_code error;
-    if (out)
+  void finish_file(const std::string &unfinished, const std::string &name,
+                   const bool is_written)
+  {
+    std::error_code error, none;
+    if (is_written)
       std::filesystem::rename(unfinished, name, error);
-    if (!out || error)
+    if (!is_written || error)
       {
-        std::filesystem::remove(unfinished, error);
+        std::filesystem::remove(unfinished, none);
         require_written(false, name);
       }
   }

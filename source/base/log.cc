@@ -1,3 +1,4 @@
+#include <stiction/base/errors.h>
 #include <stiction/base/files.h>
 #include <stiction/base/log.h>
 
@@ -7,12 +8,14 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 namespace stiction
 {
   Log::Log(MPI_Comm communicator)
-    : speaks_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    : communicator_(communicator)
+    , speaks_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     , last_line_(std::chrono::steady_clock::now())
   {
   }
@@ -35,9 +38,22 @@ namespace stiction
     if (!speaks_)
       return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    file_.open(name, appends ? std::ios::app : std::ios::out);
+    if (!appends)
+      write_file(name, [](std::ostream &) {}); // before that the earlier one is whole
+    file_name_ = name;
+    file_.open(name, std::ios::app);
     file_ << so_far_.str() << std::flush;
     require_written(file_.good(), name);
+  }
+
+  void Log::close_file()
+  {
+    do_on_first_rank(communicator_, [&]() {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      file_.close();
+      require_written(file_.good() && std::filesystem::exists(file_name_), file_name_);
+      require_written(std::cout.good(), "standard output");
+    });
   }
 
   double Log::seconds_of_silence() const

@@ -100,6 +100,7 @@ namespace stiction
     }
     report();
     explain_restart(times);
+    log_->close_file();
     return status_.converged;
   }
 

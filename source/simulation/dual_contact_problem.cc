@@ -82,6 +82,7 @@ namespace stiction
       output_results();
     }
     report();
+    log_->close_file();
     return status_.converged;
   }
 

@@ -14,6 +14,11 @@ namespace stiction
   void write_file(const std::string &name,
                   const std::function<void(std::ostream &)> &write);
 
+  /// The end of that, for a file that several ranks write: renames it or, if it
+  /// was not written in full, removes it and throws InputError.
+  void finish_file(const std::string &unfinished, const std::string &name,
+                   bool is_written);
+
   /// Throws InputError that the file cannot be written, unless it was.
   void require_written(bool is_written, const std::string &name);
 

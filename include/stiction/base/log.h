@@ -29,15 +29,23 @@ namespace stiction
     /// Throws InputError on rank 0 if the file cannot be written.
     void open_file(const std::string &name, bool appends = false);
 
+    /// Ends the file once everything is said. Collective.
+    ///
+    /// Throws InputError if not all of it could be written, or if somebody removed it,
+    /// with the results beside it.
+    void close_file();
+
     /// How long nothing was said, in seconds.
     double seconds_of_silence() const;
 
   private:
+    const MPI_Comm communicator_;
     const bool speaks_;
     /// Phases speaks from a thread of its own.
     mutable std::mutex mutex_;
     std::chrono::steady_clock::time_point last_line_;
     std::ostringstream so_far_;
+    std::string file_name_;
     std::ofstream file_;
   };
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -128,9 +129,13 @@ namespace stiction
           for (const StepResult &step : steps_)
             out << rows(step);
         });
+      std::error_code error;
+      const auto size = std::filesystem::file_size(name, error);
       std::ofstream out(name, std::ios::app);
       out << rows(steps_.back());
       out.close();
+      if (!out && !error)
+        std::filesystem::resize_file(name, size, error); // no half of a row
       require_written(out.good(), name);
     });
   }

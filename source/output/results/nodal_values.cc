@@ -18,24 +18,27 @@ namespace stiction
 {
   namespace
   {
-    // One rank after the other adds its rows below the header.
+    // One rank after the other adds its rows below the header, beside the file's place
+    // until the last one has.
     void write_rows(const std::string &name, const std::string &header,
                     MPI_Comm communicator,
                     const std::function<void(std::ostream &)> &write)
     {
       const unsigned int n    = dealii::Utilities::MPI::n_mpi_processes(communicator),
                          rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+      const std::string unfinished = name + ".new";
       for (unsigned int r = 0; r < n; ++r)
         throw_on_all_ranks(communicator, [&]() {
           if (rank != r)
             return;
-          std::ofstream out(name, r == 0 ? std::ios::trunc : std::ios::app);
+          std::ofstream out(unfinished, r == 0 ? std::ios::trunc : std::ios::app);
           out.precision(17);
           if (r == 0)
             out << header << '\n';
           write(out);
           out.close();
-          require_written(out.good(), name);
+          if (r + 1 == n || !out)
+            finish_file(unfinished, name, out.good());
         });
     }
 
