@@ -28,7 +28,8 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+BRICK = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))),
+                     "errors", "brick.prm")
 SECONDS = 60
 SETTINGS = ("Time/Steps=2", "Time/Checkpoint every=1", "Output/Double precision=true",
             "Contact solver/Tolerance=1e-8")
@@ -47,7 +48,7 @@ class Run:
         if earlier:
             shutil.copytree(earlier, self.results)
             self.before = contents(self.results)
-        command = [PROGRAM, os.path.join(HERE, "brick.prm"), "--output", self.results]
+        command = [PROGRAM, BRICK, "--output", self.results]
         settings = SETTINGS + METHODS[method] + (f"Contact solver/Method={method}",)
         if export and method == "newton":
             settings += (f"Output/Export directory={self.results}/problem",)
@@ -165,7 +166,7 @@ def main():
         for method in METHODS:
             unharmed[method] = Run(top, "none:0", method)
             assert unharmed[method].status == 0, unharmed[method].stdout
-        subprocess.run([PROGRAM, os.path.join(HERE, "brick.prm"), "--output", earlier],
+        subprocess.run([PROGRAM, BRICK, "--output", earlier],
                        check=True, stdout=subprocess.DEVNULL)
         plan = []
         for kind in KINDS:

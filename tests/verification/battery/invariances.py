@@ -103,4 +103,35 @@ def numbering(solver, quick):
             for k, force in enumerate(forces[1:], 1)], []
 
 
-CASES = {"invariances": how_it_is_put, "numbering of nodes and cells": numbering}
+UNDECIDED = 3  # of a status, doc/results.md
+
+
+def under_a_tighter_tolerance(solver, quick):
+    """What is said of a node stays when the tolerance is a hundredth."""
+    problems = (("brick.prm", {"Geometry/Table 1 level": 3}),
+                ("sphere.prm", {"Geometry/Global refinement": 2}),
+                ("ball_press_drag_return.prm", {"Time/Steps": 4}),
+                ("several_bodies/pin_in_hole.prm", {}))
+    methods = ("newton", "newton multigrid", "mpgp", "gauss seidel", "admm")
+    rows = []
+    for name, settings in problems[:2] if quick else problems:
+        changed, decided = [], []
+        for method in methods[:2] if quick else methods:
+            one, other = (solver.shipped(name, {
+                **settings, "Contact solver/Method": method,
+                "Contact solver/Tolerance": tolerance}).contact()
+                for tolerance in ("1e-4", "1e-6"))
+            for status in ("normal_status", "tangential_status"):
+                is_decided = one[status] != UNDECIDED
+                changed.append(np.sum(is_decided & (one[status] != other[status])))
+                decided.append(np.mean(is_decided))
+        label = name.removesuffix(".prm")
+        rows.append(Row(f"{label}: statuses that change, {len(changed) // 2} methods",
+                        int(sum(changed)), 0, "tolerance 1e-4 and 1e-6", 0, "absolute"))
+        rows.append(Row(f"{label}: part that is decided", min(decided), 0,
+                        "not all are left open", 0.8, "at least"))
+    return rows, []
+
+
+CASES = {"invariances": how_it_is_put, "numbering of nodes and cells": numbering,
+         "statuses under a tighter tolerance": under_a_tighter_tolerance}
