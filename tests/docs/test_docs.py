@@ -1,5 +1,6 @@
 """README and the guide say what is so: links and files exist, the page of parameters is
-the program's, every command runs, and the part of README's own is certified.
+the program's, every command runs, the part of README's own is certified, and doxygen has
+no complaints.
 
 Call: test_docs.py PROGRAM
 """
@@ -8,6 +9,7 @@ import glob
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -72,6 +74,27 @@ class Pages(unittest.TestCase):
         for folder in ("", "several_bodies"):
             for name in glob.glob(os.path.join(ROOT, "parameters", folder, "*.prm")):
                 self.assertIn(os.path.basename(name), listed)
+
+
+@unittest.skipUnless(shutil.which("doxygen"), "doxygen is missing")
+class Api(unittest.TestCase):
+    """The pages of classes."""
+
+    def complaints(self, *settings):
+        """What doxygen says with these lines behind those of './run api'."""
+        with tempfile.TemporaryDirectory() as directory:
+            lines = [read(os.path.join(ROOT, "doc", "Doxyfile")),
+                     "OUTPUT_DIRECTORY = " + directory, *settings]
+            end = subprocess.run(["doxygen", "-"], input="\n".join(lines), cwd=ROOT,
+                                 capture_output=True, text=True, check=False)
+            self.assertTrue(os.path.exists(os.path.join(directory, "html", "index.html")))
+        return end.stderr
+
+    def test_no_warning(self):
+        self.assertEqual(self.complaints(), "")
+
+    def test_every_class_has_words(self):
+        self.assertEqual(re.findall("Compound.*", self.complaints("EXTRACT_ALL = NO")), [])
 
 
 class Commands(unittest.TestCase):

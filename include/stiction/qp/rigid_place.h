@@ -8,6 +8,7 @@
 
 namespace stiction::qp
 {
+  /// Where a rigid body rests, and on which forces; see rigid_place().
   struct RigidPlace
   {
     Eigen::VectorXd alpha;  ///< m

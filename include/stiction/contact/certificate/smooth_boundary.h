@@ -38,6 +38,7 @@ namespace stiction
     /// Finds the normals. Collective. @param body must outlive this.
     SmoothBoundary(const Body &body, const std::set<dealii::types::boundary_id> &ids);
 
+    /// A point of the surface.
     struct Place
     {
       dealii::Point<3> position;   ///< m

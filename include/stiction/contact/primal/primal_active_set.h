@@ -30,6 +30,7 @@ namespace stiction
   ///   R_t·t = F R_ν, the unsymmetric row.
   struct PrimalActiveSet
   {
+    /// What is linear at a node.
     struct Node
     {
       /// P

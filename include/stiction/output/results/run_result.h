@@ -111,6 +111,7 @@ namespace stiction
       dealii::Tensor<1, 3> at;
     };
 
+    /// At the answer, J.
     struct Energy
     {
       double strain = 0., load_work = 0., friction_dissipation = 0.;
