@@ -27,7 +27,10 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PROGRAM = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))),
+                       "build", "stiction")
+if not os.path.exists(PROGRAM):
+    PROGRAM = "stiction"  # this is an installed one
 TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt32": "<u4",
          "Int64": "<i8", "UInt64": "<u8", "UInt8": "u1", "Int8": "i1"}
 
@@ -89,7 +92,7 @@ def run(parameters, settings=None, directory=None, ranks=1, program=None):
     the files go, unless given one that goes when the run does. A run that is not
     certified comes back all the same; one that was refused raises an Error.
     """
-    program = program or os.path.join(ROOT, "build", "stiction")
+    program = program or PROGRAM
     if directory is None:
         directory = tempfile.mkdtemp(prefix="stiction_")
         try:

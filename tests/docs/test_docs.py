@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -68,6 +69,12 @@ class Pages(unittest.TestCase):
     def test_parameters(self):
         self.assertEqual(read(os.path.join(ROOT, "doc", "parameters.md")),
                          parameters.page(PROGRAM), "call doc/parameters.py PROGRAM")
+
+    def test_cplusplus(self):
+        page = read(os.path.join(ROOT, "doc", "cplusplus.md"))
+        for name in ("CMakeLists.txt", "slide.cc"):  # the test 'install' runs them
+            file = read(os.path.join(ROOT, "tests", "install", "example", name))
+            self.assertIn("\n" + textwrap.indent(file, "    ") + "\n", page)
 
     def test_every_shipped_file_is_listed(self):
         listed = read(os.path.join(ROOT, "doc", "shipped_files.md"))
