@@ -70,6 +70,13 @@ class Pages(unittest.TestCase):
         self.assertEqual(read(os.path.join(ROOT, "doc", "parameters.md")),
                          parameters.page(PROGRAM), "call doc/parameters.py PROGRAM")
 
+    def test_version(self):
+        said = [re.search(pattern, read(os.path.join(ROOT, name)), re.MULTILINE)[1]
+                for name, pattern in (("CMakeLists.txt", r"^project\(stiction VERSION (\S+)"),
+                                      ("CHANGELOG.md", r"^## ([\d.]+)"),
+                                      ("CITATION.cff", r"^version: (.*)$"))]
+        self.assertEqual(len(set(said)), 1, said)
+
     def test_cplusplus(self):
         page = read(os.path.join(ROOT, "doc", "cplusplus.md"))
         for name in ("CMakeLists.txt", "slide.cc"):  # the test 'install' runs them
