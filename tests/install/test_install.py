@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 CMAKE, BUILD, *OPTIONS = sys.argv[1:]
+BUILD = os.path.abspath(BUILD)
 EXAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "example")
 
 
@@ -36,6 +37,13 @@ with tempfile.TemporaryDirectory() as directory:
     of_example = json.loads(said.splitlines()[-1])
 
     os.environ["PATH"] = os.path.join(prefix, "bin") + os.pathsep + os.environ["PATH"]
+    completion = os.path.join(prefix, "share", "bash-completion", "completions", "stiction")
+    words = call("bash", "-c", f"""source {completion}
+        COMP_WORDS=(stiction --set Friction/C) COMP_CWORD=2
+        _stiction stiction
+        echo "${{COMPREPLY[@]}}" """)
+    assert words == "Friction/Coefficient=\n", words
+
     sys.path.insert(0, share)
     import stiction  # pylint: disable=wrong-import-position,import-error
     run = stiction.run(brick, {"Friction/Coefficient": 0.1}, os.path.join(directory, "run"))
