@@ -74,5 +74,6 @@ def page(program):
 
 if __name__ == "__main__":
     target = sys.argv[2] if len(sys.argv) > 2 else os.path.join(ROOT, "doc", "parameters.md")
+    made = page(sys.argv[1])
     with open(target, "w", encoding="utf-8") as output:
-        output.write(page(sys.argv[1]))
+        output.write(made)

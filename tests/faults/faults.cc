@@ -40,7 +40,7 @@ namespace
 
   const std::string fault = variable("STICTION_FAULT");
   const std::string kind  = fault.substr(0, fault.find(':'));
-  const long when         = kind == fault ? 0 : std::atol(fault.c_str() + kind.size() + 1);
+  const long when = kind == fault ? 0 : std::atol(fault.c_str() + kind.size() + 1);
   const std::string below = variable("STICTION_FAULT_BELOW");
 
   struct Counter
@@ -92,8 +92,8 @@ namespace
   bool is_refused(const int file)
   {
     char path[PATH_MAX];
-    const auto n = readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path,
-                            sizeof(path) - 1);
+    const auto n =
+      readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof(path) - 1);
     path[n < 0 ? 0 : n] = '\0';
     return is_refused(path);
   }
@@ -109,8 +109,8 @@ namespace
   bool is_full(const int file)
   {
     char path[PATH_MAX];
-    const auto n = readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path,
-                            sizeof(path) - 1);
+    const auto n =
+      readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof(path) - 1);
     path[n < 0 ? 0 : n] = '\0';
     return is_full(path);
   }
@@ -152,12 +152,13 @@ extern "C"
 
   int posix_fallocate(const int file, const off_t begin, const off_t size)
   {
-    return is_full(file) ? ENOSPC
-                         : original(posix_fallocate, "posix_fallocate")(file, begin, size);
+    return is_full(file)
+             ? ENOSPC
+             : original(posix_fallocate, "posix_fallocate")(file, begin, size);
   }
 
-  int MPI_Allreduce(const void *mine, void *all, const int n, MPI_Datatype type, MPI_Op op,
-                    MPI_Comm communicator)
+  int MPI_Allreduce(const void *mine, void *all, const int n, MPI_Datatype type,
+                    MPI_Op op, MPI_Comm communicator)
   {
     const int status = PMPI_Allreduce(mine, all, n, type, op, communicator);
     if (type == MPI_DOUBLE && n > 0 && happens("nan"))
