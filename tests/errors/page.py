@@ -17,11 +17,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PAGE = os.path.join(os.path.dirname(os.path.dirname(HERE)), "doc", "bad_inputs.md")
 HEAD = """# Bad inputs, and what is said
 
-Every case of bad input in the test suite, with the sentence that ends the run. In all of
-them the exit status is 1, nothing is solved, and results of an earlier run are left as
-they are. This page is made by the test run (`tests/errors/page.py build/tests/errors
---write`), a test compares it with what is said today. Sizes of memory depend on the
-machine and stand as `…`.
+Every case of bad input in the test suite, with the sentence that ends the run. The exit
+status is 1, and unless the case says otherwise nothing is solved and results of an
+earlier run are left as they are. The test run makes this page
+(`tests/errors/page.py build/tests/errors --write`), and a test compares it with what is
+said today. Sizes of memory depend on the machine and stand as `…`.
 """
 SMALLEST_GROUP = 5
 
