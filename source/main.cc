@@ -43,32 +43,25 @@ namespace
     app.add_option("FILE", arguments.file, "Parameter file");
     app
       .add_option("--set", arguments.settings,
-                  "'Section/Entry=value', overrides the file; any number of times")
+                  "'Section/Entry=value' in place of the file's, repeatable")
       ->expected(1)
       ->take_all();
     app.add_option("--output", arguments.output, "Directory for all results");
     app.add_option("--export", arguments.export_directory,
-                   "Also write the discrete problem (Q, h, friction) and its "
-                   "solution to this directory");
-    auto *const problem = app.add_option(
-      "--problem", arguments.problem,
-      "Solve the discrete problem of an FCLIB file (*.hdf5, *.h5), a Matrix Market "
-      "file (*.mtx) or an exported directory instead of a body; FILE may be left "
-      "out");
+                   "Directory for Q, h, friction and the solution");
+    auto *const problem =
+      app.add_option("--problem", arguments.problem,
+                     "Solve that of an FCLIB file, Q.mtx or such a directory");
     app
       .add_option("--restart", arguments.restart,
-                  "Go on from the checkpoint in this output directory of a run with "
-                  "'Time/Checkpoint every'; loads after it, times, method and output "
-                  "may be others, and so may the number of ranks")
+                  "Go on from the checkpoint in this directory")
       ->excludes(problem);
-    app
-      .add_flag("--validate", arguments.validate,
-                "Read and check everything, solve nothing")
+    app.add_flag("--validate", arguments.validate, "Check everything, solve nothing")
       ->excludes(problem);
     app.add_flag("--print-parameters", arguments.print_parameters,
-                 "Print the complete commented default file");
+                 "Print all entries with what they are");
     app.add_flag("--print-output-directory", arguments.print_output_directory,
-                 "Print the directory for all results, solve nothing");
+                 "Print it, solve nothing");
     app.set_version_flag("--version", "stiction " STICTION_VERSION);
     app.footer("Exit status: 0 certified, 1 bad input, 2 not converged, 3 "
                "interrupted.\nCtrl-C ends the run after its step, with all files "

@@ -39,6 +39,9 @@ namespace stiction
     // residual that falls by 0.8 each time is below 1e-9 by then.
     constexpr unsigned int max_approximations = 100;
 
+    // Seconds: who waits for less needs no forecast.
+    constexpr double worth_a_forecast = 20.;
+
     // A guess is in balance if its equilibrium residual is below this.
     constexpr double balanced = 1e-6;
   } // namespace
@@ -96,10 +99,19 @@ namespace stiction
     if (!has_steps())
       return;
     history_->begin_time(times.time());
-    effort_ = {};
+    effort_           = {};
+    const double done = times.part_done();
+    if (done == 0.)
+      since_first_step_.restart();
+    const double seconds = since_first_step_.wall_time();
     if (parameters_.output.print_progress)
       log_->line(format("Step %u: t = %.6g to %.6g", times.n_taken() + 1, times.reached(),
-                        times.time()));
+                        times.time()) +
+                 (done > 0. && seconds > worth_a_forecast
+                    ? format(", after %.0f s and %.0f %% of the time; at this pace %.0f "
+                             "s are left",
+                             seconds, 100. * done, seconds * (1. / done - 1.))
+                    : ""));
   }
 
   void ContactProblem::solve_at(const double time)

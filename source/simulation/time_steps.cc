@@ -13,6 +13,7 @@ namespace stiction
                        const double smallest)
     : times_(std::move(times))
     , smallest_(smallest)
+    , begin_(start)
     , reached_(start)
     , longest_(std::numeric_limits<double>::infinity())
   {
@@ -56,9 +57,9 @@ namespace stiction
 
   void TimeSteps::go_on_from(const nlohmann::json &progress)
   {
-    reached_    = progress.at("reached").get<double>();
-    n_taken_    = progress.at("taken").get<unsigned int>();
-    n_in_a_row_ = progress.at("in_a_row").get<unsigned int>();
+    begin_ = reached_ = progress.at("reached").get<double>();
+    n_taken_          = progress.at("taken").get<unsigned int>();
+    n_in_a_row_       = progress.at("in_a_row").get<unsigned int>();
     if (progress.at("longest").is_number())
       longest_ = progress.at("longest").get<double>();
     // rounding makes no step of its own

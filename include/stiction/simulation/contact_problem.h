@@ -10,6 +10,8 @@
 #include <stiction/simulation/checkpoint/mesh_history.h>
 #include <stiction/simulation/discretization.h>
 
+#include <deal.II/base/timer.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <mpi.h>
@@ -192,6 +194,7 @@ namespace stiction
     std::unique_ptr<StepHistory> steps_;     ///< if there are several
     std::unique_ptr<EnergyBalance> balance_; ///< of these steps
     SolverEffort effort_;                    ///< in this step
+    dealii::Timer since_first_step_;         ///< of this run
     SolverEffort counted_; ///< of the present solver before the last solve
 
     std::unique_ptr<SupportReactions> reactions_;

@@ -25,6 +25,10 @@ namespace stiction
     double reached() const { return reached_; }
     double time() const;
 
+    /// Of the time from where this run began to the last one asked for, what is
+    /// reached.
+    double part_done() const { return (reached_ - begin_) / (times_.back() - begin_); }
+
     /// Steps taken.
     unsigned int n_taken() const { return n_taken_; }
 
@@ -44,7 +48,7 @@ namespace stiction
   private:
     const std::vector<double> times_;
     const double smallest_;
-    double reached_;
+    double begin_, reached_;
     double longest_;           ///< that a step may be now
     std::size_t next_     = 0; ///< of times_
     unsigned int n_taken_ = 0, n_in_a_row_ = 0;
