@@ -2,6 +2,7 @@
 # 'source doc/completion.bash': commands, files, options, and after --set the entries
 # Section/Entry, all as the two print them.
 _stiction() {
+  [ "$1" = ./run ] && [ "$PWD" != "$_stiction_root" ] && return # another ./run
   local word=${COMP_WORDS[COMP_CWORD]} program=$1 words one IFS=$'\n'
   [ "$1" = ./run ] && program=build/stiction
   if [ "${COMP_WORDS[COMP_CWORD - 1]}" = --set ]; then
@@ -24,4 +25,6 @@ _stiction() {
     [[ $one == "$word"* ]] && COMPREPLY+=("$one")
   done
 }
-complete -o nospace -F _stiction stiction ./run
+_stiction_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+complete -o nospace -F _stiction stiction
+[ -x "$_stiction_root/run" ] && complete -o nospace -F _stiction ./run

@@ -75,5 +75,7 @@ def page(program):
 if __name__ == "__main__":
     target = sys.argv[2] if len(sys.argv) > 2 else os.path.join(ROOT, "doc", "parameters.md")
     made = page(sys.argv[1])
+    if "\n## " not in made:
+        sys.exit(f"{sys.argv[1]} prints no parameters")
     with open(target, "w", encoding="utf-8") as output:
         output.write(made)

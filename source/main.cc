@@ -191,9 +191,12 @@ int main(int argc, char *argv[])
         {
           if (is_first_rank())
             std::cout << stiction::Parameters::default_file();
-          return certified;
         }
-      return run(program, arguments);
+      const int status = arguments.print_parameters ? certified : run(program, arguments);
+      if (!std::cout.flush())
+        return refuse("standard output: cannot be written, must have space; a run's "
+                      "log.txt says the same.");
+      return status;
     }
   catch (const CLI::Success &wish) // --help, --version
     {

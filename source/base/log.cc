@@ -38,11 +38,16 @@ namespace stiction
     if (!speaks_)
       return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!appends)
-      write_file(name, [](std::ostream &) {}); // before that the earlier one is whole
+    if (!directory_lock_.acquire(std::filesystem::path(name).parent_path()))
+      throw InputError(name + ": another run is writing beside it, wait until it ends or "
+                              "choose another directory.");
+    const std::string so_far = so_far_.str();
+    if (!appends) // the earlier one is whole until this one is
+      write_file(name, [&](std::ostream &out) { out << so_far; });
     file_name_ = name;
     file_.open(name, std::ios::app);
-    file_ << so_far_.str() << std::flush;
+    if (appends)
+      file_ << so_far << std::flush;
     require_written(file_.good(), name);
   }
 
@@ -50,10 +55,14 @@ namespace stiction
   {
     do_on_first_rank(communicator_, [&]() {
       const std::lock_guard<std::mutex> lock(mutex_);
+      std::error_code error;
+      if (!std::filesystem::exists(file_name_, error))
+        throw InputError(file_name_ + ": was removed or hidden while the run was on, "
+                                      "must stay until it ends.");
       file_.close();
-      require_written(file_.good() && std::filesystem::exists(file_name_), file_name_);
-      require_written(std::cout.good(), "standard output");
+      require_written(file_.good(), file_name_);
     });
+    directory_lock_.release();
   }
 
   double Log::seconds_of_silence() const

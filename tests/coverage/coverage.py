@@ -3,9 +3,10 @@
 
 Call:   tests/coverage/coverage.py BUILD [--lines]
 
-BUILD was configured with -DCMAKE_CXX_FLAGS=--coverage, and tests were run in it:
+BUILD is a directory of its own, in which tests were run:
 
-    STICTION_CMAKE_FLAGS=-DCMAKE_CXX_FLAGS=--coverage ./run tests
+    cmake -S . -B BUILD -G Ninja -DCMAKE_CXX_FLAGS=--coverage
+    ninja -C BUILD all stiction_test_executables && ctest --test-dir BUILD
 
 Prints the part of the lines of source/ and include/ that ran, for each file and in all;
 with --lines those that did not.
@@ -30,16 +31,17 @@ def counts(build):
         for part in report.splitlines():
             for file in json.loads(part)["files"]:
                 path = os.path.normpath(os.path.join(build, file["file"]))
-                for folder in ("/source/", "/include/stiction/"):
-                    if folder in path:
-                        name = folder[1:] + path.partition(folder)[2]
-                        for line in file["lines"]:
-                            total[name][line["line_number"]] += line["count"]
+                name = os.path.relpath(path, ROOT)
+                if name.startswith(("source/", "include/")):
+                    for line in file["lines"]:
+                        total[name][line["line_number"]] += line["count"]
     return total
 
 
 def main():
     """Print."""
+    if len(sys.argv) < 2 or not os.path.isdir(sys.argv[1]):
+        sys.exit(__doc__)
     build = os.path.abspath(sys.argv[1])
     n_all = n_run = 0
     for name, lines in sorted(counts(build).items()):

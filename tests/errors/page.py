@@ -46,7 +46,7 @@ def said(directory, name):
     except FileNotFoundError:
         return None
     text = text[len("stiction: "):] if text.startswith("stiction: ") else text
-    text = re.sub(r"/\S*" + re.escape(f"/{name}/run"), "…", text)
+    text = text.replace(os.path.realpath(os.path.join(directory, name, "run")), "…")
     return re.sub(r"[\d.e+]+ ([kMG]B)", r"… \1", text) or None
 
 
@@ -59,10 +59,11 @@ def rows(directory, known):
     """A row a case; of a case that did not run the one of the page."""
     for name, title in cases():
         message = said(directory, name)
+        end = f" | {name} |"
         if message:
-            yield name, f"| {cell(title)} | {cell(message)} |"
-        elif (name, title) in known:
-            yield name, known[name, title]
+            yield name, f"| {cell(title)} | {cell(message)}{end}"
+        elif end in known:
+            yield name, known[end]
 
 
 def page(all_rows):
@@ -73,20 +74,21 @@ def page(all_rows):
     small = [word for word, group in groups.items() if len(group) < SMALLEST_GROUP]
     groups["and others"] = [row for word in small for row in groups.pop(word)]
     return HEAD + "".join(
-        f"\n## {word[0].upper() + word[1:]}\n\n| given | said |\n|---|---|\n" +
+        f"\n## {word[0].upper() + word[1:]}\n\n| given | said | case |\n|---|---|---|\n" +
         "\n".join(group) + "\n" for word, group in groups.items())
 
 
 def main():
     """Compare or write."""
+    if len(sys.argv) < 2 or not os.path.isdir(sys.argv[1]):
+        sys.exit(__doc__)
     directory = sys.argv[1]
     text = ""
     if os.path.exists(PAGE):
         with open(PAGE, encoding="utf-8") as file:
             text = file.read()
-    lines = {line.partition(" | ")[0]: line for line in text.split("\n")}
-    known = {(name, title): lines[start] for name, title in cases()
-             if (start := f"| {cell(title)}") in lines}
+    known = {line[line.rfind(" | ", 0, -2):]: line for line in text.split("\n")
+             if line.startswith("| ")}
     made = page(rows(directory, known))
     if "--write" in sys.argv:
         with open(PAGE, "w", encoding="utf-8") as file:

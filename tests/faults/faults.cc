@@ -140,7 +140,8 @@ extern "C"
 
   FILE *fopen64(const char *path, const char *mode)
   {
-    if (mode[0] != 'r' && is_refused(path))
+    // a file that is there is opened whether there is space or not
+    if (mode[0] != 'r' && access(path, F_OK) != 0 && is_refused(path))
       return nullptr;
     return original(fopen64, "fopen64")(path, mode);
   }

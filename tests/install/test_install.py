@@ -6,6 +6,7 @@ Call: test_install.py CMAKE BUILD_DIRECTORY [CMAKE OPTIONS of the example]
 
 import json
 import os
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -38,7 +39,7 @@ with tempfile.TemporaryDirectory() as directory:
 
     os.environ["PATH"] = os.path.join(prefix, "bin") + os.pathsep + os.environ["PATH"]
     completion = os.path.join(prefix, "share", "bash-completion", "completions", "stiction")
-    words = call("bash", "-c", f"""source {completion}
+    words = call("bash", "-c", f"""source {shlex.quote(completion)}
         COMP_WORDS=(stiction --set Friction/C) COMP_CWORD=2
         _stiction stiction
         echo "${{COMPREPLY[@]}}" """)

@@ -34,14 +34,14 @@ CHANGES = {" < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ", " == ": "
 SLOWEST = 15.  # seconds of a test that is run for each of hundreds of changes
 
 
-def places(folders):
+def places(root, folders):
     """Every change that can be made: file, line, column, from, to."""
     found = []
     for folder in folders:
-        for directory, _, names in os.walk(os.path.join(ROOT, "source", folder)):
+        for directory, _, names in os.walk(os.path.join(root, "source", folder)):
             for name in sorted(names):
-                path = os.path.relpath(os.path.join(directory, name), ROOT)
-                with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                path = os.path.relpath(os.path.join(directory, name), root)
+                with open(os.path.join(root, path), encoding="utf-8") as file:
                     lines = file.read().split("\n")
                 for number, line in enumerate(lines):
                     code = re.sub(r'"[^"]*"', lambda text: "~" * len(text[0]),
@@ -64,7 +64,8 @@ class Clone:
             run(["git", "clone", "-q", ROOT, self.directory])
             run(["cmake", "-S", self.directory, "-B", self.build, "-G", "Ninja",
                  "-DSTICTION_UNITY_BUILD=OFF", "-DCMAKE_BUILD_TYPE=Release"])
-            run(["ninja", "-C", self.build, "stiction_test_executables"])
+        run(["git", "-C", self.directory, "checkout", "--", "source"])
+        run(["ninja", "-C", self.build, "stiction_test_executables"])
         self.tests = sorted(self.measured())
 
     def measured(self):
@@ -141,11 +142,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folders", default="qp,contact/certificate")
     arguments = parser.parse_args()
-    all_changes = places(arguments.folders.split(","))
     clone = Clone(arguments.directory)
+    all_changes = places(clone.directory, arguments.folders.split(","))
+    if not all_changes or not clone.tests:
+        sys.exit(f"{clone.directory} has no place to change, or no test that passes")
     print(f"{len(all_changes)} possible changes, {len(clone.tests)} tests", flush=True)
     tally = {"caught": 0, "survived": 0, "does": 0}
-    with open(os.path.join(clone.directory, "mutants.csv"), "w", newline="",
+    with open(os.path.join(clone.directory, "mutants.csv"), "a", newline="",
               encoding="utf-8") as file:
         rows = csv.writer(file)
         rows.writerow(("file", "line", "from", "to", "outcome"))

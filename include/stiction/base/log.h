@@ -1,6 +1,8 @@
 #ifndef stiction_base_log_h
 #define stiction_base_log_h
 
+#include <stiction/base/directory_lock.h>
+
 #include <mpi.h>
 
 #include <array>
@@ -26,7 +28,8 @@ namespace stiction
     /// Starts the file. Nothing is said into it before, so that a run refused
     /// for its input leaves the log of an earlier one alone.
     ///
-    /// Throws InputError on rank 0 if the file cannot be written.
+    /// Throws InputError on rank 0 if the file cannot be written, or if another run
+    /// writes into its directory.
     void open_file(const std::string &name, bool appends = false);
 
     /// Ends the file once everything is said. Collective.
@@ -45,6 +48,7 @@ namespace stiction
     mutable std::mutex mutex_;
     std::chrono::steady_clock::time_point last_line_;
     std::ostringstream so_far_;
+    DirectoryLock directory_lock_;
     std::string file_name_;
     std::ofstream file_;
   };

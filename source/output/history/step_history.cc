@@ -123,18 +123,18 @@ namespace stiction
   {
     do_on_first_rank(communicator_, [&]() {
       const std::string name = directory_ + "/" + file;
-      if (!has_begun_)
+      std::error_code error; // somebody may have removed it
+      const auto size = std::filesystem::file_size(name, error);
+      if (!has_begun_ || error)
         return write_file(name, [&](std::ostream &out) {
           out << header;
           for (const StepResult &step : steps_)
             out << rows(step);
         });
-      std::error_code error;
-      const auto size = std::filesystem::file_size(name, error);
       std::ofstream out(name, std::ios::app);
       out << rows(steps_.back());
       out.close();
-      if (!out && !error)
+      if (!out)
         std::filesystem::resize_file(name, size, error); // no half of a row
       require_written(out.good(), name);
     });

@@ -17,13 +17,13 @@ namespace stiction
 {
   namespace
   {
-    // Whether a file is one that a run writes at its end, by its name.
+    // Whether a file is one that a run writes besides log.txt, by its name.
     bool is_ours(const std::string &name)
     {
       static const std::regex names(
         "((solution|contact|obstacle)(_[0-9]{4,}|_uncertified)?(\\.[0-9]{4,})?\\.(vtu|"
         "pvtu|pvd)"
-        "|summary\\.json|(convergence|forces|history|energy)\\.csv"
+        "|summary\\.json|used_parameters\\.prm|(convergence|forces|history|energy)\\.csv"
         "|(displacement|contact)(_[0-9]{4,}|_uncertified)?\\.csv"
         "|(picture|history|frame_[0-9]{4,})\\.png)(\\.new)?");
       return std::regex_match(name, names);

@@ -129,7 +129,7 @@ def under_a_tighter_tolerance(solver, quick):
         rows.append(Row(f"{label}: statuses that change, {len(changed) // 2} methods",
                         int(sum(changed)), 0, "tolerance 1e-4 and 1e-6", 0, "absolute"))
         rows.append(Row(f"{label}: part that is decided", min(decided), 0,
-                        "not all are left open", 0.8, "at least"))
+                        "not all are left open", 0.7, "at least"))
     return rows, []
 
 
