@@ -73,6 +73,14 @@ namespace
     return reinterpret_cast<Function *>(dlsym(RTLD_NEXT, name));
   }
 
+  std::string path_of(const int file)
+  {
+    char path[PATH_MAX];
+    const auto n =
+      readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof(path));
+    return std::string(path, n < 0 ? 0 : n);
+  }
+
   // A change of this file: whether it meets a full disk.
   bool is_refused(const char *path)
   {
@@ -91,11 +99,7 @@ namespace
 
   bool is_refused(const int file)
   {
-    char path[PATH_MAX];
-    const auto n =
-      readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof(path) - 1);
-    path[n < 0 ? 0 : n] = '\0';
-    return is_refused(path);
+    return is_refused(path_of(file).c_str());
   }
 
   bool is_full(const char *path)
@@ -108,11 +112,7 @@ namespace
 
   bool is_full(const int file)
   {
-    char path[PATH_MAX];
-    const auto n =
-      readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof(path) - 1);
-    path[n < 0 ? 0 : n] = '\0';
-    return is_full(path);
+    return is_full(path_of(file).c_str());
   }
 } // namespace
 

@@ -18,6 +18,7 @@ Exit status 1 and what was seen if not.
 """
 
 import argparse
+import collections
 import concurrent.futures
 import json
 import os
@@ -33,14 +34,14 @@ BRICK = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SECONDS = 60
 SETTINGS = ("Time/Steps=2", "Time/Checkpoint every=1", "Output/Double precision=true",
             "Contact solver/Tolerance=1e-8")
-WITHOUT = [("memory", "newton multigrid"), ("solve", "newton multigrid")] # no MUMPS
+WITHOUT = [("memory", "newton multigrid"), ("solve", "newton multigrid")]  # no MUMPS
 METHODS = {"newton": (), "newton multigrid": ("Geometry/Global refinement=2",)}
 
 
 class Run:
     """One run with a fault, in a directory of its own, over results of an earlier one."""
 
-    def __init__(self, top, fault, method="newton", ranks=1, earlier=None, export=True):
+    def __init__(self, top, fault, method="newton", ranks=1, earlier=None):
         self.name = f"{fault}, {method}, {ranks} rank" + "s" * (ranks > 1)
         self.fault = fault
         directory = tempfile.mkdtemp(dir=top)
@@ -51,7 +52,7 @@ class Run:
             self.before = contents(self.results)
         command = [PROGRAM, BRICK, "--output", self.results]
         settings = SETTINGS + METHODS[method] + (f"Contact solver/Method={method}",)
-        if export and method == "newton":
+        if method == "newton":
             settings += (f"Output/Export directory={self.results}/problem",)
         for setting in settings:
             command += ["--set", setting]
@@ -96,7 +97,8 @@ class Run:
                 yield "no verdict"
         elif kind != "killed" and not (self.status == -15 and not self.stdout):
             yield "a status that is none"
-        if self.status != 0 and kind not in ("disk", "removed") and "\nCERTIFIED" in self.stdout:
+        if self.status != 0 and kind not in ("disk", "removed") and \
+                "\nCERTIFIED" in self.stdout:
             yield "CERTIFIED, and another status"
         if kind == "disk":
             kept = [name for name in self.before
@@ -158,54 +160,60 @@ def unreadable(directory):
                 yield f"{shown} is cut off"
 
 
+def planned(top, earlier):
+    """What each run is made of: fault, method, ranks, earlier results."""
+    for kind in KINDS:
+        ranks = 2 if kind in ("killed", "shared") else 1
+        every = EVERY * (10 if kind == "killed" else 1)
+        before = earlier if kind in ("disk", "removed") else None
+        for method in METHODS:
+            n = 1 if kind == "shared" else Run(
+                top, f"{'signal' if kind == 'killed' else kind}:0", method).n
+            if n == 0 and (kind, method) not in WITHOUT:
+                sys.exit(f"{kind}, {method}: nothing is caught, so nothing is tried")
+            for k in range(1, n + 1):
+                if k % every == 1 % every or kind == "disk" and k < 8:
+                    yield f"{kind}:{k}", method, ranks, before
+
+
+def tried(top, one, unharmed):
+    """Status of a run, or none if it hangs, and what is not as it should be."""
+    try:
+        run = Run(top, *one)
+    except subprocess.TimeoutExpired:
+        return None, [f"{one[:3]}: it hangs"]
+    problems = [f"{run.name}: {problem}" for problem in run.check(unharmed[one[1]])]
+    if problems:
+        problems.append(f"  status {run.status}, stderr: {run.stderr[-400:]!r}, "
+                        f"stdout: {run.stdout[-300:]!r}")
+    return run.status, problems
+
+
 def main():
     """Count, run, report."""
-    bad = 0
+    bad, tally = 0, collections.Counter()
     with tempfile.TemporaryDirectory() as top:
         earlier = os.path.join(top, "earlier")
-        unharmed = {}
-        for method in METHODS:
-            unharmed[method] = Run(top, "none:0", method)
-            assert unharmed[method].status == 0, unharmed[method].stdout
         subprocess.run([PROGRAM, BRICK, "--output", earlier],
                        check=True, stdout=subprocess.DEVNULL)
-        plan = []
-        for kind in KINDS:
-            for method in METHODS:
-                n = 1 if kind == "shared" else Run(
-                    top, f"{'signal' if kind == 'killed' else kind}:0", method).n
-                if n == 0 and (kind, method) not in WITHOUT:
-                    sys.exit(f"{kind}, {method}: nothing is caught, so nothing is tried")
-                ranks = 2 if kind in ("killed", "shared") else 1
-                every = EVERY * (10 if kind == "killed" else 1)
-                before = earlier if kind in ("disk", "removed") else None
-                plan += [(f"{kind}:{k}", method, ranks, before)
-                         for k in range(1, n + 1)
-                         if k % every == 1 % every or kind == "disk" and k < 8]
+        unharmed = {method: Run(top, "none:0", method) for method in METHODS}
+        for run in unharmed.values():
+            assert run.status == 0, run.stdout
+        plan = list(planned(top, earlier))
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            runs = [pool.submit(Run, top, *one) for one in plan]
-            tally = {}
-            for one, future in zip(plan, runs):
-                try:
-                    run = future.result()
-                    problems = list(run.check(unharmed[one[1]]))
-                    name, key = run.name, (one[0].partition(":")[0], run.status)
-                    tally[key] = tally.get(key, 0) + 1
-                except subprocess.TimeoutExpired:
-                    run, problems, name = None, ["it hangs"], ", ".join(map(str, one[:3]))
+            ends = pool.map(lambda one: tried(top, one, unharmed), plan)
+            for one, (status, problems) in zip(plan, ends):
+                tally[one[0].partition(":")[0], status] += 1
                 if problems:
                     bad += 1
-                    print(f"{name}: {'; '.join(problems)}")
-                    if run:
-                        print(f"  status {run.status}, stderr: {run.stderr[-400:]!r}, "
-                              f"stdout: {run.stdout[-300:]!r}")
+                    print("\n".join(problems))
     for kind in KINDS:
         if kind not in ("shared", "memory") and all(
                 status == 0 for other, status in tally if other == kind):
             bad += 1
             print(f"{kind}: no run noticed anything")
     print(f"{len(plan)} faults, {bad} badly met; statuses: " + ", ".join(
-        f"{kind} {status}: {n}" for (kind, status), n in sorted(tally.items())))
+        f"{kind} {status}: {n}" for (kind, status), n in tally.items()))
     return bad > 0
 
 
