@@ -51,7 +51,7 @@ namespace
                    "Directory for Q, h, friction and the solution");
     auto *const problem =
       app.add_option("--problem", arguments.problem,
-                     "Solve that of an FCLIB file, Q.mtx or such a directory");
+                     "Problem of an FCLIB file, Q.mtx or an exported directory");
     app
       .add_option("--restart", arguments.restart,
                   "Go on from the checkpoint in this directory")
@@ -86,6 +86,12 @@ namespace
   int run(Program &program, const CommandLine &arguments)
   {
     using namespace stiction;
+    if (arguments.print_parameters)
+      {
+        if (is_first_rank())
+          std::cout << Parameters::default_file();
+        return certified;
+      }
     if (arguments.problem && arguments.problem->empty())
       throw InputError("--problem = '', must name a file or a directory.");
     if (arguments.restart && arguments.restart->empty())
@@ -187,12 +193,7 @@ int main(int argc, char *argv[])
   try
     {
       app.parse(argc, argv);
-      if (arguments.print_parameters)
-        {
-          if (is_first_rank())
-            std::cout << stiction::Parameters::default_file();
-        }
-      const int status = arguments.print_parameters ? certified : run(program, arguments);
+      const int status = run(program, arguments);
       if (!std::cout.flush())
         return refuse("standard output: cannot be written, must have space; a run's "
                       "log.txt says the same.");

@@ -48,6 +48,7 @@ namespace stiction
     mutable std::mutex mutex_;
     std::chrono::steady_clock::time_point last_line_;
     std::ostringstream so_far_;
+    /// As long as a log is open its directory is its run's.
     DirectoryLock directory_lock_;
     std::string file_name_;
     std::ofstream file_;

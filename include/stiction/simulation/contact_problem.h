@@ -194,8 +194,8 @@ namespace stiction
     std::unique_ptr<StepHistory> steps_;     ///< if there are several
     std::unique_ptr<EnergyBalance> balance_; ///< of these steps
     SolverEffort effort_;                    ///< in this step
-    dealii::Timer since_first_step_;         ///< of this run
-    SolverEffort counted_; ///< of the present solver before the last solve
+    SolverEffort counted_;           ///< of the present solver before the last solve
+    dealii::Timer since_first_step_; ///< of this run
 
     std::unique_ptr<SupportReactions> reactions_;
     MeshError mesh_error_; ///< of no cells: not estimated
