@@ -14,8 +14,6 @@
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/primal_contact_solver.h>
 
-#include <cmath>
-
 namespace stiction
 {
   namespace
@@ -25,6 +23,10 @@ namespace stiction
 
     // Where another method can go on, it need not wait for more of these.
     constexpr unsigned int max_fallbacks = 3;
+
+    // An iterate with a larger residual is a worse start for it than none: a body that
+    // contact alone holds may have left.
+    constexpr double residual_of_start = 0.1;
   } // namespace
 
   PrimalContactSolver::PrimalContactSolver(const Setting &setting)
@@ -61,11 +63,13 @@ namespace stiction
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
     SolveStatus status;
     unsigned int n_steps = 0;
+    double residual      = 0.;
     {
       const auto phase = setting_.phases.scope("displacement_iteration");
       status = newton_->solve(state, chosen.tolerance, chosen.maximum_iterations,
                               [&](const ContactStep &step) {
-                                n_steps = step.step;
+                                n_steps  = step.step;
+                                residual = step.residual;
                                 observer(step);
                               });
       setting_.elasticity.distribute(state.u);
@@ -75,7 +79,7 @@ namespace stiction
     print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_);
-    if (!std::isfinite(state.u.l2_norm()))
+    if (!(residual < residual_of_start))
       state = {{}, {}, {}, state.history, state.scales};
     return dual_->solve(state, [&](ContactStep step) {
       step.step += n_steps;

@@ -37,4 +37,11 @@ inline std::string brick(const std::string &name, const std::string &lengths,
                   "Young's modulus = " + E, "Poisson ratio = 0.3", "Density = 1"});
 }
 
+// Whether the method certified its answer itself, without another one it falls back to.
+inline bool certified_alone(const Run &run)
+{
+  const auto solver = run.summary()["solver"];
+  return run.converged && solver["fallbacks"] == 0 && !solver.contains("handed_over_to");
+}
+
 #endif

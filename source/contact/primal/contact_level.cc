@@ -55,6 +55,13 @@ namespace stiction
     }
   } // namespace
 
+  Eigen::VectorXd foundation_under(const Eigen::VectorXd &youngs_moduli,
+                                   const Eigen::VectorXd &areas, const Body &body)
+  {
+    const auto corners = body.bounding_box().get_boundary_points();
+    return youngs_moduli.cwiseProduct(areas) / corners.first.distance(corners.second);
+  }
+
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
                              const ContactSurface &surface,
                              const BasisTransformation &basis)
@@ -162,10 +169,9 @@ namespace stiction
     foundation_ = Eigen::VectorXd::Zero(n_nodes());
     if (elasticity_.free_motions().n() == 0)
       return;
-    positions_         = mesh().node_positions();
-    const auto corners = elasticity_.body().bounding_box().get_boundary_points();
-    foundation_        = stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_) /
-                  corners.first.distance(corners.second);
+    positions_ = mesh().node_positions();
+    foundation_ =
+      foundation_under(stiffness_of_cells_.youngs_moduli, areas_, elasticity_.body());
   }
 
   void ContactLevel::add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const

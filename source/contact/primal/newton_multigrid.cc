@@ -2,6 +2,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
+#include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <algorithm>
@@ -51,13 +52,32 @@ namespace stiction
       return BasisTransformation(first(B.dofs(), m), first(other.dofs, n), std::move(N));
     }
 
+    // The foundation under contact nodes, passed to the nodes opposite of those bodies
+    // that contact alone holds.
+    Eigen::VectorXd ground_opposite(const LinearElasticity &elasticity,
+                                    const ContactSurface &surface)
+    {
+      const ContactOperator::OtherSide &other = surface.B().other_side();
+      LA::Vector is_free                      = elasticity.zero_vector();
+      for (const Body::Node &node : elasticity.body().locally_owned_nodes())
+        if (elasticity.free_motions().of(node.piece).second > 0)
+          is_free(node.dofs[0]) = 1.;
+      const Eigen::Index n = other.A.cols();
+      return other.dofs.restriction(is_free).head(n).cwiseProduct(
+        other.A.transpose() * foundation_under(surface.stiffness().youngs_moduli,
+                                               surface.areas(), elasticity.body()));
+    }
+
     // Those of all levels.
-    std::vector<BasisTransformation> bases_of(const ContactOperator &B,
+    std::vector<BasisTransformation> bases_of(const LinearElasticity &elasticity,
+                                              const ContactSurface &surface,
                                               const MeshHierarchy &hierarchy,
                                               const DofSubsetHierarchy &nodes)
     {
       std::vector<BasisTransformation> bases(hierarchy.n_levels());
-      bases.back() = basis_of(B);
+      bases.back() = basis_of(surface.B());
+      if (surface.B().has_other_side())
+        bases.back().set_ground(ground_opposite(elasticity, surface));
       for (unsigned int l = hierarchy.n_levels() - 1; l > 0; --l)
         bases[l - 1] = bases[l].coarser(
           hierarchy.transfer(l), hierarchy.level(l), hierarchy.level(l - 1),
@@ -81,7 +101,7 @@ namespace stiction
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
     , dof_hierarchy_(hierarchy_, surface.first_dofs())
     , multigrid_(elasticity, hierarchy_, dof_hierarchy_,
-                 bases_of(surface.B(), hierarchy_, dof_hierarchy_), levels_in_use)
+                 bases_of(elasticity, surface, hierarchy_, dof_hierarchy_), levels_in_use)
     , problems_(hierarchy_.n_levels())
     , statistics_(hierarchy_.n_levels())
   {

@@ -219,14 +219,20 @@ namespace stiction
     Matrix chosen(3 * static_cast<Eigen::Index>(rows.size()), relation_->N.rows());
     chosen.setFromTriplets(entries.begin(), entries.end());
     const Matrix N = Matrix(chosen * relation_->N) * P;
+    BasisTransformation basis;
     try
       {
-        return BasisTransformation(slaves, masters, N);
+        basis = BasisTransformation(slaves, masters, N);
       }
     catch (const CircleOfSlaves &)
       {
-        return BasisTransformation(slaves, masters, without_chains(N, masters, slaves));
+        basis = BasisTransformation(slaves, masters, without_chains(N, masters, slaves));
       }
+    basis.ground_ = Eigen::VectorXd::Zero(ground_.size() > 0 ? P.cols() / 3 : 0);
+    for (Eigen::Index i = 0; i < ground_.size(); ++i)
+      for (Matrix::InnerIterator entry(P, 3 * i); entry; ++entry)
+        basis.ground_(entry.col() / 3) += entry.value() * ground_(i);
+    return basis;
   }
 
   void BasisTransformation::set_relative_directions(std::vector<Eigen::Matrix3d> R,

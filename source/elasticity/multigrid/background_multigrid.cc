@@ -210,6 +210,7 @@ namespace stiction
     const BasisTransformation &basis)
     : unit_(unit)
     , stiffness_of_supported_(first_dofs.size(), 0.)
+    , ground_((basis.ground() / unit).cast<float>())
   {
     std::vector<Interpolation> grids = make_grids(mesh);
     LA::Vector is_left_out           = fixed;
@@ -250,15 +251,14 @@ namespace stiction
     Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),
                         stiffness_of_supported_);
 
-    to_supported_ = rows_of(grids.front(), first_dofs);
-    to_mesh_      = grids.front().middleRows(
-           mesh.n_owned_nodes() > 0 ? static_cast<Eigen::Index>(node(0)) : 0,
+    to_mesh_ = grids.front().middleRows(
+      mesh.n_owned_nodes() > 0 ? static_cast<Eigen::Index>(node(0)) : 0,
       static_cast<Eigen::Index>(mesh.n_owned_nodes()));
     std::vector<types::global_dof_index> with_springs = first_dofs;
     with_springs.insert(with_springs.end(), basis.masters().begin(),
                         basis.masters().end());
-    std::vector<std::vector<unsigned int>> touched{
-      touched_by(rows_of(grids.front(), with_springs))};
+    to_supported_ = rows_of(grids.front(), with_springs);
+    std::vector<std::vector<unsigned int>> touched{touched_by(to_supported_)};
     for (std::size_t g = 0; g < grids.size(); ++g)
       {
         if (g > 0)
@@ -279,7 +279,7 @@ namespace stiction
 
   void BackgroundMultigrid::set_supports(const NodalSupports &supports)
   {
-    std::vector<Eigen::Matrix3f> finer(supports.size());
+    std::vector<Eigen::Matrix3f> finer(to_supported_.rows(), Eigen::Matrix3f::Zero());
     for (std::size_t i = 0; i < supports.size(); ++i)
       finer[i] = (supports[i].spring / unit_ +
                   stiffness_of_supported_[i] *
@@ -289,12 +289,14 @@ namespace stiction
     if (between_)
       {
         between = between_->on_grids(finer);
-        for (std::size_t i = 0; i < finer.size(); ++i)
+        for (std::size_t i = 0; i < supports.size(); ++i)
           if (between_->has(i))
             finer[i].setZero();
       }
+    for (Eigen::Index j = 0; j < ground_.size(); ++j)
+      finer[supports.size() + j] = ground_(j) * Eigen::Matrix3f::Identity();
     const Interpolation *to_finer = &to_supported_;
-    std::vector<unsigned int> rows(supports.size());
+    std::vector<unsigned int> rows(finer.size());
     std::iota(rows.begin(), rows.end(), 0u);
     for (std::size_t g = 0; g < grids_.size(); ++g)
       {

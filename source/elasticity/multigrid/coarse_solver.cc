@@ -257,16 +257,21 @@ namespace stiction
             }
         add(unknowns_of(nodes), held);
       });
-    FullMatrix<double> spring(3, 3);
+    FullMatrix<double> entries(3, 3);
+    const auto add_spring = [&](const auto dof, const Eigen::Matrix3d &spring) {
+      if (!level_.partitioner()->in_local_range(dof))
+        return;
+      for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int b = 0; b < 3; ++b)
+          entries(a, b) = spring(a, b);
+      add({dof, dof + 1, dof + 2}, entries);
+    };
     for (std::size_t i = 0; i < supports.size(); ++i)
+      add_spring(supported_nodes_[i], supports[i].spring);
+    for (Eigen::Index j = 0; j < basis_.ground().size(); ++j)
       {
-        const auto dof = supported_nodes_[i];
-        if (!level_.partitioner()->in_local_range(dof))
-          continue;
-        for (unsigned int a = 0; a < 3; ++a)
-          for (unsigned int b = 0; b < 3; ++b)
-            spring(a, b) = supports[i].spring(a, b);
-        add({dof, dof + 1, dof + 2}, spring);
+        const auto dof = basis_.masters()[j];
+        add_spring(dof, basis_.ground()(j) * projection(dof, supports));
       }
   }
 

@@ -22,6 +22,7 @@
 
 namespace stiction
 {
+  class Body;
   class ContactSurface;
   struct ContactState;
   class LevelTransfer;
@@ -31,6 +32,11 @@ namespace stiction
   class DofSubsetHierarchy;
   template<typename Number>
   class StiffnessOperator;
+
+  /// Springs E_i A_i/L under nodes, L being the diagonal of the bounding box: together
+  /// about as stiff as the body, N/m.
+  Eigen::VectorXd foundation_under(const Eigen::VectorXd &youngs_moduli,
+                                   const Eigen::VectorXd &areas, const Body &body);
 
   /// The contact problem on one level of the mesh, in displacements: K without
   /// a matrix, loads, contact nodes with their frames and data.
@@ -116,9 +122,9 @@ namespace stiction
     /// @param a λ + ρw, or its normal part: above zero where they meet.
     void bring_into_contact(ContactState &state, const Eigen::VectorXd &a) const;
 
-    /// Springs under the contact nodes of a body that contact alone holds, together
-    /// about as stiff as the body, N/m: they make singular systems regular, in a
-    /// preconditioner or for a step. Zero where supports hold the body.
+    /// foundation_under() the contact nodes of a body that contact alone holds: it makes
+    /// singular systems regular, in a preconditioner or for a step. Zero where supports
+    /// hold the body.
     const Eigen::VectorXd &foundation() const { return foundation_; }
 
     /// How the contact nodes move under the motions of the body that can be driven,

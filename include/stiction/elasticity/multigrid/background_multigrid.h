@@ -26,7 +26,8 @@ namespace stiction
   /// projection P_i and the mean d_i of the diagonal of K. A changed contact set
   /// costs no more than that, and a dense factorisation on the last grid. Where another
   /// body is opposite to node i, these springs are between the two, in absolute
-  /// displacements: (BP)ᵀ [S + d (I − P)] (BP), with B u = u_i − Σ_j N_ij u_j.
+  /// displacements: (BP)ᵀ [S + d (I − P)] (BP), with B u = u_i − Σ_j N_ij u_j. The nodes
+  /// j have the springs of the basis to the ground.
   ///
   /// Each rank has the products of its own cells; vectors of the grids are the same on
   /// all ranks, and every product is summed over them.
@@ -63,8 +64,9 @@ namespace stiction
 
     const double unit_;
     Interpolation to_mesh_;      ///< of the owned nodes from the first grid
-    Interpolation to_supported_; ///< of the nodes of the list
+    Interpolation to_supported_; ///< of the nodes of the list and of the masters
     std::vector<double> stiffness_of_supported_; ///< d_i, in units
+    Eigen::VectorXf ground_;                     ///< of the masters, in units
     std::unique_ptr<SpringsBetweenBodies> between_;
     std::vector<std::unique_ptr<Grid>> grids_;
   };
