@@ -8,6 +8,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/output/history/step_history.h>
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>

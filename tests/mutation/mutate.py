@@ -3,11 +3,11 @@
 
 Call:   tests/mutation/mutate.py DIRECTORY [--count N] [--seed S] [--folders A,B]
 
-Clones the project to DIRECTORY (or goes on with the clone there), builds it and the unit
-and physics tests, and then makes N changes of a character or two in qp/, the certificate
-and the contact conditions, one at a time: < for <=, + for -, max for min, && for ||. Each
-is compiled and the tests run, the quickest first, until one has another output, fails or
-hangs. Writes DIRECTORY/mutants.csv and says how many were caught; those that were not are
+Clones the project to DIRECTORY (or goes on with the clone there), builds its library, and
+then makes N changes of a character or two in qp/, the certificate and the contact
+conditions, one at a time: < for <=, + for -, max for min, && for ||. Each is compiled, and
+the unit and physics tests that `./run tests` built run with that library, the quickest
+first, until one has another output, fails or hangs. Writes DIRECTORY/mutants.csv and says how many were caught; those that were not are
 to be looked at: a test is missing, a line is superfluous, or the change changes nothing.
 """
 
@@ -65,19 +65,20 @@ class Clone:
             run(["cmake", "-S", self.directory, "-B", self.build, "-G", "Ninja",
                  "-DSTICTION_UNITY_BUILD=OFF", "-DCMAKE_BUILD_TYPE=Release"])
         run(["git", "-C", self.directory, "checkout", "--", "source"])
-        run(["ninja", "-C", self.build, "stiction_test_executables"])
+        run(["ninja", "-C", self.build, "stiction_shared"])
+        os.environ["LD_LIBRARY_PATH"] = os.path.join(self.build, "tests")
         self.tests = sorted(self.measured())
 
     def measured(self):
         """Seconds, program and reference of each test that is quick enough."""
-        tests = os.path.join(self.directory, "tests")
+        tests = os.path.join(ROOT, "tests")
         for kind in ("unit", "physics"):
             for folder, _, names in os.walk(os.path.join(tests, kind)):
                 for name in sorted(names):
                     if not name.endswith(".cc"):
                         continue
                     stem = name[:-len(".cc")]
-                    place = os.path.join(self.build, "tests",
+                    place = os.path.join(ROOT, "build", "tests",
                                          os.path.relpath(folder, tests),
                                          f"{stem}.release")
                     test = (os.path.join(place, f"{stem}.release"),
@@ -98,7 +99,7 @@ class Clone:
         try:
             with open(file_name, "w", encoding="utf-8") as file:
                 file.write("\n".join(lines))
-            if subprocess.run(["ninja", "-C", self.build, "libstiction_shared.so"],
+            if subprocess.run(["ninja", "-C", self.build, "stiction_shared"],
                               capture_output=True, check=False).returncode:
                 return "does not compile"
             for seconds, *test in self.tests:
