@@ -44,6 +44,9 @@ namespace stiction
     constexpr double softening          = 3.;
     constexpr unsigned int max_releases = 40, max_softened = 6;
 
+    // What is less than so much of the largest resistance is rounding.
+    constexpr double unresisted = 1e-9;
+
     // The contact problem need not be solved better than so much less than the error
     // of the forces, from this accuracy on.
     constexpr double accuracy_of_error = 0.1;
@@ -314,9 +317,10 @@ namespace stiction
     const Eigen::MatrixXd forces =
       qp::sensitivity(DualOperatorBlock(Q, DualBlock::all), G, lambda, gradient,
                       Q.nodal_compliance(), setting_.surface.slip_bound());
-    return (G.transpose() * forces)
-      .colPivHouseholderQr()
-      .solve(e - G.transpose() * lambda);
+    // of motions that nothing resists just now the shortest step has none
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> system;
+    system.setThreshold(unresisted);
+    return system.compute(G.transpose() * forces).solve(e - G.transpose() * lambda);
   }
 
   void DualContactSolver::print_places(const State &state) const

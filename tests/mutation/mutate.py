@@ -31,7 +31,7 @@ CHANGES = {" < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ", " == ": "
            "std::max(": "std::min(", "std::min(": "std::max(", "true": "false",
            "false": "true", " = -": " = ", "return -": "return ", "cwiseMax": "cwiseMin",
            "cwiseMin": "cwiseMax", "0.5 *": "2. *", "continue;": "break;"}
-SLOWEST = 15.  # seconds of a test that is run for each of hundreds of changes
+SLOWEST = 5.  # seconds of a test that is run for each of hundreds of changes
 
 
 def places(root, folders):
@@ -115,17 +115,16 @@ def passes(test, seconds):
     """Whether a test still has the output of its reference."""
     program, reference = test
     directory = os.path.dirname(program)
-    if os.path.exists(os.path.join(directory, "output")):
-        subprocess.run(["rm", "-rf", os.path.join(directory, "output")], check=True)
+    output = os.path.join(directory, "output_of_mutant")
     try:
-        done = subprocess.run([program], cwd=directory, capture_output=True,
-                              timeout=seconds, check=False)
+        with open(output, "wb") as file:
+            done = subprocess.run([program], cwd=directory, stdout=file,
+                                  stderr=subprocess.STDOUT, timeout=seconds, check=False)
     except subprocess.TimeoutExpired:
         return False
     return done.returncode == 0 and subprocess.run(
-        ["numdiff", "-a", "1e-6", "-r", "1e-8", "-q", reference,
-         os.path.join(directory, "output")], capture_output=True,
-        check=False).returncode == 0
+        ["numdiff", "-a", "1e-6", "-r", "1e-8", "-q", reference, output],
+        capture_output=True, check=False).returncode == 0
 
 
 def run(command):
