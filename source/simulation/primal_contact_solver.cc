@@ -22,7 +22,7 @@ namespace stiction
     constexpr double duality_gap_accuracy = 1e-6;
 
     // Where another method can go on, it need not wait for more of these.
-    constexpr unsigned int max_fallbacks = 3;
+    constexpr unsigned int max_fallbacks = 2;
 
     // An iterate with a larger residual is a worse start for it than none: a body that
     // contact alone holds may have left.
@@ -79,13 +79,23 @@ namespace stiction
     print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_);
-    if (!(residual < residual_of_start))
-      state = {{}, {}, {}, state.history, state.scales};
-    return dual_->solve(state, [&](ContactStep step) {
-      step.step += n_steps;
-      step.unknowns = setting_.elasticity.mesh().n_dofs();
-      observer(step);
-    });
+    const auto go_on = [&]() {
+      return dual_->solve(state, [&](ContactStep step) {
+        step.step += n_steps;
+        step.unknowns = setting_.elasticity.mesh().n_dofs();
+        observer(step);
+      });
+    };
+    const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
+    const bool is_warm = residual < residual_of_start;
+    if (!is_warm)
+      forget();
+    status = go_on();
+    if (status.converged || status.interrupted || !is_warm)
+      return status;
+    print_progress("Once more, without what was found:");
+    forget();
+    return go_on();
   }
 
   bool PrimalContactSolver::can_hand_over() const
