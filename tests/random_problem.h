@@ -6,18 +6,18 @@
 // soft layers, Coulomb's law with F up to 5, given friction or none, obstacles
 // that are tilted, curved, far away in parts, or pressed on by a force.
 
+#include "random_numbers.h"
 #include "tests.h"
 
 #include <stiction/output/results/report.h>
 
 #include <chrono>
 #include <cmath>
-#include <random>
 
-struct RandomProblem
+struct RandomProblem : private RandomNumbers
 {
   explicit RandomProblem(const unsigned int number)
-    : engine(number)
+    : RandomNumbers(number)
   {
     settings = {"Output/Write solution=false", "Refinement/Estimate error=false",
                 "Material/Young's modulus=1",
@@ -34,19 +34,6 @@ struct RandomProblem
   Settings settings;
 
 private:
-  double uniform(const double a, const double b)
-  {
-    return a + (b - a) * (static_cast<double>(engine()) + 0.5) / 4294967296.;
-  }
-
-  // every order of magnitude is equally likely
-  double log_uniform(const double a, const double b)
-  {
-    return std::exp(uniform(std::log(a), std::log(b)));
-  }
-
-  unsigned int one_of(const unsigned int n) { return engine() % n; }
-
   void add(const std::string &setting)
   {
     settings.push_back("Boundary conditions/" + setting);
@@ -166,7 +153,6 @@ private:
       }
   }
 
-  std::mt19937 engine;
   double softest = 1.; // of Young's moduli
 };
 

@@ -7,8 +7,9 @@ Clones the project to DIRECTORY (or goes on with the clone there), builds its li
 then makes N changes of a character or two in qp/, the certificate and the contact
 conditions, one at a time: < for <=, + for -, max for min, && for ||. Each is compiled, and
 the unit and physics tests that `./run tests` built run with that library, the quickest
-first, until one has another output, fails or hangs. Writes DIRECTORY/mutants.csv and says how many were caught; those that were not are
-to be looked at: a test is missing, a line is superfluous, or the change changes nothing.
+first, until one has another output, fails or hangs. Writes DIRECTORY/mutants.csv and says
+how many were caught; those that were not are to be looked at: a test is missing, a line is
+superfluous, or the change changes nothing.
 """
 
 import argparse

@@ -3,7 +3,7 @@
 // to. A range of others: random_assemblies.release FIRST LAST.
 
 #include "../how_it_ends.h"
-#include "../random_assembly.h"
+#include "random_assembly.h"
 
 #include <string>
 

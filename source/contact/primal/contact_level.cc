@@ -2,6 +2,7 @@
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/foundation.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/levels/dof_subset_hierarchy.h>
 #include <stiction/elasticity/levels/mesh_hierarchy.h>
@@ -54,13 +55,6 @@ namespace stiction
       return Utilities::MPI::sum(sum, v.get_mpi_communicator());
     }
   } // namespace
-
-  Eigen::VectorXd foundation_under(const Eigen::VectorXd &youngs_moduli,
-                                   const Eigen::VectorXd &areas, const Body &body)
-  {
-    const auto corners = body.bounding_box().get_boundary_points();
-    return youngs_moduli.cwiseProduct(areas) / corners.first.distance(corners.second);
-  }
 
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
                              const ContactSurface &surface,

@@ -1,6 +1,7 @@
 #include <stiction/base/interrupt.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/contact/primal/foundation.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>

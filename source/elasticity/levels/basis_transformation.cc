@@ -70,6 +70,21 @@ namespace stiction
               static_cast<Number>(values(3 * static_cast<Eigen::Index>(i) + c));
     }
 
+    // Weights of nodes as those of their unknowns, three each.
+    Matrix of_unknowns(const std::vector<Eigen::Triplet<double>> &weights,
+                       const std::size_t n_rows, const std::size_t n_columns)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (const auto &weight : weights)
+        for (Eigen::Index c = 0; c < 3; ++c)
+          entries.emplace_back(3 * weight.row() + c, 3 * weight.col() + c,
+                               weight.value());
+      Matrix matrix(3 * static_cast<Eigen::Index>(n_rows),
+                    3 * static_cast<Eigen::Index>(n_columns));
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    }
+
     // Row m: which of the slaves the node m is, three rows and columns each.
     Matrix slaves_among(const Dofs &masters, const Dofs &slaves)
     {
@@ -79,12 +94,8 @@ namespace stiction
       std::vector<Eigen::Triplet<double>> entries;
       for (std::size_t j = 0; j < masters.size(); ++j)
         if (const auto slave = row.find(masters[j]); slave != row.end())
-          for (unsigned int c = 0; c < 3; ++c)
-            entries.emplace_back(3 * j + c, 3 * slave->second + c, 1.);
-      Matrix matrix(3 * static_cast<Eigen::Index>(masters.size()),
-                    3 * static_cast<Eigen::Index>(slaves.size()));
-      matrix.setFromTriplets(entries.begin(), entries.end());
-      return matrix;
+          entries.emplace_back(j, slave->second, 1.);
+      return of_unknowns(entries, masters.size(), slaves.size());
     }
 
     // Slaves that follow other slaves follow what else is opposite alone, with the same
@@ -141,6 +152,7 @@ namespace stiction
     relation->masters = std::move(masters);
     relation->N       = std::move(N);
     relation_         = relation;
+    ground_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(relation->masters.size()));
   }
 
   std::map<Eigen::Index, Eigen::Matrix3d> BasisTransformation::blocks_of(
@@ -203,22 +215,20 @@ namespace stiction
         number = masters.size();
         masters.push_back(dof);
       }
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Eigen::Triplet<double>> interpolated, chosen;
+    Eigen::VectorXd ground =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(masters.size()));
     for (const Weight &weight : weights)
-      for (unsigned int c = 0; c < 3; ++c)
-        entries.emplace_back(3 * weight.fine + c, 3 * column[weight.coarse] + c,
-                             1. / weight.n);
-    Matrix P(3 * static_cast<Eigen::Index>(finer_masters.size()),
-             3 * static_cast<Eigen::Index>(masters.size()));
-    P.setFromTriplets(entries.begin(), entries.end());
-
-    entries.clear();
+      {
+        const std::size_t j = column[weight.coarse];
+        interpolated.emplace_back(weight.fine, j, 1. / weight.n);
+        ground(static_cast<Eigen::Index>(j)) += ground_(weight.fine) / weight.n;
+      }
     for (std::size_t i = 0; i < rows.size(); ++i)
-      for (unsigned int c = 0; c < 3; ++c)
-        entries.emplace_back(3 * i + c, 3 * rows[i] + c, 1.);
-    Matrix chosen(3 * static_cast<Eigen::Index>(rows.size()), relation_->N.rows());
-    chosen.setFromTriplets(entries.begin(), entries.end());
-    const Matrix N = Matrix(chosen * relation_->N) * P;
+      chosen.emplace_back(i, rows[i], 1.);
+    const Matrix N =
+      Matrix(of_unknowns(chosen, rows.size(), relation_->slaves.size()) * relation_->N) *
+      of_unknowns(interpolated, finer_masters.size(), masters.size());
     BasisTransformation basis;
     try
       {
@@ -228,10 +238,7 @@ namespace stiction
       {
         basis = BasisTransformation(slaves, masters, without_chains(N, masters, slaves));
       }
-    basis.ground_ = Eigen::VectorXd::Zero(ground_.size() > 0 ? P.cols() / 3 : 0);
-    for (Eigen::Index i = 0; i < ground_.size(); ++i)
-      for (Matrix::InnerIterator entry(P, 3 * i); entry; ++entry)
-        basis.ground_(entry.col() / 3) += entry.value() * ground_(i);
+    basis.ground_ = std::move(ground);
     return basis;
   }
 

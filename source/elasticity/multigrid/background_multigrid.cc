@@ -271,8 +271,8 @@ namespace stiction
           g + 1 == grids.size(), mesh.communicator()));
       }
     if (!basis.is_identity())
-      between_ = std::make_unique<SpringsBetweenBodies>(
-        basis, to_supported_, rows_of(grids.front(), basis.masters()), touched, grids);
+      between_ =
+        std::make_unique<SpringsBetweenBodies>(basis, to_supported_, touched, grids);
   }
 
   BackgroundMultigrid::~BackgroundMultigrid() = default;

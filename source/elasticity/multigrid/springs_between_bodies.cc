@@ -18,8 +18,7 @@ namespace stiction
   } // namespace
 
   BackgroundMultigrid::SpringsBetweenBodies::SpringsBetweenBodies(
-    const BasisTransformation &basis, const Interpolation &to_slaves,
-    const Interpolation &to_masters,
+    const BasisTransformation &basis, const Interpolation &to_nodes,
     const std::vector<std::vector<unsigned int>> &touched,
     const std::vector<Interpolation> &grids)
     : of_slave_(basis.slaves().size())
@@ -31,17 +30,16 @@ namespace stiction
         if (opposite.empty())
           continue;
         std::map<unsigned int, Eigen::Matrix3f> blocks;
-        const auto add = [&](const Interpolation &from_grid, const Eigen::Index node,
-                             const Eigen::Matrix3f &factor) {
-          for (Interpolation::InnerIterator entry(from_grid, node); entry; ++entry)
+        const auto add = [&](const Eigen::Index node, const Eigen::Matrix3f &factor) {
+          for (Interpolation::InnerIterator entry(to_nodes, node); entry; ++entry)
             blocks
               .try_emplace(place_in(touched.front(), entry.col()),
                            Eigen::Matrix3f::Zero())
               .first->second += entry.value() * factor;
         };
-        add(to_slaves, static_cast<Eigen::Index>(i), Eigen::Matrix3f::Identity());
+        add(static_cast<Eigen::Index>(i), Eigen::Matrix3f::Identity());
         for (const auto &[j, N] : opposite)
-          add(to_masters, j, -N.cast<float>());
+          add(static_cast<Eigen::Index>(of_slave_.size()) + j, -N.cast<float>());
         of_slave_[i].assign(blocks.begin(), blocks.end());
         sets_.emplace_back();
         for (const auto &[vertex, block] : blocks)

@@ -19,10 +19,9 @@ namespace stiction
   class BackgroundMultigrid::SpringsBetweenBodies
   {
   public:
-    /// @param to_slaves, to_masters from the first grid.
+    /// @param to_nodes the slaves and behind them the masters, from the first grid.
     /// @param touched of all grids. @param grids their interpolations to the finer ones.
-    SpringsBetweenBodies(const BasisTransformation &basis, const Interpolation &to_slaves,
-                         const Interpolation &to_masters,
+    SpringsBetweenBodies(const BasisTransformation &basis, const Interpolation &to_nodes,
                          const std::vector<std::vector<unsigned int>> &touched,
                          const std::vector<Interpolation> &grids);
 

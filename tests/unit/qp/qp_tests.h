@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <string>
+
+#include "../../random_numbers.h"
 
 /// What the tests of the qp layer share: random problems, a slow reference
 /// solver that uses nothing of the layer under test, and words for the output.
@@ -19,30 +20,14 @@ namespace qp_tests
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
 
-  /// Random numbers that are the same everywhere; the distributions of the
-  /// standard library are not.
-  class Random
+  class Random : public RandomNumbers
   {
   public:
-    explicit Random(const unsigned int seed)
-      : engine_(seed)
-    {
-    }
-
-    double uniform(const double a, const double b)
-    {
-      return a + (b - a) * (static_cast<double>(engine_()) + 0.5) / 4294967296.;
-    }
-
-    /// Every order of magnitude between a and b > 0 is equally likely.
-    double log_uniform(const double a, const double b)
-    {
-      return std::exp(uniform(std::log(a), std::log(b)));
-    }
+    using RandomNumbers::RandomNumbers;
 
     int integer(const int n)
     {
-      return static_cast<int>(engine_() % static_cast<unsigned int>(n));
+      return static_cast<int>(one_of(static_cast<unsigned int>(n)));
     }
 
     VectorXd vector(const Index n, const double a = -1., const double b = 1.)
@@ -75,9 +60,6 @@ namespace qp_tests
         eigenvalue = log_uniform(1. / condition, 1.);
       return symmetric(eigenvalues);
     }
-
-  private:
-    std::mt19937 engine_;
   };
 
   /// The largest of many figures, and NaN for good once one of them was.

@@ -22,7 +22,6 @@
 
 namespace stiction
 {
-  class Body;
   class ContactSurface;
   struct ContactState;
   class LevelTransfer;
@@ -32,11 +31,6 @@ namespace stiction
   class DofSubsetHierarchy;
   template<typename Number>
   class StiffnessOperator;
-
-  /// Springs E_i A_i/L under nodes, L being the diagonal of the bounding box: together
-  /// about as stiff as the body, N/m.
-  Eigen::VectorXd foundation_under(const Eigen::VectorXd &youngs_moduli,
-                                   const Eigen::VectorXd &areas, const Body &body);
 
   /// The contact problem on one level of the mesh, in displacements: K without
   /// a matrix, loads, contact nodes with their frames and data.

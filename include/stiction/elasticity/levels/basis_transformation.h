@@ -83,11 +83,10 @@ namespace stiction
     const std::vector<Eigen::Matrix3d> &springs() const { return springs_; }
 
     /// Takes springs between the masters and the ground, N/m, which the coarser levels
-    /// get as well. They are no part of K̂: a preconditioner needs them, where bodies hang
-    /// on each other and on nothing else.
+    /// get as well; without, they are zero. They are no part of K̂: a preconditioner needs
+    /// them, where bodies hang on each other and on nothing else.
     void set_ground(Eigen::VectorXd ground) { ground_ = std::move(ground); }
 
-    /// Of length zero: none.
     const Eigen::VectorXd &ground() const { return ground_; }
 
     /// v ← T v, T⁻¹ v. Collective.
@@ -129,7 +128,7 @@ namespace stiction
     std::shared_ptr<const Relation> relation_;
     std::vector<Eigen::Matrix3d> R_;       ///< empty: the identity
     std::vector<Eigen::Matrix3d> springs_; ///< empty: none
-    Eigen::VectorXd ground_;
+    Eigen::VectorXd ground_;               ///< of the masters
     /// Of vmult(), in either precision, made when they are needed.
     mutable std::tuple<LA::VectorOf<float>, LA::VectorOf<double>> scratch_;
   };

@@ -6,17 +6,17 @@
 // aside, moved, heavy, or pressed together by nothing but loads; in pairs of any law,
 // with gaps and without, that bear their forces on either side.
 
-#include "physics/several_bodies.h"
+#include "../random_numbers.h"
+#include "several_bodies.h"
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
-struct RandomAssembly
+struct RandomAssembly : private RandomNumbers
 {
   explicit RandomAssembly(const unsigned int number)
-    : engine(number)
+    : RandomNumbers(number)
   {
     const unsigned int n       = 2 + one_of(3);
     const unsigned int degree  = one_of(4) == 0 ? 2 : 1;
@@ -56,23 +56,6 @@ struct RandomAssembly
 private:
   static std::string body(const unsigned int i) { return "b" + std::to_string(i); }
 
-  unsigned int one_of(const unsigned int n) { return engine() % n; }
-
-  double uniform(const double a, const double b)
-  {
-    return a + (b - a) * (static_cast<double>(engine()) + 0.5) / 4294967296.;
-  }
-
-  template<typename T>
-  T pick(const std::vector<T> &values)
-  {
-    return values[one_of(static_cast<unsigned int>(values.size()))];
-  }
-  double pick(std::initializer_list<double> values)
-  {
-    return pick(std::vector<double>(values));
-  }
-
   void load(const unsigned int support, const std::string &top, const double width)
   {
     const double aside = pick({0., 0.05});
@@ -110,8 +93,6 @@ private:
       lines.push_back("Initial gap = " + gap);
     text += section("Contact pair " + boundary, lines);
   }
-
-  std::mt19937 engine;
 };
 
 #endif
