@@ -5,12 +5,9 @@
 //
 // Returns 0 if all went well; an assertion that fails aborts.
 
-#include <stiction/qp/operators/nodal_scaling.h>
-#include <stiction/qp/operators/scaled_operator.h>
-#include <stiction/qp/operators/squares_operator.h>
-#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/methods/mpgp.h>
+#include <stiction/qp/methods/squares.h>
 #include <stiction/qp/sets/half_lines_times_boxes.h>
-#include <stiction/qp/sets/rotated_squares.h>
 #include <stiction/qp/solvers/disc_active_set.h>
 #include <stiction/qp/solvers/proportioning.h>
 
@@ -29,6 +26,7 @@
 #  error "without assertions this test tests nothing"
 #endif
 
+using namespace stiction;
 using namespace stiction::qp;
 using namespace qp_tests;
 
@@ -87,8 +85,7 @@ namespace
     const auto boxes = [](const VectorXd &half_widths) {
       return std::make_unique<HalfLinesTimesBoxes>(half_widths, 4);
     };
-    const ProportioningOptions literature{1., false, false};
-    const ProportioningOptions improved{3., true, true};
+    const ProportioningOptions improved{3., true};
     using Variant = DiscActiveSet::Variant;
     return {
       {"as_printed", 2, disc_active_set(Variant::as_printed)},
@@ -101,9 +98,6 @@ namespace
       {"discs", 2, proportioning(discs)},
       {"half-lines times discs", 3, proportioning(product)},
       {"half-lines times boxes", 5, proportioning(boxes)},
-      {"half-lines, literature", 1, proportioning(half_lines, literature)},
-      {"half-lines times discs, literature", 3, proportioning(product, literature)},
-      {"half-lines times boxes, literature", 5, proportioning(boxes, literature)},
       {"half-lines, improved", 1, proportioning(half_lines, improved)},
       {"half-lines times discs, improved", 3, proportioning(product, improved)},
       {"half-lines times boxes, improved", 5, proportioning(boxes, improved)}};
@@ -142,50 +136,36 @@ namespace
     return not_finite == 0 && products > 1000;
   }
 
-  // The Hessians of the other formulations: scaled, and that of the squares,
-  // which is singular.
+  // The methods with Hessians of their own: scaled, and that of the squares, which is
+  // singular.
   bool run_other_formulations()
   {
     Random random(32);
-    unsigned int not_finite = 0, products = 0;
-    for (unsigned int sample = 0; sample < 60; ++sample)
+    unsigned int not_finite = 0;
+    double products         = 0.;
+    for (unsigned int sample = 0; sample < 120; ++sample)
       for (const double condition : {3., 1e4})
         for (const double tolerance : {1e-8, 0.})
-          for (const ProportioningOptions &options :
-               {ProportioningOptions{1., false, false},
-                ProportioningOptions{3., true, true}})
-            {
-              const Index m         = 1 + sample % 5;
-              const MatrixXd matrix = random.spd(3 * m, condition);
-              const VectorXd b      = random.vector(3 * m, -1., 2.);
-              const VectorXd radii  = random.vector(m, 0.01, 3.);
-              const Scaling scaling{VectorXd::Ones(m), 1.};
-              const DenseOperator Q(matrix);
-
-              const NodalScaling nodal =
-                NodalScaling::from_diagonal(matrix.diagonal(), m);
-              const ScaledOperator DQD(Q, nodal);
-              const HalfLinesTimesDiscs discs(nodal.divide(radii));
-              VectorXd x = VectorXd::Zero(3 * m), r = nodal.times(-b);
-              // the trace bounds the largest eigenvalue
-              Proportioning(DQD, discs, 3. * static_cast<double>(m), options)
-                .solve(x, r, nodal.scaled(scaling), tolerance, 300);
-              not_finite += !(x.allFinite() && r.allFinite());
-
-              const unsigned int n_squares = 1 + sample % 4;
-              const RotatedSquares squares(n_squares, radii);
-              const SquaresOperator CQC(Q, squares);
-              const HalfLinesTimesBoxes boxes(squares.half_widths(), 2 * n_squares);
-              x = VectorXd::Zero(squares.n_unknowns());
-              r = squares.pull_back(-b);
-              Proportioning(CQC, boxes, n_squares, options)
-                .solve(x, r, scaling, tolerance, 300);
-              not_finite += !(x.allFinite() && r.allFinite());
-              products += static_cast<unsigned int>(Q.n_multiplications());
-            }
+          {
+            const Index m         = 1 + sample % 5;
+            const MatrixXd matrix = random.spd(3 * m, condition);
+            const DenseDualOperator Q(matrix, random.vector(3 * m, -1., 2.));
+            const SlipBound bound = SlipBound::given(random.vector(m, 0.01, 3.));
+            Mpgp scaled(Q);
+            Squares squares(Q, 1 + sample % 4);
+            for (DualMethod *const method : std::vector<DualMethod *>{&scaled, &squares})
+              {
+                DualIterate iterate{VectorXd::Zero(3 * m), -Q.right_hand_side()};
+                method->solve(iterate, bound, {VectorXd::Ones(m), 1.},
+                              {tolerance, 1., 15}, [](const DualMethod::Step &) {});
+                not_finite +=
+                  !(iterate.lambda.allFinite() && iterate.gradient.allFinite());
+              }
+            products += Q.n_multiplications();
+          }
     std::cout << "scaled, and rotated squares: " << products << " products, "
               << not_finite << " results with a NaN" << std::endl;
-    return not_finite == 0 && products > 1000;
+    return not_finite == 0 && products > 1000.;
   }
 
   // Releases by a step three times too long, and does not look at the result.

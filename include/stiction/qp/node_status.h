@@ -72,9 +72,8 @@ namespace stiction
   /// a²).
   ///
   /// @param slip_bound the law that the slip bounds of @p conditions follow.
-  /// @param stiffness k, the force that moves each node alone by a unit, N/m;
-  /// its
-  ///   size is enough.
+  /// @param stiffness k, the force that moves each node alone by a unit, N/m; its size
+  ///   is enough.
   std::vector<NodeStatus> node_statuses(const ContactConditions &conditions,
                                         const qp::SlipBound &slip_bound,
                                         const Eigen::VectorXd &stiffness,

@@ -29,8 +29,8 @@ namespace stiction
   GaussSeidel::GaussSeidel(const DualOperator &Q,
                            const std::optional<qp::DiscActiveSet::Variant> variant)
     : Q_(Q)
-    , normal_block_(Q, DualBlock::normal)
-    , tangential_block_(Q, DualBlock::tangential)
+    , normal_block_(Q.diagonal_block(DualBlock::normal))
+    , tangential_block_(Q.diagonal_block(DualBlock::tangential))
     , normal_norm_(qp::spectral_norm(normal_block_))
     , variant_(variant)
   {

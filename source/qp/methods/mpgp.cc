@@ -7,10 +7,13 @@ namespace stiction
 {
   Mpgp::Mpgp(const DualOperator &Q)
     : Q_(Q)
-    , block_(Q, DualBlock::all)
-    , nodal_scaling_(Q.nodal_compliance().cwiseSqrt().cwiseInverse())
-    , scaled_block_(block_, nodal_scaling_)
-    , norm_(qp::spectral_norm(scaled_block_))
+    , D_(Q.nodal_compliance().cwiseSqrt().cwiseInverse().replicate(3, 1))
+    , DQD_(D_.size(),
+           [&Q, D = D_](Eigen::VectorXd &dst, const Eigen::VectorXd &src) {
+             Q.vmult(DualBlock::all, DualBlock::all, dst, D.cwiseProduct(src));
+             dst.array() *= D.array();
+           })
+    , norm_(qp::spectral_norm(DQD_))
   {
   }
 
@@ -21,21 +24,22 @@ namespace stiction
     const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
     make_feasible(iterate, bound, Q_);
 
-    const qp::HalfLinesTimesDiscs set(nodal_scaling_.divide(bound));
-    qp::ProportioningOptions options;
-    options.gamma            = 6.;
-    options.spectral_release = true;
-    qp::Proportioning solver(scaled_block_, set, norm_, options);
+    const Eigen::VectorXd d = D_.head(Q_.n_nodes());
+    const qp::HalfLinesTimesDiscs set(bound.cwiseQuotient(d));
+    // in which the residual in y is the one in λ
+    const qp::Scaling scaled{scaling.force.cwiseQuotient(d), scaling.displacement,
+                             scaling.weight.size() == 0 ? d
+                                                        : d.cwiseProduct(scaling.weight)};
+    qp::Proportioning solver(DQD_, set, norm_, {6., true});
 
-    Eigen::VectorXd x             = nodal_scaling_.divide(iterate.lambda);
-    Eigen::VectorXd gradient      = nodal_scaling_.times(iterate.gradient);
+    Eigen::VectorXd y             = iterate.lambda.cwiseQuotient(D_);
+    Eigen::VectorXd gradient      = iterate.gradient.cwiseProduct(D_);
     const DualMethodResult result = run_active_set_method(
-      solver, x, gradient, nodal_scaling_.scaled(scaling), rule, products_in_an_iteration,
-      statistics_,
-      [&](const Eigen::VectorXd &now) { iterate.lambda = nodal_scaling_.times(now); },
+      solver, y, gradient, scaled, rule, products_in_an_iteration, statistics_,
+      [&](const Eigen::VectorXd &now) { iterate.lambda = D_.cwiseProduct(now); },
       observer);
-    iterate.lambda   = nodal_scaling_.times(x);
-    iterate.gradient = nodal_scaling_.divide(gradient);
+    iterate.lambda   = D_.cwiseProduct(y);
+    iterate.gradient = gradient.cwiseQuotient(D_);
     return result;
   }
 } // namespace stiction

@@ -60,7 +60,7 @@ namespace stiction
 
   Newton::Newton(const DualOperator &Q, const unsigned int max_steps_in_a_run)
     : Q_(Q)
-    , block_(Q, DualBlock::all)
+    , block_(Q.diagonal_block(DualBlock::all))
     , newton_(block_, Q.nodal_compliance())
     , max_steps_in_a_run_(max_steps_in_a_run)
   {

@@ -2,7 +2,6 @@
 #include <stiction/qp/methods/mpgp.h>
 #include <stiction/qp/methods/squares.h>
 #include <stiction/qp/operators/spectral_norm.h>
-#include <stiction/qp/operators/squares_operator.h>
 #include <stiction/qp/sets/half_lines_times_boxes.h>
 #include <stiction/qp/sets/rotated_squares.h>
 #include <stiction/qp/solvers/proportioning.h>
@@ -10,8 +9,7 @@
 namespace stiction
 {
   Squares::Squares(const DualOperator &Q, const unsigned int r)
-    : Q_(Q)
-    , block_(Q, DualBlock::all)
+    : block_(Q.diagonal_block(DualBlock::all))
     , r_(r)
   {
   }
@@ -21,22 +19,18 @@ namespace stiction
                                   const Observer &observer)
   {
     const qp::RotatedSquares squares(r_, slip_bound.at(iterate.lambda));
-    const qp::SquaresOperator A(block_, squares);
+    // CᵀQC; for more than one square it is singular
+    const qp::SymmetricOperator A(
+      squares.n_unknowns(), [&](Eigen::VectorXd &dst, const Eigen::VectorXd &unknowns) {
+        Eigen::VectorXd Q_forces;
+        block_.vmult(Q_forces, squares.to_forces(unknowns));
+        dst = squares.pull_back(Q_forces);
+      });
     const qp::HalfLinesTimesBoxes boxes(squares.half_widths(), 2 * r_);
     qp::Proportioning solver(A, boxes, qp::spectral_norm(A));
 
-    const auto move_to = [&](const Eigen::VectorXd &lambda) {
-      const Eigen::VectorXd d = lambda - iterate.lambda;
-      if (d.isZero(0.))
-        return;
-      Eigen::VectorXd Qd;
-      Q_.vmult(DualBlock::all, DualBlock::all, Qd, d);
-      iterate.lambda = lambda;
-      iterate.gradient += Qd;
-    };
-
     Eigen::VectorXd x = squares.lift(iterate.lambda);
-    move_to(squares.to_forces(x));
+    qp::move_to(squares.to_forces(x), iterate.lambda, iterate.gradient, block_);
     Eigen::VectorXd gradient      = squares.pull_back(iterate.gradient);
     const Eigen::VectorXd start   = iterate.lambda;
     const DualMethodResult result = run_active_set_method(
@@ -44,7 +38,7 @@ namespace stiction
       [&](const Eigen::VectorXd &now) { iterate.lambda = squares.to_forces(now); },
       observer);
     iterate.lambda = start; // the one that the gradient belongs to
-    move_to(squares.to_forces(x));
+    qp::move_to(squares.to_forces(x), iterate.lambda, iterate.gradient, block_);
     return result;
   }
 

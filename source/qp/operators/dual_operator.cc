@@ -38,6 +38,14 @@ namespace stiction
     apply(rows, columns, dst, src);
   }
 
+  qp::SymmetricOperator DualOperator::diagonal_block(const DualBlock block) const
+  {
+    return {length(block),
+            [this, block](Eigen::VectorXd &dst, const Eigen::VectorXd &src) {
+              vmult(block, block, dst, src);
+            }};
+  }
+
   Eigen::Index DualOperator::begin(const DualBlock block) const
   {
     return block == DualBlock::tangential ? n_nodes_ : 0;
@@ -112,23 +120,5 @@ namespace stiction
       dst.noalias() = block.selfadjointView<Eigen::Lower>() * src;
     else
       dst.noalias() = block * src;
-  }
-
-  // ---------------------------------------------------- DualOperatorBlock
-
-  DualOperatorBlock::DualOperatorBlock(const DualOperator &Q, const DualBlock block)
-    : Q_(Q)
-    , block_(block)
-  {
-  }
-
-  Eigen::Index DualOperatorBlock::size() const
-  {
-    return static_cast<Eigen::Index>(thirds(block_)) * Q_.n_nodes();
-  }
-
-  void DualOperatorBlock::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
-  {
-    Q_.vmult(block_, block_, dst, src);
   }
 } // namespace stiction

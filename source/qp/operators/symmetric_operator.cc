@@ -1,13 +1,33 @@
 #include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/slip_bound.h>
 
+#include <utility>
+
 namespace stiction::qp
 {
+  SymmetricOperator::SymmetricOperator(const Eigen::Index size, Product product)
+    : size_(size)
+    , product_(std::move(product))
+  {
+  }
+
   void SymmetricOperator::vmult(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
   {
     eigen_assert(src.size() == size());
     ++n_multiplications_;
-    apply(dst, src);
+    product_(dst, src);
+  }
+
+  void move_to(const Eigen::VectorXd &target, Eigen::VectorXd &x,
+               Eigen::VectorXd &gradient, const SymmetricOperator &A)
+  {
+    const Eigen::VectorXd d = target - x;
+    if (d.isZero(0.))
+      return;
+    Eigen::VectorXd Ad;
+    A.vmult(Ad, d);
+    x = target;
+    gradient += Ad;
   }
 
   void make_feasible(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
@@ -15,28 +35,6 @@ namespace stiction::qp
   {
     Eigen::VectorXd projected = x;
     project(projected, slip_bound);
-    const Eigen::VectorXd d = projected - x;
-    if (d.isZero(0.))
-      return;
-    Eigen::VectorXd Ad;
-    A.vmult(Ad, d);
-    x = projected;
-    gradient += Ad;
-  }
-
-  DenseOperator::DenseOperator(const Eigen::MatrixXd &matrix)
-    : matrix_(matrix)
-  {
-    eigen_assert(matrix.rows() == matrix.cols());
-  }
-
-  Eigen::Index DenseOperator::size() const
-  {
-    return matrix_.rows();
-  }
-
-  void DenseOperator::apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const
-  {
-    dst.noalias() = matrix_ * src;
+    move_to(projected, x, gradient, A);
   }
 } // namespace stiction::qp

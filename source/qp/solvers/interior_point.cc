@@ -1,3 +1,4 @@
+#include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
 #include <stiction/qp/solvers/interior_point.h>
@@ -52,12 +53,6 @@ namespace stiction::qp
       double normal = 0.;
       Vector3d cone = Vector3d::Zero();
     };
-
-    // What belongs to a node in a vector of blocks.
-    Vector3d at(const VectorXd &v, const Eigen::Index i) const
-    {
-      return {v(i), v(i + m_), v(i + 2 * m_)};
-    }
 
     // Forces with their bound, and the change of both in the direction.
     ConePoint force(const Eigen::Index i) const
@@ -135,7 +130,7 @@ namespace stiction::qp
     for (Eigen::Index i = 0; i < m_; ++i)
       {
         const double u = scaling.displacement_at(i);
-        large          = std::max(large, at(gradient_, i).norm() / u);
+        large          = std::max(large, at_node(gradient_, i).norm() / u);
         scale_ += scaling.force(i) * u / static_cast<double>(m_);
       }
     for (const Eigen::Index i : bounded_)
@@ -245,7 +240,7 @@ namespace stiction::qp
     for (const Eigen::Index i : bounded_)
       {
         const ConePoint p  = force(i);
-        const Vector3d w   = at(gradient_, i);
+        const Vector3d w   = at_node(gradient_, i);
         right_hand_side(i) = changes[i].normal / p.normal - (w(0) - duals_[i].normal);
         right_hand_side(i + m_) = right_hand_side(i + 2 * m_) = 0.;
         if (!has_friction(i))
@@ -260,7 +255,7 @@ namespace stiction::qp
 
     for (const Eigen::Index i : bounded_)
       {
-        const Vector3d w  = at(gradient_, i) + at(Qd_, i);
+        const Vector3d w  = at_node(gradient_, i) + at_node(Qd_, i);
         const ConePoint p = force(i), dp = force_change(i);
         ConePoint &change = dual_changes_[i];
         change.normal     = w(0) - duals_[i].normal;

@@ -48,12 +48,4 @@ namespace stiction::qp
     gradient_ += alpha * Ad;
     set_.project(x_); // removes rounding only
   }
-
-  void Proportioning::expand(const double alpha_cg, const double alpha_feasible)
-  {
-    if (options_.projected_cg_expansion)
-      ActiveSetMethod::expand(alpha_cg, alpha_feasible);
-    else
-      standard_expansion(alpha_feasible);
-  }
 } // namespace stiction::qp

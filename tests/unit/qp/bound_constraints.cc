@@ -3,7 +3,6 @@
 // for random matrices and for the obstacle problem of a string, from any
 // start, also where a contact is about to open (x_i = r_i = 0).
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/solvers/proportioning.h>
 

@@ -2,7 +2,6 @@
 // of the quadratic program: that of 1e5 projected gradient steps. A node that
 // is balanced on its circle up to rounding does not keep others from moving.
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/solvers/proportioning.h>
 

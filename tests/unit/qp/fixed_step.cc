@@ -3,7 +3,6 @@
 // falls in each step all the same, and it reaches the solution. A norm that is
 // right is left alone, also on the stiffest mode.
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/solvers/disc_active_set.h>
 #include <stiction/qp/solvers/proportioning.h>

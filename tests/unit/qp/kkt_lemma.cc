@@ -4,7 +4,6 @@
 // of lower energy: a grid in polar coordinates at one node, 1e5 projected
 // gradient steps at two and three.
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/solvers/disc_active_set.h>
 

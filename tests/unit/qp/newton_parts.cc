@@ -4,11 +4,10 @@
 // all directions is the inverse; the linearisation is the derivative of the
 // conditions, seen by differences.
 
-#include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/methods/admm.h>
 #include <stiction/qp/sets/contact_linearization.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
-#include <stiction/qp/solvers/alternating_directions.h>
 #include <stiction/qp/solvers/krylov_methods.h>
 #include <stiction/qp/solvers/nystrom_preconditioner.h>
 
@@ -17,6 +16,7 @@
 
 #include "qp_tests.h"
 
+using namespace stiction;
 using namespace stiction::qp;
 using namespace qp_tests;
 
@@ -134,13 +134,15 @@ int main()
         const VectorXd b    = random.vector(3 * m);
         const VectorXd g    = random.vector(m, 0., 2.);
         const VectorXd best = reference_solution(A, b, m, g);
-        const DenseOperator op(A);
-        AlternatingDirections admm(A, op, VectorXd::Constant(m, A.trace() / (3. * m)));
-        VectorXd x = VectorXd::Zero(3 * m), r = -b;
-        const auto stat =
-          admm.solve(x, r, SlipBound::given(g), scaling, 1e-11, 3000, [](double) {});
-        not_converged += stat.converged ? 0 : 1;
-        many_factors += stat.dense_factorizations > 4 ? 1 : 0;
+        const DenseDualOperator op(A, b);
+        Admm admm(op);
+        DualIterate iterate{VectorXd::Zero(3 * m), -b};
+        const auto &[x, r] = iterate;
+        not_converged += !admm
+                            .solve(iterate, SlipBound::given(g), scaling,
+                                   {1e-11, 1., 3000}, [](const DualMethod::Step &) {})
+                            .converged;
+        many_factors += admm.statistics().dense_factorizations > 4;
         error.add((x - best).norm() / best.norm());
         wrong_gradient.add((r - (A * x - b)).norm());
       }

@@ -1,6 +1,7 @@
 #ifndef stiction_tests_unit_qp_tests_h
 #define stiction_tests_unit_qp_tests_h
 
+#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>
@@ -109,6 +110,17 @@ namespace qp_tests
   {
     std::cout << what << ": " << count << std::endl;
   }
+
+  /// A matrix, which must outlive it, as an operator.
+  struct DenseOperator : stiction::qp::SymmetricOperator
+  {
+    explicit DenseOperator(const MatrixXd &matrix)
+      : SymmetricOperator(matrix.rows(), [&matrix](VectorXd &dst, const VectorXd &src) {
+        dst.noalias() = matrix * src;
+      })
+    {
+    }
+  };
 
   /// ½ xᵀAx − xᵀb
   inline double energy(const MatrixXd &A, const VectorXd &b, const VectorXd &x)

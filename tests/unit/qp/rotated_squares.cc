@@ -7,7 +7,6 @@
 // grows.
 
 #include <stiction/qp/operators/spectral_norm.h>
-#include <stiction/qp/operators/squares_operator.h>
 #include <stiction/qp/sets/half_lines_times_boxes.h>
 #include <stiction/qp/sets/rotated_squares.h>
 #include <stiction/qp/solvers/proportioning.h>
@@ -100,7 +99,12 @@ namespace
   {
     const DenseOperator Q(matrix);
     const RotatedSquares squares(r, g);
-    const SquaresOperator A(Q, squares);
+    const SymmetricOperator A(squares.n_unknowns(),
+                              [&](VectorXd &dst, const VectorXd &unknowns) {
+                                VectorXd Q_forces;
+                                Q.vmult(Q_forces, squares.to_forces(unknowns));
+                                dst = squares.pull_back(Q_forces);
+                              });
     const HalfLinesTimesBoxes boxes(squares.half_widths(), 2 * r);
     VectorXd mu       = squares.lift(forces);
     VectorXd gradient = squares.pull_back(matrix * squares.to_forces(mu) - b);
@@ -188,7 +192,7 @@ namespace
           }
 
         for (const ProportioningOptions &options :
-             {ProportioningOptions{}, ProportioningOptions{3., true, true}})
+             {ProportioningOptions{}, ProportioningOptions{3., true}})
           for (const bool warm : {false, true})
             {
               VectorXd x = warm ? reference : random.vector(3 * m, -3., 3.);

@@ -4,7 +4,6 @@
 // at the floor but for the two variants that release only when φ = o.
 // Rounding does not make a normal force negative.
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/solvers/disc_active_set.h>
 #include <stiction/qp/solvers/proportioning.h>

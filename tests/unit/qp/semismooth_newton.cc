@@ -6,7 +6,6 @@
 // whose eigenvalues are up to 1e8 times each other. It says so when it may not
 // go on.
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
 #include <stiction/qp/solvers/semismooth_newton.h>

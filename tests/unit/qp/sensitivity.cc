@@ -50,8 +50,8 @@ int main()
         }
       const DenseDualOperator dense(Q, h);
       const MatrixXd S =
-        qp::sensitivity(DualOperatorBlock(dense, DualBlock::all), G, at.lambda,
-                        at.gradient, dense.nodal_compliance(), bound);
+        qp::sensitivity(dense.diagonal_block(DualBlock::all), G, at.lambda, at.gradient,
+                        dense.nodal_compliance(), bound);
       const double step = 1e-5;
       MatrixXd differences(3 * m, n);
       for (Index j = 0; j < n; ++j)

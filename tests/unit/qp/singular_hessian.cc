@@ -3,7 +3,6 @@
 // the least energy. The projected gradient method is the reference; points of
 // least energy are not unique, their energy is, and so is Ax.
 
-#include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/solvers/disc_active_set.h>
 #include <stiction/qp/solvers/proportioning.h>

@@ -4,7 +4,6 @@
 // independent of the unit of A.
 
 #include <stiction/qp/operators/spectral_norm.h>
-#include <stiction/qp/operators/symmetric_operator.h>
 
 #include "qp_tests.h"
 

@@ -41,6 +41,17 @@ namespace stiction
   struct DualMethodStatistics : qp::IterationCounts
   {
     double contraction = 0.; ///< of the last successive approximations
+
+    using IterationCounts::operator+=;
+
+    /// Adds what another method did later.
+    DualMethodStatistics &operator+=(const DualMethodStatistics &later)
+    {
+      IterationCounts::operator+=(later);
+      if (later.coulomb_iterations > 0)
+        contraction = later.contraction;
+      return *this;
+    }
   };
 
   /// A method for the contact problem in its dual form, the paper's (D): with

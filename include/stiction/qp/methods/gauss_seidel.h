@@ -61,7 +61,7 @@ namespace stiction
     void add(const qp::SolverRun &inner);
 
     const DualOperator &Q_;
-    DualOperatorBlock normal_block_, tangential_block_;
+    qp::SymmetricOperator normal_block_, tangential_block_;
     double normal_norm_;
     std::optional<double> tangential_norm_; ///< estimated when first needed
     std::optional<qp::DiscActiveSet::Variant> variant_;

@@ -3,16 +3,15 @@
 
 #include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/operators/dual_operator.h>
-#include <stiction/qp/operators/nodal_scaling.h>
-#include <stiction/qp/operators/scaled_operator.h>
 
 namespace stiction
 {
   /// Given friction as one quadratic program over half-lines times discs,
   /// without splitting (MPGP: modified proportioning with gradient
-  /// projections, Dostál, Kučera and Kozubek), with one scale a node, spectral
-  /// release steps and Γ = 6. Its energy falls in every step and it converges
-  /// from anywhere: what faster methods fall back on.
+  /// projections, Dostál, Kučera and Kozubek), with spectral release steps and Γ = 6,
+  /// in variables with one scale a node, 1/√(nodal compliance), so that discs stay
+  /// discs. Its energy falls in every step and it converges from anywhere: what faster
+  /// methods fall back on.
   ///
   /// An iteration, for the cap and the history, is a stretch of
   /// products_in_an_iteration products with Q.
@@ -34,9 +33,8 @@ namespace stiction
 
   private:
     const DualOperator &Q_;
-    DualOperatorBlock block_;
-    qp::NodalScaling nodal_scaling_;
-    qp::ScaledOperator scaled_block_;
+    const Eigen::VectorXd D_;   ///< the diagonal of D, length 3m
+    qp::SymmetricOperator DQD_; ///< of the variables y with λ = D y
     double norm_;
     DualMethodStatistics statistics_;
   };

@@ -53,7 +53,7 @@ namespace stiction
     void fall_back(Run &run);
 
     const DualOperator &Q_;
-    DualOperatorBlock block_;
+    qp::SymmetricOperator block_;
     qp::SemismoothNewton newton_;
     const unsigned int max_steps_in_a_run_;
     bool is_direct_ = false;               ///< Newton's systems, by LU factors

@@ -32,8 +32,7 @@ namespace stiction
     DualMethodStatistics statistics() const override { return statistics_; }
 
   private:
-    const DualOperator &Q_;
-    DualOperatorBlock block_;
+    qp::SymmetricOperator block_;
     const unsigned int r_;
     DualMethodStatistics statistics_;
   };

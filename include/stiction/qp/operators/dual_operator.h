@@ -35,6 +35,9 @@ namespace stiction
     void vmult(DualBlock rows, DualBlock columns, Eigen::VectorXd &dst,
                const Eigen::VectorXd &src) const;
 
+    /// Q_{block,block} as the quadratic programs see it. The operator must outlive it.
+    qp::SymmetricOperator diagonal_block(DualBlock block) const;
+
     /// Products so far in units of one with all of Q: a product with Q_νν
     /// counts 1/9, with Q_tt 4/9, with Q_νt or Q_tν 2/9.
     double n_multiplications() const { return static_cast<double>(n_ninths_) / 9.; }
@@ -103,23 +106,6 @@ namespace stiction
 
   /// Collective.
   DecoupledScales decoupled_scales(const DualOperator &Q);
-
-  /// A diagonal block of the dual operator, as the quadratic programs see it.
-  class DualOperatorBlock : public qp::SymmetricOperator
-  {
-  public:
-    /// The operator must outlive the block.
-    DualOperatorBlock(const DualOperator &Q, DualBlock block);
-
-    Eigen::Index size() const override;
-
-  protected:
-    void apply(Eigen::VectorXd &dst, const Eigen::VectorXd &src) const override;
-
-  private:
-    const DualOperator &Q_;
-    const DualBlock block_;
-  };
 } // namespace stiction
 
 #endif

@@ -12,7 +12,7 @@ namespace stiction::qp
   /// At node i a multiplier is worth force(i) (N) and a gradient entry is
   /// worth weight(i)·displacement (m), so that figures of different nodes,
   /// units and materials can be compared. Weights come from materials that
-  /// differ, or from scaled variables (NodalScaling).
+  /// differ, or from scaled variables (Mpgp).
   struct Scaling
   {
     Eigen::VectorXd force;       ///< length n_nodes, > 0

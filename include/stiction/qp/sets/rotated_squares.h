@@ -15,7 +15,7 @@ namespace stiction::qp
   /// are at g/cos(π/4r). It is also the sum of r small squares,
   /// λ_t = Σ_j R_jᵀ μ_j with ‖μ_j‖_∞ ≤ tan(π/4r) g. In the unknowns μ the
   /// constraints are bounds (HalfLinesTimesBoxes), at the price of r times as
-  /// many of them and, for r > 1, of a singular Hessian (SquaresOperator).
+  /// many of them and, for r > 1, of a singular Hessian CᵀQC.
   ///
   /// Vectors are in blocks of n_nodes() entries: forces (λ_ν; λ_t1; λ_t2), and
   /// box unknowns (λ_ν; μ_1x; μ_1y; μ_2x; ...; μ_ry), 1 + 2r blocks.
@@ -30,9 +30,6 @@ namespace stiction::qp
     RotatedSquares(unsigned int r, Eigen::VectorXd slip_bound);
 
     Eigen::Index n_nodes() const { return slip_bound_.size(); }
-
-    /// r
-    unsigned int n_squares() const { return n_squares_; }
 
     /// Length of a vector of box unknowns.
     Eigen::Index n_unknowns() const { return n_nodes() * (1 + 2 * n_squares_); }

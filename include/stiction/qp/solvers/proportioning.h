@@ -6,11 +6,9 @@
 
 namespace stiction::qp
 {
-  /// What Proportioning does in its steps. The standard method of the
-  /// literature is {1, false, false}. {3, true, true} in variables with one
-  /// scale a node (NodalScaling) takes a third to a quarter of its products on
-  /// the first two rows of the paper's Table 1; none of the three measures
-  /// does much alone.
+  /// What Proportioning does in its steps. {3, true} in variables with one scale a
+  /// node (Mpgp) takes a third to a quarter of the products that the standard method
+  /// of the literature takes on the first two rows of the paper's Table 1.
   struct ProportioningOptions
   {
     /// Γ > 0 weighs the free gradient against the chopped one: the larger it
@@ -20,11 +18,6 @@ namespace stiction::qp
     /// Releases are first tried as P(x − α r) with a SpectralStep α, and kept
     /// if the energy falls.
     bool spectral_release = false;
-
-    /// Expansions are first tried as P(x − α_cg p), and kept if the energy
-    /// falls; otherwise, and with false always, ActiveSetMethod's
-    /// standard_expansion().
-    bool projected_cg_expansion = true;
   };
 
   /// Conjugate gradients with proportioning and gradient projections for any
@@ -48,8 +41,6 @@ namespace stiction::qp
     bool must_release(const Scaling &scaling, double tolerance) const override;
 
     void release() override;
-
-    void expand(double alpha_cg, double alpha_feasible) override;
 
   private:
     const ProportioningOptions options_;
