@@ -156,4 +156,9 @@ int main(int argc, char *argv[])
           Settings{"Geometry/Contact refinement=1",
                    "Boundary conditions/Prescribed displacement=front : 1e-5; 0; 0"},
         16, 40);
+  check("quadratic elements refined at the contact",
+        problem("whole.msh") +
+          Settings{"Geometry/Element degree=2", "Geometry/Contact refinement=1",
+                   "Geometry/Contact refinement where=x - 10"},
+        20, 40);
 }

@@ -4,10 +4,11 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
-#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <cmath>
+#include <array>
+#include <limits>
 
 namespace stiction
 {
@@ -44,18 +45,6 @@ namespace stiction
               if (is_near)
                 node.coarse_vertices.push_back(v);
             }
-        }
-      return nodes;
-    }
-
-    // The number among the nodes of a cell of degree 2 of each of those.
-    std::vector<unsigned int> quadratic_nodes(const FiniteElement<3> &fe)
-    {
-      std::vector<unsigned int> nodes(27);
-      for (unsigned int i = 0; i < 27; ++i)
-        {
-          const Point<3> p = fe.unit_support_point(3 * i);
-          nodes[std::lround(2. * (p[0] + 3. * p[1] + 9. * p[2]))] = i;
         }
       return nodes;
     }
@@ -116,9 +105,8 @@ namespace stiction
                                     ->mg_vertex_dof_index(fine_level, node.vertex, 0)));
           return;
         }
-      const FiniteElement<3> &fe = body.dof_handler().get_fe();
-      const auto in_cell         = quadratic_nodes(fe);
-      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      const auto in_cell = FETools::lexicographic_to_hierarchic_numbering<3>(2);
+      std::vector<types::global_dof_index> dofs(3 * in_cell.size());
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {

@@ -3,6 +3,7 @@
 #include <stiction/elasticity/mesh/mesh_level.h>
 
 #include <deal.II/base/partitioner.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
@@ -162,18 +163,35 @@ namespace stiction
     std::vector<HangingNode> nodes;
     if (!is_active_ || body_.n_hanging_nodes() == 0)
       return nodes;
-    std::set<types::global_dof_index> known;
+    std::set<unsigned int> known;
+    for_each_node_list([&](const std::vector<unsigned int> &of_cell) {
+      for (const unsigned int node : of_cell)
+        if (body_.is_hanging(first_dof(node)) && known.insert(node).second)
+          {
+            nodes.push_back({node, {}});
+            for (const auto &[other, weight] :
+                 *body_.hanging_nodes().get_constraint_entries(first_dof(node)))
+              nodes.back().others.emplace_back(local_node(other), weight);
+          }
+    });
+    return nodes;
+  }
+
+  void MeshLevel::for_each_node_list(
+    const std::function<void(const std::vector<unsigned int> &)> &callback) const
+  {
+    const auto &fe   = dof_handler_.get_fe();
+    const auto order = FETools::lexicographic_to_hierarchic_numbering<3>(fe.degree);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<unsigned int> nodes(order.size());
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (cell->is_locally_owned())
-        for (const auto dof : first_dofs(cell, is_active_))
-          if (body_.is_hanging(dof) && known.insert(dof).second)
-            {
-              nodes.push_back({local_node(dof), {}});
-              for (const auto &[other, weight] :
-                   *body_.hanging_nodes().get_constraint_entries(dof))
-                nodes.back().others.emplace_back(local_node(other), weight);
-            }
-    return nodes;
+        {
+          cell->get_dof_indices(dofs);
+          for (std::size_t i = 0; i < nodes.size(); ++i)
+            nodes[i] = local_node(dofs[3 * order[i]]);
+          callback(nodes);
+        }
   }
 
   template<typename Number>

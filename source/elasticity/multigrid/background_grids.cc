@@ -1,92 +1,44 @@
+#include "cube_lattices.h"
+
 #include <stiction/elasticity/multigrid/background_grids.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace stiction
 {
   namespace
   {
-    using Point3 = std::array<double, 3>;
-    using Place  = std::array<int, 3>; // of a vertex, in edges of the smallest cubes
+    using Point3        = std::array<double, 3>;
+    using Place         = Cube::Place;
     using Interpolation = Eigen::SparseMatrix<float, Eigen::RowMajor>;
 
     // A grid of so few vertices is the last one.
     constexpr std::size_t few_vertices = 130;
 
-    // Cells so many times as large as the small ones get cubes of their own size.
-    constexpr double graded = 1.9;
+    using Sets = boost::disjoint_sets_with_storage<>; // of things that are one
 
-    // A cube of a lattice: those of lattice k have edges of 2^k of the smallest.
-    struct Cube
+    // Numbers the sets in the order of their first things; number by thing.
+    std::vector<unsigned int> number(Sets &sets, const std::size_t n_things,
+                                     unsigned int &n_sets)
     {
-      int lattice = 0;
-      Place index{};
-
-      bool operator==(const Cube &other) const
-      {
-        return lattice == other.lattice && index == other.index;
-      }
-      bool operator<(const Cube &other) const
-      {
-        return std::tie(lattice, index) < std::tie(other.lattice, other.index);
-      }
-
-      Cube parent() const
-      {
-        return {lattice + 1, {{index[0] >> 1, index[1] >> 1, index[2] >> 1}}};
-      }
-
-      Place corner(const unsigned int v) const
-      {
-        Place place;
-        for (unsigned int c = 0; c < 3; ++c)
-          place[c] = (index[c] + static_cast<int>(v >> c & 1)) << lattice;
-        return place;
-      }
-    };
-
-    // Sets of things that are one, with the smallest as their name.
-    class UnionFind
-    {
-    public:
-      explicit UnionFind(const std::size_t n)
-        : parent_(n)
-      {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-      }
-
-      unsigned int find(unsigned int i)
-      {
-        while (parent_[i] != i)
-          i = parent_[i] = parent_[parent_[i]];
-        return i;
-      }
-
-      void unite(unsigned int a, unsigned int b)
-      {
-        a                       = find(a);
-        b                       = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-      }
-
-      // Numbers the sets in the order of their names; number by thing.
-      std::vector<unsigned int> number(unsigned int &n_sets)
-      {
-        std::vector<unsigned int> numbers(parent_.size());
-        n_sets = 0;
-        for (unsigned int i = 0; i < parent_.size(); ++i)
-          numbers[i] = find(i) == i ? n_sets++ : numbers[find(i)];
-        return numbers;
-      }
-
-    private:
-      std::vector<unsigned int> parent_;
-    };
+      constexpr auto none = static_cast<unsigned int>(-1);
+      std::vector<unsigned int> of_set(n_things, none), numbers(n_things);
+      n_sets = 0;
+      for (std::size_t i = 0; i < n_things; ++i)
+        {
+          unsigned int &number = of_set[sets.find_set(i)];
+          if (number == none)
+            number = n_sets++;
+          numbers[i] = number;
+        }
+      return numbers;
+    }
 
     // Lists by number: those of i are entries[begin[i]] to entries[begin[i + 1]].
     struct Lists
@@ -133,7 +85,7 @@ namespace stiction
     // The pieces in one cube that share points or a cell are one.
     void join_pieces(const Pieces &pieces, Grid &grid)
     {
-      UnionFind together(pieces.cubes.size());
+      Sets together(pieces.cubes.size());
       const Lists &at = grid.pieces_at;
       std::vector<unsigned int> others; // a piece of each cube at the point
       for (std::size_t p = 0; p + 1 < at.begin.size(); ++p)
@@ -149,15 +101,15 @@ namespace stiction
               if (same == others.end())
                 others.push_back(piece);
               else
-                together.unite(piece, *same);
+                together.union_set(piece, *same);
             }
         }
       for (const auto &[a, b] : pieces.links)
         if (pieces.cubes[a] == pieces.cubes[b])
-          together.unite(a, b);
+          together.union_set(a, b);
 
       unsigned int n_cubes = 0;
-      grid.of_piece        = together.number(n_cubes);
+      grid.of_piece        = number(together, pieces.cubes.size(), n_cubes);
       grid.cubes.resize(n_cubes);
       for (std::size_t i = 0; i < pieces.cubes.size(); ++i)
         grid.cubes[grid.of_piece[i]] = pieces.cubes[i];
@@ -193,13 +145,14 @@ namespace stiction
         std::sort(corners_.begin(), corners_.end());
         for (std::size_t k = 1; k < corners_.size(); ++k)
           if (corners_[k].first == corners_[k - 1].first)
-            same_.unite(corners_[k].second, corners_[k - 1].second);
+            same_.union_set(corners_[k].second, corners_[k - 1].second);
       }
 
       void number(Grid &grid)
       {
-        unsigned int n_vertices                 = 0;
-        const std::vector<unsigned int> numbers = same_.number(n_vertices);
+        unsigned int n_vertices = 0;
+        const std::vector<unsigned int> numbers =
+          stiction::number(same_, 8 * grid.cubes.size(), n_vertices);
         grid.places.resize(n_vertices);
         grid.vertices.resize(grid.cubes.size());
         for (std::size_t k = 0; k < numbers.size(); ++k)
@@ -211,7 +164,7 @@ namespace stiction
 
     private:
       const Grid &grid_;
-      UnionFind same_;
+      Sets same_;
       std::vector<std::pair<Place, unsigned int>> corners_;
     };
 
@@ -265,109 +218,13 @@ namespace stiction
       return matrix;
     }
 
-    // |det| of the map at the centre of a cell is about its volume.
-    double size_of(const std::vector<Point3> &nodes,
-                   const std::array<unsigned int, 8> &cell)
-    {
-      std::array<Point3, 3> edges{};
-      for (unsigned int v = 0; v < 8; ++v)
-        for (unsigned int d = 0; d < 3; ++d)
-          for (unsigned int c = 0; c < 3; ++c)
-            edges[d][c] += ((v >> d & 1) != 0 ? 0.25 : -0.25) * nodes[cell[v]][c];
-      const auto &[a, b, c] = edges;
-      return std::cbrt(std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) +
-                                a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                                a[2] * (b[0] * c[1] - b[1] * c[0])));
-    }
-
-    double quantile(std::vector<double> values, const double part)
-    {
-      const auto place =
-        values.begin() +
-        static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-      std::nth_element(values.begin(), place, values.end());
-      return *place;
-    }
-
-    // The smallest cubes, and where the nodes are in them.
-    class Lattices
-    {
-    public:
-      Lattices(const std::vector<Point3> &nodes,
-               const std::vector<std::array<unsigned int, 8>> &cells)
-        : nodes_(nodes)
-        , lattice_of_(nodes.size(), 0)
-      {
-        std::vector<double> sizes;
-        for (const auto &cell : cells)
-          sizes.push_back(size_of(nodes, cell));
-        const bool is_graded = quantile(sizes, 0.95) > graded * quantile(sizes, 0.05);
-        edge_                = 2. * quantile(sizes, is_graded ? 0.01 : 0.5);
-        if (is_graded)
-          choose_lattices(cells, sizes);
-
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            double low = nodes[0][c], high = low;
-            for (const Point3 &node : nodes)
-              {
-                low  = std::min(low, node[c]);
-                high = std::max(high, node[c]);
-              }
-            n_[c]      = std::max(1, static_cast<int>(std::ceil((high - low) / edge_)));
-            origin_[c] = 0.5 * (low + high - n_[c] * edge_);
-          }
-      }
-
-      Point3 place(const std::size_t node) const
-      {
-        Point3 place;
-        for (unsigned int c = 0; c < 3; ++c)
-          place[c] = (nodes_[node][c] - origin_[c]) / edge_;
-        return place;
-      }
-
-      Cube cube(const std::size_t node) const
-      {
-        const Point3 x = place(node);
-        Cube cube{lattice_of_[node], {}};
-        for (unsigned int c = 0; c < 3; ++c)
-          cube.index[c] =
-            std::clamp(static_cast<int>(std::floor(x[c])), 0, n_[c] - 1) >> cube.lattice;
-        return cube;
-      }
-
-    private:
-      // Each node gets cubes of about twice the mean size of the cells around it.
-      void choose_lattices(const std::vector<std::array<unsigned int, 8>> &cells,
-                           const std::vector<double> &sizes)
-      {
-        std::vector<std::pair<double, int>> sums(nodes_.size());
-        for (std::size_t e = 0; e < cells.size(); ++e)
-          for (const unsigned int node : cells[e])
-            {
-              sums[node].first += sizes[e];
-              ++sums[node].second;
-            }
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
-          lattice_of_[i] =
-            std::max(0, static_cast<int>(std::lround(std::log2(
-                          2. * sums[i].first / (std::max(sums[i].second, 1) * edge_)))));
-      }
-
-      const std::vector<Point3> &nodes_;
-      std::vector<int> lattice_of_;
-      double edge_ = 0.;
-      Point3 origin_{};
-      Place n_{};
-    };
   } // namespace
 
   std::vector<Interpolation> background_grids(
     const std::vector<Point3> &nodes,
     const std::vector<std::array<unsigned int, 8>> &cells)
   {
-    const Lattices lattices(nodes, cells);
+    const CubeLattices lattices(nodes, cells);
     std::vector<Cube> cubes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       cubes.push_back(lattices.cube(i));

@@ -29,19 +29,40 @@ namespace stiction
     using Nodes         = std::vector<std::array<double, 3>>;
     using Cells         = std::vector<std::array<unsigned int, 8>>;
 
-    // From the nodes of the whole mesh, numbered as their unknowns, three each.
+    // Calls back with the nodes of every cell, in their numbering on the whole mesh.
+    template<typename Callback>
+    void for_each_cell(const MeshLevel &mesh, const Callback &callback)
+    {
+      std::vector<unsigned int> nodes;
+      const auto visit = [&](const auto &local) {
+        nodes.clear();
+        for (const unsigned int node : local)
+          nodes.push_back(static_cast<unsigned int>(mesh.first_dof(node) / 3));
+        callback(nodes);
+      };
+      if (mesh.is_trilinear())
+        mesh.for_each_cell([&](const HexahedralCell &cell) { visit(cell.nodes); });
+      else
+        mesh.for_each_node_list(visit);
+    }
+
+    // From the nodes of the whole mesh. A cell of degree 2 is eight with its nodes.
     std::vector<Interpolation> make_grids(const MeshLevel &mesh)
     {
-      Nodes nodes(mesh.n_owned_nodes());
+      Nodes nodes;
+      for (const Point<3> &p : mesh.node_positions())
+        nodes.push_back({{p[0], p[1], p[2]}});
       Cells cells;
-      mesh.for_each_cell([&](const HexahedralCell &cell) {
-        cells.emplace_back();
-        for (unsigned int v = 0; v < 8; ++v)
+      for_each_cell(mesh, [&](const std::vector<unsigned int> &of_cell) {
+        const unsigned int n = mesh.is_trilinear() ? 1 : 2; // along an edge
+        for (unsigned int child = 0; child < n * n * n; ++child)
           {
-            cells.back()[v] =
-              static_cast<unsigned int>(mesh.first_dof(cell.nodes[v]) / 3);
-            if (cell.nodes[v] < nodes.size())
-              nodes[cell.nodes[v]] = cell.vertices[v];
+            const unsigned int first =
+              child % n + (n + 1) * (child / n % n + (n + 1) * (child / (n * n)));
+            cells.emplace_back();
+            for (unsigned int v = 0; v < 8; ++v)
+              cells.back()[v] = of_cell[first + (v & 1) + (n + 1) * (v >> 1 & 1) +
+                                        (n + 1) * (n + 1) * (v >> 2)];
           }
       });
       return background_grids(all_gather(nodes, mesh.communicator()),
@@ -96,8 +117,7 @@ namespace stiction
       }
 
       // The vertices, by number.
-      std::vector<unsigned int> vertices_of(
-        const std::array<unsigned int, 8> &nodes) const
+      std::vector<unsigned int> vertices_of(const std::vector<unsigned int> &nodes) const
       {
         std::vector<unsigned int> all;
         for (const unsigned int node : nodes)
@@ -108,19 +128,21 @@ namespace stiction
         return all;
       }
 
-      // WᵀKW with K of 8 × 8 blocks of 3 × 3 numbers and W of 8 rows, of whose entries
+      // WᵀKW with K of n × n blocks of 3 × 3 numbers and W of n rows, of whose entries
       // few are not zero.
       //
-      // vertices: the vertices_of() the nodes.
-      const BlockMatrix::Entries &operator()(const std::array<unsigned int, 8> &nodes,
+      // vertices: the vertices_of() the n nodes.
+      const BlockMatrix::Entries &operator()(const std::vector<unsigned int> &nodes,
                                              const std::vector<unsigned int> &vertices,
                                              const FullMatrix<double> &K)
       {
         entries_.vertices = vertices;
         const auto m      = static_cast<Eigen::Index>(entries_.vertices.size());
-        Eigen::Matrix<float, 72, 1> row;
-        half_.setZero(72, m);
-        for (unsigned int i = 0; i < 8; ++i)
+        const auto n      = static_cast<unsigned int>(nodes.size());
+        Eigen::VectorXf row(9 * n);
+        half_.setZero(9 * n, m);
+        weights_.resize(n);
+        for (unsigned int i = 0; i < n; ++i)
           {
             weights_[i].clear();
             for (Interpolation::InnerIterator entry(interpolation_, nodes[i]); entry;
@@ -129,7 +151,7 @@ namespace stiction
                 std::lower_bound(vertices.begin(), vertices.end(), entry.col()) -
                   vertices.begin(),
                 entry.value());
-            for (unsigned int j = 0; j < 8; ++j)
+            for (unsigned int j = 0; j < n; ++j)
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
                   row(9 * j + 3 * a + b) = static_cast<float>(K(3 * i + a, 3 * j + b));
@@ -137,15 +159,15 @@ namespace stiction
               half_.col(vertex) += weight * row;
           }
         entries_.blocks.setZero(9 * m, m);
-        for (unsigned int j = 0; j < 8; ++j)
+        for (unsigned int j = 0; j < n; ++j)
           {
             const Eigen::Matrix<float, 9, Eigen::Dynamic> of_node =
               half_.middleRows<9>(9 * j);
             for (const auto &[vertex, weight] : weights_[j])
               {
-                const Eigen::Index n = 9 * (m - vertex);
-                entries_.blocks.col(vertex).tail(n) +=
-                  weight * Eigen::Map<const Eigen::VectorXf>(&of_node(0, vertex), n);
+                const Eigen::Index length = 9 * (m - vertex);
+                entries_.blocks.col(vertex).tail(length) +=
+                  weight * Eigen::Map<const Eigen::VectorXf>(&of_node(0, vertex), length);
               }
           }
         return entries_;
@@ -154,18 +176,19 @@ namespace stiction
     private:
       const Interpolation &interpolation_;
       BlockMatrix::Entries entries_;
-      std::array<std::vector<std::pair<Eigen::Index, float>>, 8> weights_;
-      Eigen::Matrix<float, 72, Eigen::Dynamic> half_;
+      std::vector<std::vector<std::pair<Eigen::Index, float>>> weights_; // of each node
+      Eigen::MatrixXf half_;
     };
 
     void drop_fixed(FullMatrix<double> &K, const std::vector<unsigned int> &nodes,
                     const LA::Vector &fixed)
     {
-      for (unsigned int k = 0; k < 24; ++k)
+      for (unsigned int k = 0; k < K.m(); ++k)
         if (fixed.local_element(3 * nodes[k / 3] + k % 3) != 0.)
-          for (unsigned int j = 0; j < 24; ++j)
+          for (unsigned int j = 0; j < K.m(); ++j)
             K(k, j) = K(j, k) = 0.;
     }
+
     // A hanging node follows from the nodes it depends on, and is prescribed as far as
     // all of these are.
     void interpolate_hanging_nodes(const MeshLevel &mesh, Interpolation &interpolation,
@@ -225,9 +248,7 @@ namespace stiction
 
     GalerkinCell galerkin(grids.front());
     std::vector<std::vector<unsigned int>> sets;
-    mesh.for_each_cell([&](const HexahedralCell &cell) {
-      std::array<unsigned int, 8> nodes;
-      std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(), node);
+    for_each_cell(mesh, [&](const std::vector<unsigned int> &nodes) {
       sets.push_back(galerkin.vertices_of(nodes));
     });
     BlockMatrix A(static_cast<std::size_t>(grids.front().cols()), sets);
@@ -237,8 +258,8 @@ namespace stiction
     for_each_element(
       mesh, elasticity.materials(), unit, [&](const auto &cell, const auto &free) {
         K = free;
-        std::array<unsigned int, 8> nodes;
-        for (unsigned int v = 0; v < 8; ++v)
+        std::vector<unsigned int> nodes(cell.size());
+        for (unsigned int v = 0; v < nodes.size(); ++v)
           {
             nodes[v] = node(cell[v]);
             if (const auto place = in_list.find(nodes[v]); place != in_list.end())

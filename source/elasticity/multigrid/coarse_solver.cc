@@ -60,8 +60,7 @@ namespace stiction
     bool needs_assembled_stiffness(const LinearElasticity &elasticity,
                                    const MeshLevel &level)
     {
-      return elasticity.stiffness().matrix() != nullptr || !level.is_trilinear() ||
-             elasticity.body().n_hanging_nodes() > 0;
+      return !level.is_trilinear() || elasticity.body().n_hanging_nodes() > 0;
     }
   } // namespace
 
@@ -92,13 +91,9 @@ namespace stiction
 
     if (needs_assembled_stiffness(elasticity, level)) // the level is the mesh itself
       {
-        const LA::SparseMatrix *K = elasticity.stiffness().matrix();
-        if (K == nullptr)
-          {
-            own_stiffness_ = elasticity.assemble();
-            K              = own_stiffness_.get();
-          }
-        assembled_ = std::make_unique<ConstrainedMatrix>(*K, fixed, supported_nodes);
+        stiffness_ = elasticity.assemble();
+        assembled_ =
+          std::make_unique<ConstrainedMatrix>(*stiffness_, fixed, supported_nodes);
       }
     else if (level_.n_dofs() > max_dense)
       make_pattern();

@@ -124,7 +124,7 @@ namespace stiction
   {
     bases_.resize(hierarchy.n_levels());
     const bool has_background =
-      is_geometric && elasticity.stiffness().matrix() == nullptr &&
+      is_geometric &&
       (hierarchy.level(0).n_dofs() > max_coarsest ||
        !CoarseSolver::can_be_set_up(elasticity, hierarchy.level(0), bases_[0]));
     if (has_background)

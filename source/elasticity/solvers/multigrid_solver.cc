@@ -37,7 +37,7 @@ namespace stiction
 
     struct Preconditioner
     {
-      StiffnessPreconditioner &multigrid;
+      Multigrid &multigrid;
       const unsigned int level;
       mutable LA::VectorOf<float> scratch;
 
@@ -93,8 +93,7 @@ namespace stiction
   }
 
   MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
-                                   StiffnessPreconditioner &preconditioner,
-                                   const unsigned int level,
+                                   Multigrid &preconditioner, const unsigned int level,
                                    const NodalSupports &supports,
                                    const double relative_residual)
     : StiffnessSolver(elasticity)

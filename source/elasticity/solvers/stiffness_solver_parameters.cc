@@ -13,9 +13,7 @@ namespace stiction
                   "conjugate gradients with geometric multigrid on the levels "
                   "of 'Geometry/Global refinement' and grids behind the coarsest, "
                   "without a matrix, for large bodies; amg: with algebraic multigrid "
-                  "on the matrix, also where elements of degree 2 are refined locally. "
-                  "automatic: multigrid, or amg where "
-                  "there is none, for 'Contact solver/Method = newton "
+                  "on the matrix. automatic: multigrid for 'Contact solver/Method = newton "
                   "multigrid', otherwise mumps.",
                   prm, Patterns::Selection("automatic|mumps|amg|multigrid"));
   }

@@ -149,7 +149,7 @@ namespace stiction
     if (constrained_stiffness_)
       return *constrained_stiffness_;
     // with hanging nodes deal.II's diagonal entry of a prescribed unknown is not CᵀKC's
-    if (stiffness_->matrix() == nullptr && body_.n_hanging_nodes() == 0)
+    if (body_.n_hanging_nodes() == 0)
       {
         AffineConstraints<double> constraints(body_.locally_relevant_dofs());
         constraints.merge(constraints_);
@@ -164,9 +164,7 @@ namespace stiction
     for (const auto dof : body_.locally_owned_dofs())
       if (is_fixed(dof))
         fixed(dof) = 1.;
-    const auto own = stiffness_->matrix() == nullptr ? assemble() : nullptr;
-    constrained_stiffness_ =
-      ConstrainedMatrix(own ? *own : *stiffness_->matrix(), fixed, {}).release();
+    constrained_stiffness_ = ConstrainedMatrix(*assemble(), fixed, {}).release();
     return *constrained_stiffness_;
   }
 
@@ -217,10 +215,7 @@ namespace stiction
 
   void LinearElasticity::make_stiffness()
   {
-    if (mesh_->is_trilinear() || body_.has_levels())
-      stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
-    else
-      stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, assemble());
+    stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
   }
 
   std::unique_ptr<LA::SparseMatrix> LinearElasticity::assemble() const

@@ -4,30 +4,14 @@
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
 namespace stiction
 {
-  namespace
-  {
-    template<typename Number>
-    std::vector<Number> blocks_of_matrix(const LA::SparseMatrix &matrix)
-    {
-      const auto owned = matrix.local_range();
-      std::vector<Number> blocks;
-      for (auto i = owned.first; i < owned.second; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          blocks.push_back(static_cast<Number>(matrix.el(i, i / 3 * 3 + c)));
-      return blocks;
-    }
-  } // namespace
-
   template<typename Number>
   StiffnessOperator<Number>::StiffnessOperator(const MeshLevel &level,
                                                const Materials &materials,
@@ -50,17 +34,6 @@ namespace stiction
   }
 
   template<typename Number>
-  StiffnessOperator<Number>::StiffnessOperator(
-    const MeshLevel &level, std::unique_ptr<const LA::SparseMatrix> matrix)
-    : level_(level)
-    , matrix_(std::move(matrix))
-  {
-  }
-
-  template<typename Number>
-  StiffnessOperator<Number>::~StiffnessOperator() = default;
-
-  template<typename Number>
   void StiffnessOperator<Number>::add_product(Number *dst, const Number *src) const
   {
     cells_.add_product(dst, src);
@@ -70,12 +43,6 @@ namespace stiction
   template<typename Number>
   void StiffnessOperator<Number>::vmult(Vector &dst, const Vector &src) const
   {
-    if constexpr (std::is_same_v<Number, double>)
-      if (matrix_)
-        {
-          matrix_->vmult(dst, src);
-          return;
-        }
     src.update_ghost_values();
     dst = Number(0.);
     if (hanging_.empty())
@@ -116,9 +83,9 @@ namespace stiction
       is_hanging[hanging.node] = &hanging;
     std::unordered_map<unsigned int, Eigen::Matrix3d> blocks;
     for_each_element(level_, materials, unit, [&](const auto &of_cell, const auto &K) {
-      std::array<std::vector<std::pair<unsigned int, double>>, 8> nodes;
+      std::vector<std::vector<std::pair<unsigned int, double>>> nodes(of_cell.size());
       unsigned int n_hanging = 0;
-      for (unsigned int v = 0; v < 8; ++v)
+      for (std::size_t v = 0; v < nodes.size(); ++v)
         {
           const auto hanging = is_hanging.find(of_cell[v]);
           n_hanging += hanging != is_hanging.end() ? 1 : 0;
@@ -128,8 +95,8 @@ namespace stiction
         }
       if (n_hanging == 0)
         return;
-      for (unsigned int i = 0; i < 8; ++i)
-        for (unsigned int j = 0; j < 8; ++j)
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t j = 0; j < nodes.size(); ++j)
           for (const auto &[a, weight_a] : nodes[i])
             for (const auto &[b, weight_b] : nodes[j])
               if (a == b && !(i == j && a == of_cell[i])) // which the cells add
@@ -149,8 +116,6 @@ namespace stiction
   template<typename Number>
   std::vector<Number> StiffnessOperator<Number>::diagonal_blocks() const
   {
-    if (matrix_)
-      return blocks_of_matrix<Number>(*matrix_);
     std::vector<Number> local(9 * static_cast<std::size_t>(level_.n_local_nodes()));
     cells_.add_diagonal_blocks(local.data());
     elements_.add_diagonal_blocks(local.data());

@@ -1,5 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
+#include <stiction/elasticity/mesh/placed_body.h>
 #include <stiction/simulation/parameters/parameters.h>
 
 #include <sstream>
@@ -38,19 +39,11 @@ namespace stiction
     used_file_ = out.str();
   }
 
-  bool Parameters::has_geometric_multigrid() const
-  {
-    return geometry.element_degree == 1 ||
-           (geometry.contact_refinement == 0 && refinement.adaptive_steps == 0);
-  }
-
   std::string Parameters::stiffness_solver_type() const
   {
     if (stiffness_solver.type != "automatic")
       return stiffness_solver.type;
-    if (!contact_solver.is_primal())
-      return "mumps";
-    return has_geometric_multigrid() ? "multigrid" : "amg";
+    return contact_solver.is_primal() ? "multigrid" : "mumps";
   }
 
   bool Parameters::is_matrix_free() const
@@ -60,12 +53,26 @@ namespace stiction
 
   std::string Parameters::default_file()
   {
+    const auto printed = []() {
+      std::ostringstream out;
+      dealii::ParameterAcceptor::prm.print_parameters(
+        out,
+        dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
+      return out.str();
+    };
     const Parameters defaults;
-    std::ostringstream out;
-    dealii::ParameterAcceptor::prm.print_parameters(
-      out,
-      dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
-    return out.str();
+    std::string text = printed();
+
+    // a file with several bodies has sections that one with one body has not
+    const std::string section = PlacedBody::section_name + " NAME";
+    const PlacedBody body(section);
+    const std::string all   = printed();
+    const std::size_t begin = all.find("subsection " + section);
+    std::istringstream lines(all.substr(begin, all.find("\nend", begin) + 4 - begin));
+    text += "\n\n# Of several bodies each has a section:\n";
+    for (std::string line; std::getline(lines, line);)
+      text += "# " + line + "\n";
+    return text;
   }
 
   void Parameters::check_body() const
@@ -119,26 +126,15 @@ namespace stiction
                    "Output/Export directory",
                    "writes the matrix Q, so 'Dual operator/Form' must be 'assembled' "
                    "and 'Contact solver/Method' another one than 'newton multigrid'");
-
-    source.require(
-      stiffness_solver.type != "multigrid" || has_geometric_multigrid(),
-      "Stiffness solver/Type",
-      "has no levels where elements of degree 2 are refined locally, so "
-      "'Geometry/Element degree' must be 1 or 'Geometry/Contact refinement' and "
-      "'Refinement/Adaptive steps' 0, or the type 'amg'");
     source.require(!contact_solver.is_primal() || stiffness_solver.type != "mumps",
                    "Stiffness solver/Type",
                    "must be 'automatic', 'multigrid' or 'amg' for 'Contact "
                    "solver/Method = newton multigrid'");
-    const bool has_primal_pairs =
-      contact_solver.is_primal() && contact.has_elastic_pairs();
     source.require(
-      !has_primal_pairs || stiffness_solver.type != "amg", "Stiffness solver/Type",
+      !contact_solver.is_primal() || !contact.has_elastic_pairs() || is_matrix_free(),
+      "Stiffness solver/Type",
       "must be 'automatic' or 'multigrid' for 'Contact solver/Method = newton "
       "multigrid' beside an obstacle 'boundary : NAME'");
-    source.require(!has_primal_pairs || is_matrix_free(), "Geometry/Element degree",
-                   "must be 1 with local refinement for 'Contact solver/Method = newton "
-                   "multigrid' beside an obstacle 'boundary : NAME'");
     source.require(!contact_solver.is_primal() ||
                      contact_solver.coulomb_iteration == "direct",
                    "Contact solver/Coulomb iteration",

@@ -102,7 +102,7 @@ namespace stiction
       is_fixed_opposite_;
     std::unique_ptr<Eigen::LLT<Eigen::MatrixXd>> dense_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
-    std::unique_ptr<LA::SparseMatrix> own_stiffness_; ///< K if nobody else has it
+    std::unique_ptr<LA::SparseMatrix> stiffness_; ///< K, if it is needed as a matrix
     std::unique_ptr<ConstrainedMatrix> assembled_;
     std::unique_ptr<HostVector> host_;
     std::unique_ptr<MumpsFactorization> direct_;

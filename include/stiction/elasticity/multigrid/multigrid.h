@@ -2,7 +2,8 @@
 #define stiction_elasticity_multigrid_multigrid_h
 
 #include <stiction/elasticity/levels/basis_transformation.h>
-#include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
+#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/stiffness/nodal_constraint.h>
 
 #include <deal.II/base/types.h>
 
@@ -16,7 +17,11 @@ namespace stiction
   class MeshHierarchy;
   class DofSubsetHierarchy;
 
-  /// A geometric multigrid V-cycle without matrices, in single precision.
+  /// An approximate inverse of the stiffness matrix whose nodes on a list are held by
+  /// supports that change: of P K P + S on the range of P, with P the projections
+  /// (prescribed displacements included) and S the springs. On each level of the mesh;
+  /// the last level is the mesh itself. It is a geometric V-cycle without matrices, in
+  /// single precision.
   ///
   /// Smoother: Chebyshev polynomials of the fourth kind (J. Lottes, Optimal
   /// polynomial smoothers for multigrid V-cycles, 2022), which need the largest
@@ -35,7 +40,7 @@ namespace stiction
   /// A coarsest level too large to be factorised, such as a mesh from a file, has
   /// grids behind it: see BackgroundMultigrid. Without them, or where K is assembled,
   /// the end of the cycle is algebraic multigrid.
-  class Multigrid : public StiffnessPreconditioner
+  class Multigrid
   {
   public:
     /// Up to this many unknowns a factorisation takes seconds, and a gigabyte or two.
@@ -48,7 +53,7 @@ namespace stiction
     Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
               const DofSubsetHierarchy &supported_nodes,
               std::vector<BasisTransformation> bases = {}, bool is_geometric = true);
-    ~Multigrid() override;
+    ~Multigrid();
 
     /// That of a level.
     const BasisTransformation &basis(const unsigned int level) const
@@ -56,14 +61,27 @@ namespace stiction
       return bases_[level];
     }
 
-    void set_supports(unsigned int level, const NodalSupports &supports) override;
+    /// Takes new supports on a level and carries them to the coarser ones.
+    /// Collective.
+    ///
+    /// @param supports for the nodes of the list on this level, in its order;
+    ///   the same on all ranks.
+    void set_supports(unsigned int level, const NodalSupports &supports);
 
-    bool is_direct(unsigned int level) const override;
+    /// Whether vmult() on this level solves exactly.
+    bool is_direct(unsigned int level) const;
 
-    bool factorize(unsigned int level) override;
+    /// Makes it do so from the next supports on, by a factorisation for each
+    /// set of them. Collective.
+    ///
+    /// @return whether that is something new, and the level small enough.
+    bool factorize(unsigned int level);
 
-    double vmult(unsigned int level, LA::VectorOf<float> &dst,
-                 const LA::Vector &src) override;
+    /// dst times the returned number is the approximate inverse times src, a
+    /// symmetric linear map. What src has in held directions is ignored, dst is
+    /// zero there. The number keeps dst in the range of single precision whatever
+    /// the units are. Collective.
+    double vmult(unsigned int level, LA::VectorOf<float> &dst, const LA::Vector &src);
 
     /// Forgets which levels were factorised, and other supports, as if made anew.
     void forget();

@@ -8,7 +8,7 @@
 
 namespace stiction
 {
-  class StiffnessPreconditioner;
+  class Multigrid;
 
   /// K⁻¹ by conjugate gradients without a matrix, preconditioned with
   /// multigrid; with a factorisation where that does not converge and the mesh is
@@ -23,9 +23,9 @@ namespace stiction
     ///
     /// @param level the number of its last level.
     /// @param supports of the nodes of its list, without contact.
-    MultigridSolver(const LinearElasticity &elasticity,
-                    StiffnessPreconditioner &preconditioner, unsigned int level,
-                    const NodalSupports &supports, double relative_residual);
+    MultigridSolver(const LinearElasticity &elasticity, Multigrid &preconditioner,
+                    unsigned int level, const NodalSupports &supports,
+                    double relative_residual);
     ~MultigridSolver() override;
 
   protected:
@@ -34,7 +34,7 @@ namespace stiction
   private:
     struct Levels;
     std::unique_ptr<Levels> levels_;
-    StiffnessPreconditioner *preconditioner_;
+    Multigrid *preconditioner_;
     unsigned int level_;
     NodalSupports supports_;
     const double relative_residual_;

@@ -26,8 +26,7 @@ namespace stiction
   /// The elastic body under its loads, without contact: K u = f.
   ///
   /// Products with K as it is, for the reactions at the supports, the strain
-  /// energy and the certificate, are made cell by cell without a matrix, or
-  /// with the assembled one where elements of degree 2 have hanging nodes. K with the
+  /// energy and the certificate, are made cell by cell without a matrix. K with the
   /// prescribed displacements eliminated is assembled for the solvers that need a matrix.
   ///
   /// Where there are hanging nodes, u = C û, K is CᵀKC and f is Cᵀf: the

@@ -18,8 +18,7 @@ namespace stiction
 
   /// The product with the stiffness matrix K of a level of the mesh without any
   /// boundary condition, cell by cell: integrated in every product for trilinear cells
-  /// of simple materials, else by element matrices; or with an assembled matrix. With
-  /// hanging nodes it is CᵀKC: what a vector has there is ignored, and the product is
+  /// of simple materials, else by element matrices. With hanging nodes it is CᵀKC: what a vector has there is ignored, and the product is
   /// zero there.
   template<typename Number>
   class StiffnessOperator
@@ -31,15 +30,6 @@ namespace stiction
     ///   object.
     StiffnessOperator(const MeshLevel &level, const Materials &materials,
                       double unit = 1.);
-
-    /// @param matrix K of the mesh itself, in double precision alone. The level
-    ///   must outlive the object.
-    StiffnessOperator(const MeshLevel &level,
-                      std::unique_ptr<const LA::SparseMatrix> matrix);
-    ~StiffnessOperator();
-
-    /// The matrix, null if there is none.
-    const LA::SparseMatrix *matrix() const { return matrix_.get(); }
 
     const MeshLevel &level() const { return level_; }
 
@@ -63,7 +53,6 @@ namespace stiction
     std::vector<MeshLevel::HangingNode> hanging_;
     std::vector<std::pair<unsigned int, Eigen::Matrix3d>> hanging_blocks_;
     mutable std::vector<Number> interpolated_; ///< src with values at hanging nodes
-    std::unique_ptr<const LA::SparseMatrix> matrix_;
   };
 } // namespace stiction
 

@@ -5,7 +5,6 @@
 #include <stiction/contact/dual/contact_solver_parameters.h>
 #include <stiction/contact/dual/dual_operator_parameters.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
-#include <stiction/contact/interface/contact_parameters.h>
 #include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/elasticity/mesh/geometry_parameters.h>
 #include <stiction/elasticity/mesh/refinement_parameters.h>
@@ -60,10 +59,6 @@ namespace stiction
 
     /// Throws InputError if the method cannot solve a problem with this law.
     void check_method(bool is_coulomb) const;
-
-    /// Whether K is known cell by cell, without a matrix, and there is geometric
-    /// multigrid: not where elements of degree 2 are refined locally.
-    bool has_geometric_multigrid() const;
 
     /// See MaterialParameters::has_mean_dilatation().
     bool has_mean_dilatation() const
