@@ -24,9 +24,10 @@ the problem has to be written. The last column names a shipped file that uses th
 
 def entries(text):
     """Section, entry, default and description, in order."""
-    sections, words = [], []
+    sections, words, is_outside = [], [], False
     for line in text.splitlines()[2:]:
-        line = line.strip()
+        is_outside = is_outside or line == "# Of several bodies each has a section:"
+        line = (line.removeprefix("# ") if is_outside else line).strip()
         if line.startswith("subsection "):
             sections.append(line[len("subsection "):])
         elif line == "end":
@@ -49,7 +50,7 @@ def examples():
         with open(name, encoding="utf-8") as file:
             for line in map(str.strip, file):
                 if line.startswith("subsection "):
-                    section = line[len("subsection "):]
+                    section = re.sub("^Body .*", "Body NAME", line[len("subsection "):])
                 entry = re.match(r"set ([^=]+?)\s*=", line)
                 if entry:
                     found.setdefault((section, entry[1]), os.path.relpath(

@@ -100,8 +100,10 @@ namespace
       throw InputError("FILE.prm is missing, 'stiction --help' shows how to "
                        "call the program and 'stiction --print-parameters' "
                        "prints a complete parameter file.");
-    program.parameters.read(arguments.file, arguments.settings, arguments.output,
-                            arguments.export_directory, !arguments.problem);
+    throw_on_all_ranks(MPI_COMM_WORLD, [&]() { // their files may differ
+      program.parameters.read(arguments.file, arguments.settings, arguments.output,
+                              arguments.export_directory, !arguments.problem);
+    });
     if (!arguments.problem && program.parameters.dual_operator.symmetric_part)
       throw InputError(
         program.parameters.source.describe("Dual operator/Symmetric part") +

@@ -368,6 +368,8 @@ def draw_pressure(axes, panel, largest):
     draw_outline(axes, panel)
     pieces = int(np.clip(math.sqrt(30000 / panel.shown.sum()), 1, 8))
     places, values = contact_panels.subdivided(panel, pieces)
+    if not (panel.kind == contact_panels.TIED).any():
+        values = np.maximum(values, 0)  # rounding, or what one mesh passes to another
     ids = np.arange(values.size).reshape(values.shape)
     quads = [ids[:, :-1, :-1], ids[:, 1:, :-1], ids[:, 1:, 1:], ids[:, :-1, 1:]]
     triangles = [np.stack([quads[i] for i in corners], axis=-1).reshape(-1, 3)

@@ -92,12 +92,4 @@ namespace stiction
         component = 0.;
     return v;
   }
-
-  std::string format_vector(const char *pattern, const std::array<double, 3> &v,
-                            const double size)
-  {
-    const auto w = without_rounding(v, size);
-    return format(pattern, w[0]) + ", " + format(pattern, w[1]) + ", " +
-           format(pattern, w[2]);
-  }
 } // namespace stiction

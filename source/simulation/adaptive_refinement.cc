@@ -65,11 +65,9 @@ namespace stiction
         mesh.error        = std::sqrt(Utilities::MPI::sum(sum, body.communicator()));
         const double norm = std::sqrt(2. * strain_energy);
         // of a body that is only moved strain and error are rounding
-        const auto corners = body.bounding_box().get_boundary_points();
         const double rounding =
           only_moved * state.u.linfty_norm() *
-          std::sqrt(elasticity.materials().largest_youngs_modulus() *
-                    corners.first.distance(corners.second));
+          std::sqrt(elasticity.materials().largest_youngs_modulus() * body.diameter());
         mesh.relative_error = norm > rounding ? mesh.error / norm : 0.;
       }
     meshes_.push_back(mesh);

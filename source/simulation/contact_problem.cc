@@ -230,11 +230,6 @@ namespace stiction
         parameters_.has_mean_dilatation())
       log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
                         parameters_.material.largest_poisson_ratio()));
-    if (parameters_.contact_solver.is_primal() &&
-        parameters_.stiffness_solver.type == "automatic" && !parameters_.is_matrix_free())
-      log_->line("Algebraic multigrid, which takes some ten times as long for an unknown "
-                 "as geometric multigrid: that is not there with 'Element degree' 2 and "
-                 "local refinement");
   }
 
   void ContactProblem::describe_machine()

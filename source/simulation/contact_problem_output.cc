@@ -70,8 +70,7 @@ namespace stiction
   void ContactProblem::describe_interference()
   {
     const Eigen::VectorXd gaps = discretization_->surface->gaps();
-    const auto corners         = body_->bounding_box().get_boundary_points();
-    const double rounding      = 1e-12 * corners.first.distance(corners.second);
+    const double rounding      = 1e-12 * body_->diameter();
     const auto n               = (gaps.array() < -rounding).count();
     if (n > 0)
       log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
@@ -123,8 +122,7 @@ namespace stiction
       log_->line(format("Step %u: t = %.6g certified", step.number, step.time) +
                  (surface.has_obstacles()
                     ? ", " + label("force on the body", units.force) + " " +
-                        format_vector(
-                          "%.6g", {{step.force()[0], step.force()[1], step.force()[2]}})
+                        format_vector("%.6g", step.force())
                     : ""));
     if (step.number % parameters_.output.every != 0 && !times.is_finished())
       return;

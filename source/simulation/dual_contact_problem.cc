@@ -89,7 +89,9 @@ namespace stiction
   void DualContactProblem::read_problem()
   {
     const auto phase = phases_.scope("reading");
-    problem_         = import_problem(path_, parameters_.dual_operator.symmetric_part);
+    throw_on_all_ranks(communicator_, [&]() { // their files may differ
+      problem_ = import_problem(path_, parameters_.dual_operator.symmetric_part);
+    });
     parameters_.check_method(problem_.slip_bound.is_coulomb());
     if (parameters_.contact_solver.is_primal())
       throw InputError(

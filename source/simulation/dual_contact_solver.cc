@@ -208,7 +208,7 @@ namespace stiction
       {
         const EqualityConstraint &of_basis = deflated_->constraint();
         const Eigen::Index k               = of_basis.e.size();
-        const double norm = qp::spectral_norm(DualOperatorBlock(Q, DualBlock::all));
+        const double norm = qp::spectral_norm(Q.diagonal_block(DualBlock::all));
         constraint.G.conservativeResize(3 * surface.n_nodes(), p + k);
         constraint.G.rightCols(k) = of_basis.G;
         constraint.e.conservativeResize(p + k);
@@ -297,11 +297,13 @@ namespace stiction
         last_error = error;
       }
     if (status.converged)
-      status.reason = (motion.n_pressed() > 0
-                         ? "no place of the obstacle was found where it presses with its "
-                           "force, "
-                         : "no place of the body was found where contact holds it, ") +
-                      other_method();
+      status.reason =
+        (motion.n_pressed() > 0
+           ? "no place of the obstacle was found where it presses with its "
+             "force, "
+           : "no place of the body was found where contact holds it (do the "
+             "loads ask for more than friction bears, is a gap too large?), ") +
+        other_method();
     status.converged = false;
     state            = best;
     return status;
@@ -315,7 +317,7 @@ namespace stiction
     Q.vmult(DualBlock::all, DualBlock::all, gradient, lambda);
     gradient -= Q.right_hand_side();
     const Eigen::MatrixXd forces =
-      qp::sensitivity(DualOperatorBlock(Q, DualBlock::all), G, lambda, gradient,
+      qp::sensitivity(Q.diagonal_block(DualBlock::all), G, lambda, gradient,
                       Q.nodal_compliance(), setting_.surface.slip_bound());
     // of motions that nothing resists just now the shortest step has none
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> system;
@@ -343,10 +345,10 @@ namespace stiction
 
   void DualContactSolver::add_to(RunResult &result) const
   {
-    // there is no method in a step to which nobody handed over
-    add_method(result.solver, method_ ? method_->statistics() : DualMethodStatistics(),
-               augmented_ ? *augmented_ : *Q_);
-    result.solver += earlier_;
+    DualMethodStatistics all = earlier_;
+    if (method_) // there is none in a step to which nobody handed over
+      all += method_->statistics();
+    add_method(result.solver, all, augmented_ ? *augmented_ : *Q_);
     result.solver.dual_multiplications +=
       static_cast<unsigned long>(std::ceil(earlier_multiplications_));
     result.solver.stiffness_solves            = stiffness_solver_->n_solves();

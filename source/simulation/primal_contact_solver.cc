@@ -50,9 +50,10 @@ namespace stiction
       {
         throw InputError(
           parameters.source.describe("Boundary conditions/Slave side") +
-          ", contact pairs that meet at a node bear their forces on sides that follow "
-          "each other in a circle, must be other sides for 'Contact solver/Method = "
-          "newton multigrid'; the method 'newton' takes these.");
+          ", makes bodies follow each other in a circle where contact pairs meet at a "
+          "node, must say 'boundary' or 'obstacle' for each pair so that they do not, "
+          "for "
+          "'Contact solver/Method = newton multigrid'; the method 'newton' takes these.");
       }
   }
 
@@ -79,10 +80,11 @@ namespace stiction
     print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_);
-    const auto go_on = [&]() {
-      return dual_->solve(state, [&](ContactStep step) {
-        step.step += n_steps;
+    const auto solve_dual = [&]() {
+      return dual_->solve(state, [&, n_before = n_steps](ContactStep step) {
+        step.step += n_before;
         step.unknowns = setting_.elasticity.mesh().n_dofs();
+        n_steps       = step.step;
         observer(step);
       });
     };
@@ -90,12 +92,12 @@ namespace stiction
     const bool is_warm = residual < residual_of_start;
     if (!is_warm)
       forget();
-    status = go_on();
+    status = solve_dual();
     if (status.converged || status.interrupted || !is_warm)
       return status;
     print_progress("Once more, without what was found:");
     forget();
-    return go_on();
+    return solve_dual();
   }
 
   bool PrimalContactSolver::can_hand_over() const
@@ -138,6 +140,7 @@ namespace stiction
     dual_->add_to(dual);
     result.solver += dual.solver;
     result.solver.dual_multiplications = dual.solver.dual_multiplications;
+    result.solver.stiffness_solves     = dual.solver.stiffness_solves;
     result.solver.handed_over_to       = "newton";
   }
 } // namespace stiction

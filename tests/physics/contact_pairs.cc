@@ -110,6 +110,10 @@ namespace
         check_pressure("hanging nodes, " + side, plane,
                        slave + Settings{"Geometry/Contact refinement=1",
                                         "Geometry/Contact refinement where=0.5-x"});
+        check_pressure("degree 2, hanging nodes, " + side, plane,
+                       slave + Settings{"Geometry/Element degree=2",
+                                        "Geometry/Contact refinement=1",
+                                        "Geometry/Contact refinement where=0.5-x"});
         check_pressure("refined, " + side, plane,
                        slave + Settings{"Body upper/Refinement=1"});
       }

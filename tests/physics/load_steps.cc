@@ -48,8 +48,8 @@ namespace
     const Settings dragged =
       all + Settings{"Material/Poisson ratio=0", moved + there_and_back};
     const Run back(shipped("brick.prm"), dragged + Settings{"Time/Steps=1, 2, 3"});
-    const Eigen::VectorXd &lambda = back.problem->state().lambda;
-    const auto force              = back.problem->certificate().force_on_body();
+    const Eigen::VectorXd &lambda   = back.problem->state().lambda;
+    const std::vector<double> force = back.summary()["contact"]["force_on_body"];
     out() << "  dragged and brought back: certified " << yes(back.converged)
           << ", everywhere it slips "
           << yes(back.summary()["contact"]["slip"] ==
@@ -60,8 +60,9 @@ namespace
           << std::endl;
     const Run at_once(shipped("brick.prm"), dragged + Settings{"Time/End=3"});
     out() << "  a single solve there: friction along x below 1e-6 of the pressing "
-          << yes(std::abs(at_once.problem->certificate().force_on_body()[0]) <
-                 1e-6 * at_once.problem->state().lambda.head(lambda.size() / 3).sum())
+          << yes(
+               std::abs(at_once.summary()["contact"]["force_on_body"][0].get<double>()) <
+               1e-6 * at_once.problem->state().lambda.head(lambda.size() / 3).sum())
           << std::endl;
 
     const Settings history = all + Settings{moved + "2e-4*t*t; 0; -1e-4*t"};
@@ -113,7 +114,7 @@ namespace
     const Eigen::VectorXd &lambda = back.problem->state().lambda;
     out() << method << ", refined in every step: certified " << yes(back.converged)
           << ", friction along x = F x pressing to 1e-6 "
-          << yes(std::abs(back.problem->certificate().force_on_body()[0] /
+          << yes(std::abs(back.summary()["contact"]["force_on_body"][0].get<double>() /
                             (0.3 * lambda.head(lambda.size() / 3).sum()) -
                           1.) < 1e-6)
           << std::endl;

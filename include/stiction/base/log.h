@@ -64,8 +64,13 @@ namespace stiction
 
   /// The three components of a vector, each by this pattern,
   /// without_rounding().
-  std::string format_vector(const char *pattern, const std::array<double, 3> &v,
-                            double size = 0.);
+  template<typename Vector>
+  std::string format_vector(const char *pattern, const Vector &v, double size = 0.)
+  {
+    const auto w = without_rounding({{v[0], v[1], v[2]}}, size);
+    return format(pattern, w[0]) + ", " + format(pattern, w[1]) + ", " +
+           format(pattern, w[2]);
+  }
 } // namespace stiction
 
 #endif

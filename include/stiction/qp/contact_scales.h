@@ -36,6 +36,13 @@ namespace stiction
   {
     Eigen::VectorXd youngs_moduli; ///< of the cells behind each contact node
     double softest = 0.;           ///< of the whole body
+
+    /// Springs E_i A_i/L under the contact nodes, N/m: together they are about as stiff
+    /// as a body of the size L, m, on a cross-section of the @p areas, m².
+    Eigen::VectorXd foundation(const Eigen::VectorXd &areas, const double size) const
+    {
+      return youngs_moduli.cwiseProduct(areas) / size;
+    }
   };
 
   /// A scale to divide by: 1 where there is nothing to measure.

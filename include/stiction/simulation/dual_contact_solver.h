@@ -76,7 +76,7 @@ namespace stiction
     std::unique_ptr<DeflatedOperator> deflated_; ///< of a body with free motions
     std::unique_ptr<AugmentedOperator> augmented_;
     std::unique_ptr<DualMethod> method_;  ///< of the last solve
-    qp::IterationCounts earlier_;         ///< of methods before it
+    DualMethodStatistics earlier_;        ///< of methods before it
     double earlier_multiplications_ = 0.; ///< of augmented operators before
   };
 } // namespace stiction

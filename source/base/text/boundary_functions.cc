@@ -190,6 +190,14 @@ namespace stiction
     parser_->set_time(time);
   }
 
+  std::string ParsedFunction::time_in_words() const
+  {
+    std::ostringstream words;
+    if (slots_.empty() && mentions(expression_, "t"))
+      words << ", t = " << get_time();
+    return words.str();
+  }
+
   double ParsedFunction::value(const dealii::Point<3> &p,
                                const unsigned int component) const
   {
@@ -214,7 +222,7 @@ namespace stiction
       {
         std::ostringstream message;
         message << location_ << " = " << expression_ << ", gives " << value << " at ("
-                << p << ')';
+                << p << ')' << time_in_words();
         for (std::size_t k = 0; k < quantities.size() && !slots_.empty(); ++k)
           message << ", " << quantities_[k] << " = " << quantities[k];
         message << ", must be a finite number of at most 1e30 everywhere.";

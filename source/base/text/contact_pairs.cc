@@ -2,6 +2,7 @@
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/contact_pairs.h>
 #include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/in_words.h>
 
 #include <algorithm>
 
@@ -63,14 +64,9 @@ namespace stiction
                        "', must be one of the parameter file.");
     const std::vector<std::string> names = entry_names();
     if (std::count(names.begin(), names.end(), entry) == 0)
-      {
-        std::string allowed;
-        for (const std::string &name : names)
-          allowed += (allowed.empty() ? "'" : ", '") + name + "'";
-        throw InputError(where + ": unknown entry '" + entry + "' in section '" + pair +
-                         "'" + did_you_mean(entry, names) + ", allowed are " + allowed +
-                         ".");
-      }
+      throw InputError(where + ": unknown entry '" + entry + "' in section '" + pair +
+                       "'" + did_you_mean(entry, names) + ", allowed are " +
+                       in_quotes(names) + ".");
     if (split_at_bars(value).size() > 1)
       throw InputError(where + ": " + pair + "/" + entry + " = " + value +
                        ", must be one value without '|', since a pair has one contact "
@@ -92,16 +88,19 @@ namespace stiction
     std::vector<List> lists;
     for (const Entry &entry : entries)
       {
-        List list{"", entry.section, entry.in_section, ""};
+        List list{"", entry.section, entry.in_section, "", {}};
         for (const Pair &pair : pairs_)
           {
-            const auto said = pair.entries.find(entry.in_pair);
-            if (said != pair.entries.end())
-              list.where += (list.where.empty() ? "" : " and ") + said->second.where;
-            list.value += (&pair == &pairs_.front() ? "" : " | ") +
-                          (said != pair.entries.end()
-                             ? said->second.value
-                             : default_of(entry.section + "/" + entry.in_section));
+            const auto said  = pair.entries.find(entry.in_pair);
+            const bool is_so = said != pair.entries.end();
+            list.of_pairs.push_back(
+              {is_so ? said->second.where : "", pair.name + "/" + entry.in_pair,
+               is_so ? said->second.value
+                     : default_of(entry.section + "/" + entry.in_section)});
+            const OfPair &last = list.of_pairs.back();
+            if (is_so)
+              list.where += (list.where.empty() ? "" : " and ") + last.where;
+            list.value += (&pair == &pairs_.front() ? "" : " | ") + last.value;
           }
         lists.push_back(list);
       }

@@ -9,4 +9,12 @@ namespace stiction
       text += (k + 1 < names.size() ? ", " : " and ") + names[k];
     return text;
   }
+
+  std::string in_quotes(const std::vector<std::string> &names)
+  {
+    std::string text;
+    for (const std::string &name : names)
+      text += (text.empty() ? "'" : ", '") + name + "'";
+    return text;
+  }
 } // namespace stiction

@@ -1,6 +1,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/contact_pairs.h>
 #include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/base/text/utf8.h>
 
@@ -38,14 +39,6 @@ namespace stiction
       for (const auto &item : node.items())
         keys.push_back(item.key());
       return keys;
-    }
-
-    std::string in_quotes(const std::vector<std::string> &names)
-    {
-      std::string text;
-      for (const std::string &name : names)
-        text += (text.empty() ? "'" : ", '") + name + "'";
-      return text;
     }
 
     std::string unknown_section(const Declarations &all, const std::string &section)
@@ -325,31 +318,35 @@ namespace stiction
         if (places_.at(entry).where != not_set)
           throw InputError(describe(entry) + ", must stand in the sections 'Contact "
                                              "pair', or all that they say in lists.");
-        if (!list.where.empty())
-          assign(list.where, list.section, list.name, trim(list.value), prm);
+        if (list.where.empty())
+          continue;
+        assign(list.where, list.section, list.name, trim(list.value), prm);
+        for (const auto &[where, name, value] : list.of_pairs)
+          of_pairs_[entry].push_back({where.empty() ? not_set : where, value, name});
       }
   }
 
-  std::map<std::string, std::string> ParameterFile::given() const
-  {
-    std::map<std::string, std::string> values;
-    for (const auto &place : places_)
-      if (place.second.where != not_set)
-        values[place.first] = place.second.value;
-    return values;
-  }
-
-  std::map<std::string, std::string> ParameterFile::values() const
+  std::map<std::string, std::string> ParameterFile::given(const bool or_default) const
   {
     std::map<std::string, std::string> values;
     for (const auto &[entry, place] : places_)
-      values[entry] = place.value;
+      if (or_default || place.where != not_set)
+        values[entry] = place.value;
     return values;
+  }
+
+  ParameterFile ParameterFile::of_pair(const std::size_t number) const
+  {
+    ParameterFile file = *this;
+    for (const auto &[entry, places] : of_pairs_)
+      file.places_[entry] = places.at(number);
+    return file;
   }
 
   std::string ParameterFile::locate(const std::string &entry) const
   {
-    return places_.at(entry).where + ": " + entry;
+    const Place &place = places_.at(entry);
+    return place.where + ": " + (place.name.empty() ? entry : place.name);
   }
 
   std::string ParameterFile::describe(const std::string &entry) const

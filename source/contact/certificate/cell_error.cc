@@ -10,6 +10,7 @@
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
+#include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -113,21 +114,6 @@ namespace stiction
         return elasticity_.materials().of(cell->material_id());
       }
 
-      // of ∇·u over the cell
-      double mean_dilatation(const Cell &cell)
-      {
-        inside_.reinit(cell);
-        std::vector<double> divergence(inside_.n_quadrature_points);
-        inside_[displacement_].get_function_divergences(u_, divergence);
-        double sum = 0., volume = 0.;
-        for (const unsigned int q : inside_.quadrature_point_indices())
-          {
-            sum += divergence[q] * inside_.JxW(q);
-            volume += inside_.JxW(q);
-          }
-        return sum / volume;
-      }
-
       // b + div σ at the quadrature points inside, where inside_ is
       std::vector<Tensor<1, 3>> out_of_balance(const Material &material) const
       {
@@ -203,7 +189,8 @@ namespace stiction
         values[displacement_].get_function_symmetric_gradients(u_, strains);
         if (has_mean_dilatation_)
           {
-            const double dilatation = mean_dilatation(cell);
+            inside_.reinit(cell);
+            const double dilatation = mean_dilatation(inside_, u_);
             for (auto &strain : strains)
               strain =
                 deviator(strain) + dilatation / 3. * unit_symmetric_tensor<3, double>();

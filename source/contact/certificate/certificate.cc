@@ -111,29 +111,17 @@ namespace stiction
     compute_contact_figures();
   }
 
-  double Certificate::add_contact_forces()
-  {
-    const Eigen::Index m                  = surface_.n_nodes();
-    const Eigen::VectorXd cartesian_force = -surface_.B().force_to_cartesian(lambda_);
-    double sum                            = 0.;
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        const Tensor<1, 3> at_node(
-          {cartesian_force(i), cartesian_force(i + m), cartesian_force(i + 2 * m)});
-        sum += at_node.norm();
-        force_on_body_ += at_node;
-        moment_on_body_ += cross_product_3d(surface_.nodes()[i].position, at_node);
-      }
-    return sum;
-  }
-
   void Certificate::compute_body_figures(const State &state)
   {
     const LA::Vector &u      = state.u;
     LA::Vector contact_force = elasticity_.zero_vector();
     surface_.B().add_transpose(-1., lambda_, contact_force);
-    const NodeSums sums         = sum_over_nodes(elasticity_, u, contact_force);
-    const double contact_forces = add_contact_forces();
+    const NodeSums sums     = sum_over_nodes(elasticity_, u, contact_force);
+    const Eigen::Index m    = surface_.n_nodes();
+    const Eigen::VectorXd f = surface_.B().force_to_cartesian(lambda_);
+    double contact_forces   = 0.;
+    for (Eigen::Index i = 0; i < m; ++i)
+      contact_forces += Tensor<1, 3>({f(i), f(i + m), f(i + 2 * m)}).norm();
 
     double S            = nonzero(std::max({sums.loads, sums.reactions, contact_forces}));
     double S_u0         = sums.energy;
@@ -148,10 +136,9 @@ namespace stiction
         S    = sums.rounding / unit_roundoff;
         S_u0 = S * u_size;
       }
-    S                  = std::max(S, small_beside_earlier * state.scales.force);
-    S_u0               = std::max(S_u0, small_beside_earlier * state.scales.energy);
-    const auto corners = elasticity_.body().bounding_box().get_boundary_points();
-    const double size  = corners.first.distance(corners.second);
+    S                 = std::max(S, small_beside_earlier * state.scales.force);
+    S_u0              = std::max(S_u0, small_beside_earlier * state.scales.energy);
+    const double size = elasticity_.body().diameter();
 
     body_figures_.equilibrium_residual = sums.imbalance / S;
     body_figures_.force_balance        = sums.force / S;

@@ -59,40 +59,21 @@ namespace stiction
     const types::global_dof_index first_dof, const types::boundary_id id) const
   {
     Tensor<1, 3> traction;
-    if (elasticity_.is_hanging(first_dof))
+    for (const auto &[dof, weight] : elasticity_.body().followed_by(first_dof))
       {
-        for (const auto &master :
-             *elasticity_.body().hanging_nodes().get_constraint_entries(first_dof))
-          {
-            const auto at_master = at_node(master.first, id);
-            if (!at_master)
-              return std::nullopt;
-            traction += master.second * *at_master;
-          }
-        return traction;
-      }
-
-    if (surface_.is_other_side(id))
-      if (const Eigen::Index j = surface_.opposite_node_of(first_dof); j >= 0)
-        {
-          for (unsigned int c = 0; c < 3; ++c)
-            traction[c] = opposite_(j + c * opposite_.size() / 3);
-          return traction;
-        }
-    const Eigen::Index m = surface_.n_nodes();
-    const Eigen::Index i = surface_.node_of(first_dof);
-    if (i >= 0)
-      {
-        const ContactNode &node = surface_.nodes()[i];
-        if (surface_.boundaries()[node.boundary].id() != id)
-          return std::nullopt;
+        const Eigen::Index i = surface_.node_of(dof);
+        const Eigen::Index j =
+          surface_.is_other_side(id) ? surface_.opposite_node_of(dof) : -1;
         for (unsigned int c = 0; c < 3; ++c)
-          traction[c] = -force_(i + c * m) / node.area;
-        return traction;
+          if (j >= 0)
+            traction[c] += weight * opposite_(j + c * opposite_.size() / 3);
+          else if (i < 0 ? elasticity_.is_prescribed(dof + c)
+                         : surface_.boundaries()[surface_.nodes()[i].boundary].id() != id)
+            return std::nullopt;
+          else if (i >= 0)
+            traction[c] +=
+              weight * (-force_(i + c * surface_.n_nodes()) / surface_.nodes()[i].area);
       }
-    for (unsigned int c = 0; c < 3; ++c)
-      if (elasticity_.is_prescribed(first_dof + c))
-        return std::nullopt;
     return traction;
   }
 } // namespace stiction

@@ -102,14 +102,11 @@ namespace stiction
     Face face;
     for (unsigned int a = 0; a < 4; ++a)
       {
-        const auto dof = cell->vertex_dof_index(v[a], 0);
-        face[a]        = {places[v[a]], Tensor<1, 3>()};
-        if (!body_.is_hanging(dof))
-          face[a].normal = normal(dof, normals, flat);
-        else // has faces on one side alone
-          for (const auto &[other, weight] :
-               *body_.hanging_nodes().get_constraint_entries(dof))
-            face[a].normal += weight * normal(other, normals, flat);
+        face[a] = {places[v[a]], Tensor<1, 3>()};
+        // hanging ones have faces on one side alone
+        for (const auto &[dof, weight] :
+             body_.followed_by(cell->vertex_dof_index(v[a], 0)))
+          face[a].normal += weight * normal(dof, normals, flat);
         face[a].normal /= face[a].normal.norm();
       }
     return face;

@@ -30,11 +30,13 @@ namespace stiction
                   "tolerances follow from it.",
                   prm, Patterns::Double(1e-12, 1e-2));
     add_parameter("Maximum iterations", maximum_iterations,
-                  "Cap on the iterations of the whole run: Gauss-Seidel "
+                  "Cap on the iterations of a solve: Gauss-Seidel "
                   "sweeps, steps of newton (and of its interior point "
                   "method), iterations of admm, stretches of 20 products "
-                  "with Q of mpgp and squares. The run that meets it "
-                  "writes its files and ends with status 2.",
+                  "with Q of mpgp and squares. Load steps and meshes, each "
+                  "search for the place of a free body or a pressed obstacle, "
+                  "and a method that goes on for another count anew. The run "
+                  "that meets it writes its files and ends with status 2.",
                   prm, Patterns::Integer(1));
     add_parameter("Disc solver", disc_solver,
                   "How gauss seidel realises ALGORITHM QPQ. as printed: stops "

@@ -42,7 +42,7 @@ namespace stiction
       for (unsigned int c = 0; c < 3; ++c)
         if (std::abs(v[c]) < 1e-3 * size)
           v[c] = 0.;
-      return '(' + format_vector("%.3g", {{v[0], v[1], v[2]}}) + ')';
+      return '(' + format_vector("%.3g", v) + ')';
     }
 
     // The mean normal of the contact nodes that carry forces where something moves.

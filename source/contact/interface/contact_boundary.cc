@@ -5,7 +5,6 @@
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
-#include <stiction/contact/interface/contact_parameters.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/interface/friction_parameters.h>
@@ -103,13 +102,13 @@ namespace stiction
   std::vector<ContactBoundary> ContactBoundary::read(const ContactParameters &parameters,
                                                      const Body &body, const double time)
   {
-    const ParameterFile &source = parameters.source;
-    const std::string entry     = "Boundary conditions/Contact boundary";
-    const auto names            = split_at_bars(parameters.pairs.contact_boundary);
+    const ParameterFile &file = parameters.source;
+    const std::string entry   = "Boundary conditions/Contact boundary";
+    const auto names          = split_at_bars(parameters.pairs.contact_boundary);
     const std::vector<FrictionLaw> laws = parameters.friction.laws();
 
     const auto values = [&](const std::string &of, const std::string &text) {
-      return values_for_each(text, names.size(), source.describe(of));
+      return values_for_each(text, names.size(), file.describe(of));
     };
     values("Friction/Law", parameters.friction.law_name); // counted only
     const auto obstacles = values(obstacle_entry, parameters.pairs.obstacle);
@@ -126,16 +125,7 @@ namespace stiction
       values("Friction/Slip stress", parameters.friction.slip_stress);
     const auto directions =
       values("Friction/First direction", parameters.friction.first_direction);
-    const auto vector = [&](const std::string &of, const std::string &text) {
-      const std::vector<double> numbers = read_numbers(text, 3, source.locate(of), time);
-      return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
-    };
-    const auto formula = [&](const std::string &of, const std::string &text) {
-      return std::make_unique<ParsedFunction>(text, 1, source.locate(of), time);
-    };
-
-    const auto corners = body.bounding_box().get_boundary_points();
-    const double size  = corners.first.distance(corners.second);
+    const double size = body.diameter();
 
     std::vector<ContactBoundary> boundaries;
     std::set<types::boundary_id> ids;
@@ -143,10 +133,15 @@ namespace stiction
     for (std::size_t b = 0; b < names.size(); ++b)
       {
         ContactBoundary boundary;
-        boundary.id_     = body.boundary_names().id(names[b], source.locate(entry));
-        boundary.name_   = body.boundary_names().name(boundary.id_);
-        boundary.size_   = size;
-        boundary.source_ = &source;
+        boundary.source_ = std::make_shared<const ParameterFile>(file.of_pair(b));
+        const ParameterFile &source = *boundary.source_;
+        const auto vector = [&](const std::string &of, const std::string &text) {
+          const auto numbers = read_numbers(text, 3, source.locate(of), time);
+          return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
+        };
+        boundary.id_   = body.boundary_names().id(names[b], source.locate(entry));
+        boundary.name_ = body.boundary_names().name(boundary.id_);
+        boundary.size_ = size;
         if (paired_boundary(obstacles[b]).empty() && !ids.insert(boundary.id_).second)
           throw InputError(source.describe(entry) + ", boundary " + names[b] +
                            " stands twice, must stand once.");
@@ -158,19 +153,22 @@ namespace stiction
           boundary.obstacle_ =
             Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
                            size, time, body.communicator());
-        boundary.gap_         = formula(gap_entry, gaps[b]);
+        boundary.gap_ =
+          std::make_unique<ParsedFunction>(gaps[b], 1, source.locate(gap_entry), time);
         const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
         boundary.friction_    = std::make_unique<FrictionData>(
           law, coefficients[b], slip_stresses[b], directions[b], source, time);
         boundary.displacement_ = vector(displacement_entry, displacements[b]);
         boundary.force_        = vector(force_entry, forces[b]);
+        boundary.lets_go_      = boundary.force_.norm() == 0. && !are_zero(forces[b]);
         boundary.set_rotation(
           read_numbers(rotations[b], 7, source.locate(rotation_entry), time));
+        const std::string angle = rotations[b].substr(rotations[b].rfind(';') + 1);
         boundary.description_ =
           obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
-          (boundary.displacement_.norm() > 0. ? ", displaced " + displacements[b] : "") +
-          (boundary.angle_ != 0. ? ", turned " + rotations[b] : "") +
-          (boundary.force_.norm() > 0. ? ", pressed on by " + forces[b] : "") +
+          (are_zero(displacements[b]) ? "" : ", displaced " + displacements[b]) +
+          (are_zero(angle) ? "" : ", turned " + rotations[b]) +
+          (are_zero(forces[b]) ? "" : ", pressed on by " + forces[b]) +
           describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
         if (boundary.is_tied() && partner.empty())
           throw InputError(source.describe("Friction/Law") + ", boundary '" +

@@ -120,7 +120,8 @@ namespace stiction
                   "The obstacle is then free to move along this vector, from where the "
                   "other entries place it, and moves until it acts on the body with this "
                   "force along it; it does not tilt, and is held in the directions "
-                  "across. Of a body cut by planes of symmetry it is the part of the "
+                  "across. Where formulas make it zero at some t the obstacle lets go. "
+                  "Of a body cut by planes of symmetry it is the part of the "
                   "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
                   "Unit: of force.",
                   prm, Patterns::Anything());

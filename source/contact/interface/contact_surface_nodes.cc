@@ -6,13 +6,11 @@
 #include <stiction/base/log.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
-#include <stiction/contact/interface/contact_parameters.h>
+#include <stiction/contact/interface/contact_pair_parameters.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
-#include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
-#include <stiction/contact/pairs/slave_side.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -33,9 +31,6 @@ namespace stiction
 
   namespace
   {
-    // Of the area around a node of a pair: with less opposite it carries no forces.
-    constexpr double least_cover = 1e-3;
-
     std::vector<types::global_dof_index> first_dofs_of(
       const std::vector<ContactNode> &nodes)
     {
@@ -45,66 +40,16 @@ namespace stiction
       return dofs;
     }
 
-    // The smallest edge of the boxes around the bodies at two boundaries.
-    double thinnest(const Body &body, const ContactBoundary &pair)
-    {
-      double least = pair.body_size();
-      for (const auto &cell : body.triangulation().cell_iterators_on_level(0))
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() &&
-              (face->boundary_id() == pair.id() || face->boundary_id() == pair.partner()))
-            for (unsigned int d = 0; d < 3; ++d)
-              least =
-                std::min(least, body.pieces()[body.piece_of(cell)].box.side_length(d));
-      return least;
-    }
-
-    // Of the size of faces: a tie across a wider gap would pass on no moment.
-    constexpr double widest_tie = 0.25;
-
-    // Throws InputError if a tied pair is too far apart to be one.
-    void require_close(const ContactBoundary &pair, const Mortar &mortar,
-                       const std::vector<SurfaceFace> &slaves,
-                       const ParameterFile &source)
-    {
-      double size = 0.;
-      for (const SurfaceFace &face : slaves)
-        size += face.diameter() / static_cast<double>(slaves.size());
-      const double distance =
-        mortar.slaves.empty() ? 0. : mortar.gaps.cwiseAbs().maxCoeff();
-      if (distance > widest_tie * size)
-        throw InputError(
-          source.describe("Friction/Law") + ", boundary '" + pair.name() + "' is up to " +
-          format("%.3g", distance) + " away from '" + pair.partner_name() +
-          "', to which it is tied, must be within " + format("%.3g", widest_tie * size) +
-          ", a quarter of the size of its faces: across a gap a tie passes "
-          "on no moment.");
-    }
-
-    // Throws InputError if the sides of a pair overlap by more than a body is thick.
-    void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
-                              const Body &body, const ParameterFile &source)
-    {
-      if (!pair.keeps_mesh_gap() || mortar.slaves.empty())
-        return;
-      const double overlap = -mortar.gaps.minCoeff(), thickness = thinnest(body, pair);
-      if (overlap >= thickness)
-        throw InputError(source.describe("Boundary conditions/Obstacle") +
-                         ", boundary '" + pair.name() + "' is " +
-                         format("%.3g", overlap) + " behind '" + pair.partner_name() +
-                         "', and a body of both is only " + format("%.3g", thickness) +
-                         " thick, must lie opposite to it but for a small interference.");
-    }
   } // namespace
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const ContactParameters &parameters)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
-    join_pairs(elasticity, parameters.source);
+    join_pairs(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
-    require_nodes(parameters.source, "Boundary conditions/Contact boundary",
+    require_nodes("Boundary conditions/Contact boundary",
                   boundaries_.size() == 1
                     ? "the displacement is prescribed at every node of this "
                       "boundary, must be a boundary with free nodes"
@@ -112,13 +57,13 @@ namespace stiction
                       "to no boundary before this one, must be a boundary with "
                       "free nodes of its own");
     place_obstacles();
-    require_nodes(parameters.source, "Boundary conditions/Obstacle",
+    require_nodes("Boundary conditions/Obstacle",
                   "no free node of the contact boundary faces it, its "
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
     evaluate_data();
     number_nodes(elasticity);
-    displace_obstacles(parameters.source);
+    displace_obstacles();
   }
 
   void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
@@ -130,8 +75,7 @@ namespace stiction
         nodes_.push_back(node);
   }
 
-  void ContactSurface::require_nodes(const ParameterFile &source,
-                                     const std::string &entry,
+  void ContactSurface::require_nodes(const std::string &entry,
                                      const std::string &reason) const
   {
     std::vector<unsigned int> n(boundaries_.size(), 0);
@@ -140,103 +84,11 @@ namespace stiction
     const auto empty = std::find(n.begin(), n.end(), 0u);
     if (empty == n.end())
       return;
-    throw InputError(source.describe(entry) +
+    throw InputError(boundaries_[empty - n.begin()].source().describe(entry) +
                      (n.size() == 1
                         ? ""
                         : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
                      ", " + reason + ".");
-  }
-
-  void ContactSurface::join_pairs(const LinearElasticity &elasticity,
-                                  const ParameterFile &source)
-  {
-    // a boundary that stands in several of them can be the slave of one alone
-    std::multiset<types::boundary_id> sides;
-    std::set<types::boundary_id> with_forces;
-    for (const ContactBoundary &boundary : boundaries_)
-      if (boundary.is_pair())
-        sides.insert({boundary.id(), boundary.partner()});
-      else
-        with_forces.insert(boundary.id());
-    const auto rank = [&](const types::boundary_id id) {
-      return with_forces.count(id) > 0 ? 2 : sides.count(id) > 1 ? 1 : 0;
-    };
-    mortars_.resize(boundaries_.size());
-    for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (ContactBoundary &boundary = boundaries_[b]; boundary.is_pair())
-        {
-          auto first           = surface_faces(elasticity, boundary.id());
-          auto second          = surface_faces(elasticity, boundary.partner());
-          const auto &said     = boundary.slave_side();
-          const SlaveSide best = choose_slave_side(first, second);
-          SlaveSide side       = best;
-          if (said != "automatic")
-            side = {said == "boundary", false, "as 'Slave side' says"};
-          else if (const int first_is = rank(boundary.id()),
-                   second_is          = rank(boundary.partner());
-                   side.is_first ? first_is > second_is : second_is > first_is)
-            side = {!side.is_first, false, "the side that bears no other ones"};
-          if (best.is_softer && best.is_first != side.is_first)
-            side.reason += ", although it is the stiffer one, for which newton "
-                           "multigrid takes many iterations";
-          boundary.take_side(side.is_first, side.reason);
-          if (!with_forces.insert(boundary.id()).second)
-            throw InputError(source.describe("Boundary conditions/Slave side") +
-                             ", boundary '" + boundary.name() +
-                             "' would bear the forces of its pair with '" +
-                             boundary.partner_name() +
-                             "' and those of another contact, must do so once: say the "
-                             "other side, or make boundaries of their own of the parts.");
-          if (!side.is_first)
-            std::swap(first, second);
-          mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
-          if (boundary.is_tied())
-            {
-              with_forces.erase(boundary.id());
-              tie(b, elasticity, first, second, source);
-              with_forces.insert(boundary.id());
-            }
-          require_side_by_side(boundary, *mortars_[b], elasticity.body(), source);
-        }
-  }
-
-  void ContactSurface::tie(const std::size_t b, const LinearElasticity &elasticity,
-                           const std::vector<SurfaceFace> &slaves,
-                           const std::vector<SurfaceFace> &masters,
-                           const ParameterFile &source)
-  {
-    ContactBoundary &boundary = boundaries_[b];
-    require_close(boundary, *mortars_[b], slaves, source);
-    const unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
-    if (lost == 0)
-      return;
-    auto other = std::make_unique<Mortar>(elasticity, masters, slaves);
-    if (boundary.slave_side() == "automatic" &&
-        !is_contact_boundary(boundary.partner()) && n_held_alone(elasticity, *other) == 0)
-      {
-        mortars_[b] = std::move(other);
-        boundary.take_side(false, "the side that is held less");
-        return;
-      }
-    throw InputError(
-      source.describe("Boundary conditions/Prescribed displacement") + ", holds " +
-      std::to_string(lost) + " nodes of boundary '" + boundary.name() +
-      "', but not those of '" + boundary.partner_name() +
-      "' to which they are tied, so that the tie would be lost there, must "
-      "hold both, or 'Slave side' must be the other one.");
-  }
-
-  bool ContactSurface::place_in_pair(ContactNode &node) const
-  {
-    const Mortar &mortar = *mortars_[node.boundary];
-    const Eigen::Index i = mortar.row_of(node.first_dof);
-    if (i < 0 || mortar.areas(i) < least_cover * node.area)
-      return false;
-    node.area                       = mortar.areas(i);
-    const ContactBoundary &boundary = boundaries_[node.boundary];
-    node.gap                        = boundary.initial_gap(node.position) +
-               (boundary.keeps_mesh_gap() && !boundary.is_tied() ? mortar.gaps(i) : 0.);
-    return true;
   }
 
   void ContactSurface::place_obstacles()
@@ -287,58 +139,6 @@ namespace stiction
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));
   }
 
-  ContactOperator::OtherSide ContactSurface::other_side(
-    const LinearElasticity &elasticity) const
-  {
-    std::map<types::global_dof_index, Eigen::Index> column;
-    for (const auto &mortar : mortars_)
-      if (mortar)
-        for (const auto dof : mortar->masters)
-          column.emplace(dof, 0);
-    if (column.empty())
-      return {};
-    std::vector<types::global_dof_index> masters;
-    for (auto &[dof, number] : column)
-      {
-        number = static_cast<Eigen::Index>(masters.size());
-        masters.push_back(dof);
-      }
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (const Mortar *const mortar = mortars_[nodes_[i].boundary].get())
-        for (decltype(mortar->A)::InnerIterator a(mortar->A,
-                                                  mortar->row_of(nodes_[i].first_dof));
-             a; ++a)
-          entries.emplace_back(i, column.at(mortar->masters[a.col()]), a.value());
-
-    ContactOperator::OtherSide other;
-    other.dofs         = DofSubset::of_nodes(masters);
-    LA::Vector is_free = elasticity.zero_vector();
-    for (const auto dof : other.dofs.dofs())
-      if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
-        is_free(dof) = 1.;
-    other.is_free = other.dofs.restriction(is_free);
-    other.A.resize(n_nodes(), static_cast<Eigen::Index>(masters.size()));
-    other.A.setFromTriplets(entries.begin(), entries.end());
-    return other;
-  }
-
-  void ContactSurface::find_weights_of_other_side()
-  {
-    if (!B_.has_other_side())
-      return; // Eigen knows no product of sparse matrices without columns
-    const auto &other = B_.other_side();
-    for (Eigen::Index j = 0; j < other.A.cols(); ++j)
-      opposite_node_of_dof_[other.dofs.dofs()[j]] = j;
-    Eigen::VectorXd areas(n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      areas(i) = nodes_[i].area;
-    to_other_side_                 = other.A.transpose() * areas.asDiagonal();
-    const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
-    for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
-      to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
-  }
-
   void ContactSurface::evaluate_data()
   {
     areas_.resize(n_nodes());
@@ -353,7 +153,7 @@ namespace stiction
     set_friction({}, Eigen::VectorXd::Zero(n_nodes()), FrictionForm::value);
   }
 
-  void ContactSurface::displace_obstacles(const ParameterFile &source)
+  void ContactSurface::displace_obstacles()
   {
     // of those with a force, the column; of the others none
     std::vector<Eigen::Index> column(boundaries_.size(), -1);
@@ -376,11 +176,11 @@ namespace stiction
         const ContactNode &node         = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
         Eigen::Vector3d e               = seen_from(node, boundary.displacement());
-        e(0) += node.gap;
+        e(0) += node.gap + (boundary.lets_go() ? 2. * boundary.body_size() : 0.);
         e.tail<2>() += seen_from(node, node.turning).tail<2>();
         if (e(0) < -boundary.body_size())
           throw InputError(
-            source.describe("Boundary conditions/Obstacle displacement") +
+            boundary.source().describe("Boundary conditions/Obstacle displacement") +
             ", moves the obstacle of boundary '" + boundary.name() +
             "' into the body by more than the body is large, must be small "
             "like the displacements of the body.");
@@ -398,7 +198,7 @@ namespace stiction
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
       if (column[b] >= 0 && largest_approach[b] <= least_approach)
         throw InputError(
-          source.describe("Boundary conditions/Obstacle force") +
+          boundaries_[b].source().describe("Boundary conditions/Obstacle force") +
           ", does not press the obstacle of boundary '" + boundaries_[b].name() +
           "' against the body, must point from the obstacle into the body.");
     motion_ = ObstacleMotion(std::move(offset), std::move(directions),

@@ -26,6 +26,9 @@ namespace stiction
     // of the axes.
     constexpr double largest_ratio = 100.;
 
+    // A value so little below zero is zero: 0.3 - 0.2 * 1.5 is not in binary numbers.
+    constexpr double below_zero = 1e-15;
+
     // Ratios of axes that differ by less are the same but for rounding.
     constexpr double same_ratio = 1e-9;
   } // namespace
@@ -51,16 +54,19 @@ namespace stiction
                                                  const Rubbing &rubbing) const
   {
     const std::vector<double> quantities{rubbing.pressure, rubbing.slip};
-    const bool is_one   = function->n_components == 1;
-    const double first  = function->value_with(p, quantities, 0);
-    const double second = is_one ? first : function->value_with(p, quantities, 1);
+    const bool is_one = function->n_components == 1;
+    const auto value  = [&](const unsigned int component) {
+      const double of_formula = function->value_with(p, quantities, component);
+      return -below_zero < of_formula && of_formula < 0. ? 0. : of_formula;
+    };
+    const double first = value(0), second = is_one ? first : value(1);
 
     const auto refuse = [&](const std::string &allowed) {
       std::ostringstream message;
       message << source.describe(entry) << ", gives " << first;
       if (!is_one)
         message << " and " << second;
-      message << " at (" << p << ')';
+      message << " at (" << p << ')' << function->time_in_words();
       if (function->has_quantities())
         message << ", pressure = " << rubbing.pressure << ", slip = " << rubbing.slip;
       message << ", must be " << allowed << ".";

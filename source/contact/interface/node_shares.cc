@@ -76,12 +76,8 @@ namespace stiction
                 share[boundary] =
                   static_cast<double>(place - boundaries_.begin()) +
                   (place->is_tied() ? 0. : static_cast<double>(boundaries_.size()));
-                if (!elasticity_.is_hanging(dofs[i]))
-                  add_with_prescribed(dofs[i], 1., share);
-                else
-                  for (const auto &master :
-                       *body_.hanging_nodes().get_constraint_entries(dofs[i]))
-                    add_with_prescribed(master.first, master.second, share);
+                for (const auto &[dof, weight] : body_.followed_by(dofs[i]))
+                  add_with_prescribed(dof, weight, share);
               }
           }
     boundary_area_ = Utilities::MPI::sum(boundary_area_, body_.communicator());
@@ -133,26 +129,30 @@ namespace stiction
       add(static_cast<types::global_dof_index>(share[first_dof]), 1., share);
   }
 
-  std::vector<NodeShares::Share> NodeShares::with_positions() const
+  std::vector<NodeShares::Share> NodeShares::with_places() const
   {
     // a node that others hang on need not be on a face of this rank
     const IndexSet &owned = body_.locally_owned_dofs();
-    std::vector<double> positions;
+    std::vector<double> places;
     for (const auto &share : shares_)
-      for (unsigned int c = 0; c < 3; ++c)
-        positions.push_back(
-          owned.is_element(share.first)
-            ? body_.locally_owned_nodes()[owned.index_within_set(share.first) / 3]
-                .position[c]
-            : 0.);
-    Utilities::MPI::sum(positions, body_.communicator(), positions);
+      if (owned.is_element(share.first))
+        {
+          const Body::Node &node =
+            body_.locally_owned_nodes()[owned.index_within_set(share.first) / 3];
+          for (unsigned int c = 0; c < 3; ++c)
+            places.push_back(node.position[c]);
+          places.push_back(node.piece);
+        }
+      else
+        places.resize(places.size() + 4, 0.);
+    Utilities::MPI::sum(places, body_.communicator(), places);
 
     std::vector<Share> all;
     for (const auto &share : shares_)
       {
-        const std::size_t begin = 3 * all.size();
+        const std::size_t begin = 4 * all.size();
         all.push_back(share.second);
-        std::copy_n(&positions[begin], 3, &all.back()[position]);
+        std::copy_n(&places[begin], 4, &all.back()[position]);
       }
     return all;
   }
@@ -160,14 +160,20 @@ namespace stiction
   std::vector<ContactNode> NodeShares::nodes() const
   {
     // The unknowns' numbers depend on the partition, places do not. Rounded,
-    // because a vertex may have been computed along different edges.
-    std::vector<Share> sorted = with_positions();
-    const auto corners        = body_.bounding_box().get_boundary_points();
-    const double unit         = 1e-9 * corners.first.distance(corners.second);
+    // because a vertex may have been computed along different edges. Bodies, boundaries
+    // and the lips of a crack have nodes at the same places.
+    std::vector<Share> sorted = with_places();
+    const Point<3> &corner    = body_.bounding_box().get_boundary_points().first;
+    const double unit         = 1e-9 * body_.diameter();
     const auto key            = [&](const Share &share) {
-      std::array<long long, 3> k;
+      std::array<long long, 8> k{};
       for (unsigned int c = 0; c < 3; ++c)
-        k[c] = std::llround((share[position + c] - corners.first[c]) / unit);
+        {
+          k[c]     = std::llround((share[position + c] - corner[c]) / unit);
+          k[5 + c] = std::llround(1e6 * share[normal + c] / share[area]);
+        }
+      k[3] = std::llround(share[piece]);
+      k[4] = std::llround(share[boundary]);
       return k;
     };
     std::sort(sorted.begin(), sorted.end(),

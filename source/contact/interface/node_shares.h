@@ -42,8 +42,9 @@ namespace stiction
       area,
       normal,                // × area
       value    = normal + 3, // of prescribed components
-      position = value + 3,  // from the owner of the node
-      n_data   = position + 3
+      position = value + 3,  // from the owner of the node, as is its piece
+      piece    = position + 3,
+      n_data   = piece + 1
     };
     using Share = std::array<double, n_data>;
 
@@ -53,8 +54,8 @@ namespace stiction
     void add(dealii::types::global_dof_index dof, double weight, const Share &share);
     void exchange();
 
-    /// The shares with the positions of their nodes. Collective.
-    std::vector<Share> with_positions() const;
+    /// The shares with the positions and pieces of their nodes. Collective.
+    std::vector<Share> with_places() const;
 
     const LinearElasticity &elasticity_;
     const Body &body_;

@@ -3,8 +3,8 @@
 #include <stiction/contact/obstacles/obstacle_shapes.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -15,75 +15,24 @@ namespace stiction
     using dealii::Point;
     using dealii::Tensor;
 
-    class Plane : public Obstacle
+    class Shape : public Obstacle
     {
     public:
-      Plane(const Point<3> &point, const Tensor<1, 3> &normal)
+      using Function = std::function<Value(const Tensor<1, 3> &v)>;
+
+      // @param at ψ and ∇ψ at a place as seen from the point.
+      Shape(const Point<3> &point, const Function &at)
         : point_(point)
-        , normal_(normal)
+        , at_(at)
       {
       }
 
-      Value at(const Point<3> &p) const override
-      {
-        return {(p - point_) * normal_, normal_};
-      }
+      Value at(const Point<3> &p) const override { return at_(p - point_); }
 
     private:
       const Point<3> point_;
-      const Tensor<1, 3> normal_;
+      const Function at_;
     };
-
-    // The distance R from a point or, with an axis, from a line.
-    class Round : public Obstacle
-    {
-    public:
-      Round(const Point<3> &centre, const Tensor<1, 3> &axis, const double R)
-        : centre_(centre)
-        , axis_(axis)
-        , R_(R)
-      {
-      }
-
-      Value at(const Point<3> &p) const override
-      {
-        Tensor<1, 3> v = p - centre_;
-        v -= (v * axis_) * axis_;
-        const double r = v.norm();
-        const double s = R_ > 0. ? 1. : -1.;
-        return {s * r - R_, r > 0. ? s / r * v : Tensor<1, 3>()};
-      }
-
-    private:
-      const Point<3> centre_;
-      const Tensor<1, 3> axis_;
-      const double R_;
-    };
-
-    class Paraboloid : public Obstacle
-    {
-    public:
-      Paraboloid(const Point<3> &apex, const Tensor<1, 3> &axis, const double R)
-        : apex_(apex)
-        , axis_(axis)
-        , R_(R)
-      {
-      }
-
-      Value at(const Point<3> &p) const override
-      {
-        const Tensor<1, 3> v = p - apex_;
-        const double s       = v * axis_;
-        const Tensor<1, 3> r = v - s * axis_;
-        return {s + r.norm_square() / (2. * R_), axis_ + r / R_};
-      }
-
-    private:
-      const Point<3> apex_;
-      const Tensor<1, 3> axis_;
-      const double R_;
-    };
-
   } // namespace
 
   std::unique_ptr<Obstacle> make_obstacle_shape(const std::string &name,
@@ -121,14 +70,27 @@ namespace stiction
                            " must not be zero.");
         direction /= direction.norm();
       }
+    using Value = Obstacle::Value;
     if (name == "plane")
-      return std::make_unique<Plane>(point, direction);
+      return std::make_unique<Shape>(point, [direction](const Tensor<1, 3> &v) {
+        return Value{v * direction, direction};
+      });
 
     const double R = v.back();
     if (!(std::abs(R) > 1e-30))
       throw InputError(entry + ", its radius must not be zero.");
     if (name == "paraboloid")
-      return std::make_unique<Paraboloid>(point, direction, R);
-    return std::make_unique<Round>(point, direction, R);
+      return std::make_unique<Shape>(point, [direction, R](const Tensor<1, 3> &v) {
+        const double s       = v * direction;
+        const Tensor<1, 3> r = v - s * direction;
+        return Value{s + r.norm_square() / (2. * R), direction + r / R};
+      });
+    // the distance R from a point or, with an axis, from a line
+    return std::make_unique<Shape>(point, [direction, R](const Tensor<1, 3> &v) {
+      const Tensor<1, 3> way = v - (v * direction) * direction;
+      const double r         = way.norm();
+      const double s         = R > 0. ? 1. : -1.;
+      return Value{s * r - R, r > 0. ? s / r * way : Tensor<1, 3>()};
+    });
   }
 } // namespace stiction

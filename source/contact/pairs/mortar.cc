@@ -241,6 +241,8 @@ namespace stiction
                  const std::vector<SurfaceFace> &slave_faces,
                  const std::vector<SurfaceFace> &master_faces)
   {
+    for (const SurfaceFace &face : master_faces)
+      youngs_modulus = std::max(youngs_modulus, face.youngs_modulus);
     std::set<Dof> slave_nodes, master_nodes;
     const double reach = std::min(size_of(slave_faces), size_of(master_faces));
     const auto shares  = integrate(elasticity, slave_faces, master_faces, reach);

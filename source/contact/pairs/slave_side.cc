@@ -1,35 +1,72 @@
 #include <stiction/contact/pairs/slave_side.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stiction
 {
   namespace
   {
     // Of E/h, and of h: less is the same.
-    constexpr double much_softer = 2., finer = 1.001;
+    constexpr double softer = 2., finer = 1.001;
 
+    // Of E/h: newton multigrid takes many iterations on the other side.
+    constexpr double much_softer = 30.;
+
+    // Of the size of cells before they were refined, so that a side stays the slave when
+    // a mesh is refined in the middle of a history.
     struct Means
     {
       explicit Means(const std::vector<SurfaceFace> &faces)
       {
+        double area = 0.;
         for (const SurfaceFace &face : faces)
           {
-            size += face.diameter() / faces.size();
-            stiffness += face.youngs_modulus / face.diameter() / faces.size();
+            const double weight = face.diameter() * face.diameter();
+            const double h = std::ldexp(face.diameter(), static_cast<int>(face.level));
+            area += weight;
+            size += weight * h;
+            stiffness += weight * face.youngs_modulus / h;
           }
+        size /= area;
+        stiffness /= area;
       }
 
       double size = 0., stiffness = 0.;
     };
   } // namespace
 
+  bool SlaveOrder::closes_circle(const Bodies &slaves, const Bodies &masters) const
+  {
+    Bodies reached = masters;
+    std::vector<unsigned int> next(masters.begin(), masters.end());
+    while (!next.empty())
+      {
+        const auto of = masters_of_.find(next.back());
+        next.pop_back();
+        if (of != masters_of_.end())
+          for (const unsigned int body : of->second)
+            if (reached.insert(body).second)
+              next.push_back(body);
+      }
+    return std::any_of(slaves.begin(), slaves.end(),
+                       [&](const unsigned int body) { return reached.count(body) > 0; });
+  }
+
+  void SlaveOrder::add(const Bodies &slaves, const Bodies &masters)
+  {
+    for (const unsigned int slave : slaves)
+      masters_of_[slave].insert(masters.begin(), masters.end());
+  }
+
   SlaveSide choose_slave_side(const std::vector<SurfaceFace> &first,
                               const std::vector<SurfaceFace> &second)
   {
     const Means a(first), b(second);
-    if (much_softer * a.stiffness <= b.stiffness)
-      return {true, true, "the softer side"};
-    if (much_softer * b.stiffness <= a.stiffness)
-      return {false, true, "the softer side"};
+    if (softer * a.stiffness <= b.stiffness)
+      return {true, much_softer * a.stiffness <= b.stiffness, "the softer side"};
+    if (softer * b.stiffness <= a.stiffness)
+      return {false, much_softer * b.stiffness <= a.stiffness, "the softer side"};
     if (finer * a.size < b.size)
       return {true, false, "the finer side"};
     if (finer * b.size < a.size)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace stiction
 {
@@ -122,6 +123,7 @@ namespace stiction
             cell->get_dof_indices(dofs);
             SurfaceFace face{};
             face.degree = base.degree;
+            face.level  = static_cast<unsigned int>(cell->level());
             face.inside = in_array(cell->center());
             face.youngs_modulus =
               elasticity.materials().of(cell->material_id()).youngs_modulus;
@@ -135,7 +137,7 @@ namespace stiction
     faces = all_gather(faces, body.communicator());
     // in an order that does not depend on the partition
     std::sort(faces.begin(), faces.end(), [](const SurfaceFace &a, const SurfaceFace &b) {
-      return a.inside != b.inside ? a.inside < b.inside : a.nodes[0] < b.nodes[0];
+      return std::tie(a.inside, a.nodes) < std::tie(b.inside, b.nodes);
     });
     return faces;
   }

@@ -2,7 +2,6 @@
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
-#include <stiction/contact/primal/foundation.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/levels/dof_subset_hierarchy.h>
 #include <stiction/elasticity/levels/mesh_hierarchy.h>
@@ -163,9 +162,8 @@ namespace stiction
     foundation_ = Eigen::VectorXd::Zero(n_nodes());
     if (elasticity_.free_motions().n() == 0)
       return;
-    positions_ = mesh().node_positions();
-    foundation_ =
-      foundation_under(stiffness_of_cells_.youngs_moduli, areas_, elasticity_.body());
+    positions_  = mesh().node_positions();
+    foundation_ = stiffness_of_cells_.foundation(areas_, elasticity_.body().diameter());
   }
 
   void ContactLevel::add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const
@@ -259,12 +257,6 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       if (load_.in_local_range(B_.dofs().dofs()[i]))
         free_components_[mesh().local_node(B_.dofs().dofs()[i])] = 0;
-  }
-
-  void ContactLevel::prescribe(LA::Vector &u) const
-  {
-    for (std::size_t k = 0; k < fixed_.size(); ++k)
-      u.local_element(fixed_[k]) = prescribed_[k];
   }
 
   void ContactLevel::clear_prescribed(LA::Vector &v) const

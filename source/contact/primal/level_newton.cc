@@ -1,6 +1,6 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/level_newton.h>
-#include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
+#include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/contact_scales.h>
 #include <stiction/qp/operators/nodal_blocks.h>
@@ -36,13 +36,15 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
+    // An iterate with a larger residual has gone astray.
+    constexpr double lost = 10.;
+
     constexpr unsigned int max_fallback_steps = 60;
     constexpr unsigned int max_approximations = 4;
   } // namespace
 
   LevelNewton::LevelNewton(const ContactLevel &problem, const unsigned int level,
-                           StiffnessPreconditioner &preconditioner,
-                           const Options &options)
+                           Multigrid &preconditioner, const Options &options)
     : problem_(problem)
     , level_(level)
     , preconditioner_(preconditioner)
@@ -120,8 +122,8 @@ namespace stiction
         ++statistics_.rho_changes;
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
-        stands_still_ =
-          statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
+        stands_still_ = statistics_.fallbacks == options_.max_fallbacks ||
+                        has_hard_systems() || residual.value() > lost;
         if (stands_still_)
           return why_no_closer();
         fall_back(state, residual.value(), tolerance,

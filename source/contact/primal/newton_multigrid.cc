@@ -1,7 +1,6 @@
 #include <stiction/base/interrupt.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
-#include <stiction/contact/primal/foundation.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -20,6 +19,9 @@ namespace stiction
     // A known displacement with a larger residual is worth less than what the coarse
     // levels find.
     constexpr double warm_residual = 0.1;
+
+    // What a coarse level found with a larger one is worth less than nothing.
+    constexpr double worthless = 1.;
 
     // Entries of rotated unit vectors below this are zeros.
     constexpr double rounding = 1e-14;
@@ -65,8 +67,8 @@ namespace stiction
           is_free(node.dofs[0]) = 1.;
       const Eigen::Index n = other.A.cols();
       return other.dofs.restriction(is_free).head(n).cwiseProduct(
-        other.A.transpose() * foundation_under(surface.stiffness().youngs_moduli,
-                                               surface.areas(), elasticity.body()));
+        other.A.transpose() *
+        surface.stiffness().foundation(surface.areas(), elasticity.body().diameter()));
     }
 
     // Those of all levels.
@@ -134,7 +136,7 @@ namespace stiction
     for (unsigned int l = first; l < hierarchy_.n_levels(); ++l)
       {
         if (l > first)
-          lambda = refine(l);
+          lambda = row.residual > worthless ? begin(l, {}) : refine(l);
         if (status.interrupted)
           continue; // the iterate is wanted on the finest level
         const bool is_finest = l == finest_level();
@@ -154,8 +156,11 @@ namespace stiction
           row.remark =
             statistics.factorized_from == statistics.newton_steps + 1
                       ? "Linear systems take too many iterations (are cells flat, is a "
-                        "Poisson ratio near 0.5?): with " +
-                  std::to_string(row.unknowns) +
+                        "Poisson ratio near 0.5" +
+                  std::string(problems_[l]->basis().is_identity()
+                                        ? ""
+                                        : ", are the forces of a pair on its stiffer side") +
+                  "?): with " + std::to_string(row.unknowns) +
                   " unknowns they are factorised from here on."
                       : "";
           observer(row);

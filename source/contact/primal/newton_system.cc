@@ -2,7 +2,7 @@
 #include <stiction/contact/primal/newton_system.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
-#include <stiction/elasticity/stiffness/stiffness_preconditioner.h>
+#include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/base/mpi.h>
@@ -90,7 +90,7 @@ namespace stiction
   } // namespace
 
   NewtonSystem::NewtonSystem(const ContactLevel &problem, const unsigned int level,
-                             StiffnessPreconditioner &preconditioner)
+                             Multigrid &preconditioner)
     : problem_(problem)
     , level_(level)
     , preconditioner_(preconditioner)

@@ -71,8 +71,12 @@ namespace stiction
         return;
       }
 
-    const CoarseMesh coarse =
-      geometry.bodies.empty() ? CoarseMesh(geometry) : CoarseMesh(geometry.bodies);
+    std::unique_ptr<const CoarseMesh> made;
+    throw_on_all_ranks(communicator(), [&]() { // their files may differ
+      made = geometry.bodies.empty() ? std::make_unique<CoarseMesh>(geometry)
+                                     : std::make_unique<CoarseMesh>(geometry.bodies);
+    });
+    const CoarseMesh &coarse = *made;
     if (check_size)
       check_size(coarse.triangulation().n_active_cells() *
                  std::pow(8., geometry.global_refinement));
@@ -133,8 +137,8 @@ namespace stiction
     std::vector<std::pair<std::string, std::string>> names;
     for (const auto &[p, q] : pieces_.touching(triangulation_))
       if (std::none_of(pairs.begin(), pairs.end(), [&, p = p, q = q](const auto &pair) {
-            const auto first  = pieces_.at_boundary(triangulation_, pair.first);
-            const auto second = pieces_.at_boundary(triangulation_, pair.second);
+            const auto first  = pieces_at(pair.first);
+            const auto second = pieces_at(pair.second);
             return (first.count(p) > 0 && second.count(q) > 0) ||
                    (first.count(q) > 0 && second.count(p) > 0);
           }))
@@ -198,6 +202,14 @@ namespace stiction
     ghosted.copy_locally_owned_data_from(field);
     ghosted.update_ghost_values();
     return ghosted;
+  }
+
+  std::vector<std::pair<types::global_dof_index, double>> Body::followed_by(
+    const types::global_dof_index dof) const
+  {
+    if (is_hanging(dof))
+      return *hanging_nodes_.get_constraint_entries(dof);
+    return {{dof, 1.}};
   }
 
   void Body::distribute_dofs()

@@ -92,7 +92,16 @@ namespace stiction
     if (!bodies.empty() && contact_refinement > 0)
       return "Geometry/Contact refinement";
     if (!bodies.empty() && global_refinement == 0)
-      return bodies.front()->entry_of_shape();
+      {
+        const auto n_cells = [](const PlacedBody &body) {
+          return body.n_coarse_cells() * std::pow(8., body.refinement);
+        };
+        const PlacedBody &largest = **std::max_element(
+          bodies.begin(), bodies.end(),
+          [&](const auto &a, const auto &b) { return n_cells(*a) < n_cells(*b); });
+        return largest.refinement > 0 ? largest.entry("Refinement")
+                                      : largest.entry_of_shape();
+      }
     if (!is_brick())
       return global_refinement > 0 ? "Geometry/Global refinement" : entry_of_shape();
     return table_1_level > 0                    ? "Geometry/Table 1 level"

@@ -81,15 +81,15 @@ namespace stiction
     BoundingBox<3> all = pieces_.front().box;
     for (const Piece &piece : pieces_)
       all.merge_with(piece.box);
-    const auto corners = all.get_boundary_points();
-    const double unit  = same_place * corners.first.distance(corners.second);
+    const Point<3> &corner = all.get_boundary_points().first;
+    const double unit      = same_place * diameter(all);
     std::map<std::array<long long, 3>, std::set<unsigned int>> at;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       for (const unsigned int v : cell->vertex_indices())
         {
           std::array<long long, 3> place;
           for (unsigned int c = 0; c < 3; ++c)
-            place[c] = std::llround((cell->vertex(v)[c] - corners.first[c]) / unit);
+            place[c] = std::llround((cell->vertex(v)[c] - corner[c]) / unit);
           at[place].insert(of(cell));
         }
     std::set<std::pair<unsigned int, unsigned int>> pairs;

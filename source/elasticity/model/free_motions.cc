@@ -42,7 +42,7 @@ namespace stiction
       Eigen::Index largest;
       v.cwiseAbs().maxCoeff(&largest);
       const Eigen::Vector3d u = v(largest) < 0. ? Eigen::Vector3d(-v) : v;
-      return '(' + format_vector("%.3g", {{u(0), u(1), u(2)}}, 1.) + ')';
+      return '(' + format_vector("%.3g", u, 1.) + ')';
     }
 
     // "x and z" for a space of directions, given by an orthonormal basis.

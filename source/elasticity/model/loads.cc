@@ -104,11 +104,8 @@ namespace stiction
   void Loads::add(const types::global_dof_index dof, const double force,
                   LA::Vector &load) const
   {
-    if (!body_.is_hanging(dof))
-      load(dof) += force;
-    else
-      for (const auto &master : *body_.hanging_nodes().get_constraint_entries(dof))
-        load(master.first) += master.second * force;
+    for (const auto &[followed, weight] : body_.followed_by(dof))
+      load(followed) += weight * force;
   }
 
   Tensor<1, 3> Loads::traction(const types::boundary_id boundary, const Point<3> &x,

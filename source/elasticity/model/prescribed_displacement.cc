@@ -217,8 +217,7 @@ namespace stiction
   PrescribedDisplacement::SupportedNode PrescribedDisplacement::node_of(
     const PrescribedPoint &point) const
   {
-    const auto corners = body_.bounding_box().get_boundary_points();
-    const double near  = 1e-6 * corners.first.distance(corners.second);
+    const double near = 1e-6 * body_.diameter();
 
     SupportedNode nearest{0, Point<3>(), point.displacement.components};
     double distance = std::numeric_limits<double>::max();

@@ -18,9 +18,8 @@ namespace stiction
   std::vector<std::vector<double>> rigid_body_modes(
     const Body &body, const std::vector<Point<3>> &positions)
   {
-    const auto &corners   = body.bounding_box().get_boundary_points();
     const Point<3> centre = body.bounding_box().center();
-    const double radius   = corners.first.distance(corners.second) / 2.;
+    const double radius   = body.diameter() / 2.;
 
     std::vector<std::vector<double>> modes(6, std::vector<double>(3 * positions.size()));
     for (std::size_t i = 0; i < positions.size(); ++i)

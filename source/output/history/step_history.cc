@@ -3,10 +3,9 @@
 #include <stiction/base/log.h>
 #include <stiction/output/history/step_history.h>
 #include <stiction/output/history/step_json.h>
+#include <stiction/output/tensor_json.h>
 
 #include <deal.II/base/data_out_base.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -169,9 +168,9 @@ namespace stiction
     json list = json::array();
     for (const StepResult &step : steps_)
       {
-        json entry                         = stiction::to_json(step);
+        json entry                         = step;
         entry["certified"]                 = true;
-        entry["force_on_body"]             = stiction::to_json(step.force());
+        entry["force_on_body"]             = step.force();
         entry["elastic_solve_equivalents"] = nullptr;
         if (elastic_solve_seconds > 0.)
           entry["elastic_solve_equivalents"] =
@@ -183,16 +182,13 @@ namespace stiction
 
   json StepHistory::progress() const
   {
-    json list = json::array();
-    for (const StepResult &step : steps_)
-      list.push_back(stiction::to_json(step));
-    return {{"steps", list}, {"series", series_}};
+    return {{"steps", steps_}, {"series", series_}};
   }
 
   void StepHistory::go_on_from(const json &progress, const bool in_place)
   {
     for (const json &step : progress.at("steps"))
-      steps_.push_back(step_from_json(step));
+      steps_.push_back(step);
     if (in_place)
       series_ = progress.at("series").get<decltype(series_)>();
   }

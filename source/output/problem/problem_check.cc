@@ -1,19 +1,17 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/log.h>
 #include <stiction/base/memory.h>
 #include <stiction/output/problem/problem_check.h>
 #include <stiction/qp/dual_problem.h>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace stiction::problem_check
 {
   std::string text(const double value)
   {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%.10g", value);
-    return buffer;
+    return format("%.10g", value);
   }
 
   void require(const double value, const Allowed allowed,

@@ -5,6 +5,7 @@
 #include <stiction/base/units.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/output_parameters.h>
 #include <stiction/output/results/vtu.h>
@@ -77,7 +78,8 @@ namespace stiction
           }
         if (mean_)
           {
-            const double mean = mean_dilatation(cell, u);
+            mean_->reinit(cell);
+            const double mean = mean_dilatation(*mean_, u);
             for (auto &strain : strains_)
               strain += (mean - trace(strain)) / 3. * unit_symmetric_tensor<3>();
           }
@@ -102,20 +104,6 @@ namespace stiction
         return result;
       }
 
-      double mean_dilatation(const Cell &cell, const LA::Vector &u)
-      {
-        mean_->reinit(cell);
-        std::vector<double> divergences(mean_->n_quadrature_points);
-        (*mean_)[FEValuesExtractors::Vector(0)].get_function_divergences(u, divergences);
-        double sum = 0., volume = 0.;
-        for (const unsigned int q : mean_->quadrature_point_indices())
-          {
-            sum += divergences[q] * mean_->JxW(q);
-            volume += mean_->JxW(q);
-          }
-        return sum / volume;
-      }
-
       const unsigned int n_, n_points_;
       Table<2, double> derivative_;
       std::vector<SymmetricTensor<2, 3>> strains_;
@@ -138,12 +126,12 @@ namespace stiction
         add_more("body_id", 1); // 0, there is one body
         const bool has_error     = error_indicators.size() > 0;
         const unsigned int error = has_error ? add_field("error_indicator", 1) : 0;
-        const LA::Vector ghosted = with_ghosts(body_, u);
+        const LA::Vector ghosted = body_.with_ghosts(u);
         add_cells(ghosted);
         if (has_all_)
           {
             add_averaged_stress(ghosted);
-            add_reaction(with_ghosts(body_, reaction));
+            add_reaction(body_.with_ghosts(reaction));
             add_constants(material_,
                           [](const Cell &cell) { return cell->material_id(); });
           }
@@ -331,12 +319,8 @@ namespace stiction
             for (unsigned int p = 0; p < dofs.size(); ++p)
               {
                 SymmetricTensor<2, 3> stress;
-                if (!body_.is_hanging(dofs[p]))
-                  stress = mean_at(dofs[p], 1.);
-                else
-                  for (const auto &master :
-                       *body_.hanging_nodes().get_constraint_entries(dofs[p]))
-                    stress += mean_at(master.first, master.second);
+                for (const auto &[dof, weight] : body_.followed_by(dofs[p]))
+                  stress += mean_at(dof, weight);
                 set(patch, averaged_, p, stress);
                 set(patch, averaged_von_mises_, p, von_mises(stress));
               }

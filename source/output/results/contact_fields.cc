@@ -212,7 +212,7 @@ namespace stiction
                      const Eigen::VectorXd &slip_path)
   {
     const Body &body = elasticity.body();
-    ContactOutput(body, with_ghosts(body, u), surface, certificate, statuses, slip_path,
+    ContactOutput(body, body.with_ghosts(u), surface, certificate, statuses, slip_path,
                   Units::named(parameters.units))
       .write(parameters.directory, "contact", tag);
   }

@@ -5,20 +5,10 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 namespace stiction
 {
   using namespace dealii;
-
-  LA::Vector with_ghosts(const Body &body, const LA::Vector &v)
-  {
-    LA::Vector copy(body.locally_owned_dofs(), body.locally_relevant_dofs(),
-                    body.communicator());
-    copy = v;
-    copy.update_ghost_values();
-    return copy;
-  }
 
   template<int dim>
   unsigned int FieldOutput<dim>::add_field(const std::string &name,

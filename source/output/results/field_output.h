@@ -14,9 +14,6 @@
 
 namespace stiction
 {
-  /// With the values of all nodes of the cells of this rank. Collective.
-  LA::Vector with_ghosts(const Body &body, const LA::Vector &v);
-
   /// Fields at the points of patches, which are cells of the body (dim = 3) or
   /// faces of it (2). Who derives from it adds first the fields, then the
   /// patches, whose data have a row for each component of each field.

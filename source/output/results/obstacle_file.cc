@@ -51,27 +51,20 @@ namespace stiction
                                                   const types::boundary_id boundary,
                                                   const types::global_dof_index first_dof)
     {
-      if (body.is_hanging(first_dof))
+      Tensor<1, 3> way;
+      for (const auto &[dof, weight] : body.followed_by(first_dof))
         {
-          Tensor<1, 3> sum;
-          for (const auto &master :
-               *body.hanging_nodes().get_constraint_entries(first_dof))
-            {
-              const auto way = way_to_foundation(body, surface, boundary, master.first);
-              if (!way)
-                return std::nullopt;
-              sum += master.second * *way;
-            }
-          return sum;
+          const Eigen::Index i = surface.node_of(dof);
+          if (i < 0 || surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
+            return std::nullopt;
+          // undone is what a partly held node makes of its normal and gap
+          const ContactNode &node   = surface.nodes()[i];
+          const double growth       = node.gap_growth.norm();
+          const Tensor<1, 3> normal = node.gap_growth / growth;
+          way += weight * ((node.gap + node.gap_growth * node.prescribed_displacement) /
+                           growth * normal);
         }
-      const Eigen::Index i = surface.node_of(first_dof);
-      if (i < 0 || surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
-        return std::nullopt;
-      // undone is what a partly held node makes of its normal and gap
-      const ContactNode &node   = surface.nodes()[i];
-      const Tensor<1, 3> normal = node.gap_growth / node.gap_growth.norm();
-      return (node.gap + node.gap_growth * node.prescribed_displacement) /
-             node.gap_growth.norm() * normal;
+      return way;
     }
 
     // The faces of the contact boundaries with a foundation, moved to it; on

@@ -47,7 +47,7 @@ namespace stiction
     // was computed, are zero.
     std::string vector(const Tensor<1, 3> &v, const double size = 0.)
     {
-      return format_vector("%.4g", {{v[0], v[1], v[2]}}, size);
+      return format_vector("%.4g", v, size);
     }
 
     Tensor<1, 3> sum_of_loads(const LinearElasticity &elasticity)

@@ -31,11 +31,6 @@ namespace stiction
       log.line(format("  %-24s ", name.c_str()) + text);
     }
 
-    std::string text_of(const Vector3 &v)
-    {
-      return format_vector("%.6g", {{v[0], v[1], v[2]}});
-    }
-
     // The size of what is printed beside each other, where the rest is rounding.
     class Scale
     {
@@ -84,7 +79,7 @@ namespace stiction
           print_row(log, "", "moment " + moment.text_of(support.moment));
         }
       for (const auto &point : result.points)
-        print_row(log, "point " + text_of(point.at),
+        print_row(log, "point " + format_vector("%.6g", point.at),
                   "force  " + force.text_of(point.force));
     }
 
@@ -159,7 +154,7 @@ namespace stiction
 
       const Units &units = result.units;
       print_row(log, label("force on the body", units.force),
-                text_of(contact.force_on_body));
+                format_vector("%.6g", contact.force_on_body));
       const bool is_one = result.boundaries.size() == 1;
       for (const auto &boundary : result.boundaries)
         {
@@ -171,10 +166,11 @@ namespace stiction
                       value);
           };
           if (boundary.obstacle_displacement != Vector3())
-            row("moved", units.length, text_of(boundary.obstacle_displacement));
+            row("moved", units.length,
+                format_vector("%.6g", boundary.obstacle_displacement));
           if (boundary.obstacle_rotation != Vector3())
             {
-              row("turned", "rad", text_of(boundary.obstacle_rotation));
+              row("turned", "rad", format_vector("%.6g", boundary.obstacle_rotation));
               print_row(log, label("torque about its axis", units.moment),
                         format("%.6g", boundary.torque));
             }
@@ -313,10 +309,13 @@ namespace stiction
     if (solution.converged)
       return {};
     const std::string out_of_reach = conditions.why_out_of_reach(tolerance);
-    return format("%s, the tolerance is %g; ", conditions.worst().c_str(), tolerance) +
-           (solution.interrupted    ? "the answer is not certified"
-            : !out_of_reach.empty() ? out_of_reach
-                                    : solution.reason);
+    const std::string figure =
+      conditions.converged(tolerance)
+        ? ""
+        : format("%s, the tolerance is %g; ", conditions.worst().c_str(), tolerance);
+    return figure + (solution.interrupted    ? "the answer is not certified"
+                     : !out_of_reach.empty() ? out_of_reach
+                                             : solution.reason);
   }
 
   void print_report(Log &log, const RunResult &result, const double tolerance,

@@ -12,6 +12,7 @@
 #include <stiction/output/output_parameters.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
+#include <stiction/output/tensor_json.h>
 #include <stiction/qp/certified_solve.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -22,26 +23,9 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-// nlohmann::json looks for them in the namespace of the type.
-namespace dealii
-{
-  static void to_json(nlohmann::json &json, const Tensor<1, 3> &v)
-  {
-    json = {v[0], v[1], v[2]};
-  }
-
-  static void from_json(const nlohmann::json &json, Tensor<1, 3> &v)
-  {
-    for (unsigned int c = 0; c < 3; ++c)
-      json.at(c).get_to(v[c]);
-  }
-} // namespace dealii
 
 namespace stiction
 {

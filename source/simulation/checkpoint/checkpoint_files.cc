@@ -116,6 +116,7 @@ namespace stiction::checkpoint_files
     do_on_first_rank(communicator, [&]() {
       std::error_code error;
       fs::remove_all(name, error);
+      require_written(!error, name);
       fs::create_directory(name, error);
       require_written(!error, name);
     });
@@ -141,7 +142,9 @@ namespace stiction::checkpoint_files
     if (fs::exists(last_in(directory), error))
       {
         fs::remove_all(old_in(directory), error);
+        require_written(!error, old_in(directory));
         fs::rename(last_in(directory), old_in(directory), error);
+        require_written(!error, old_in(directory));
       }
     fs::rename(unfinished, last_in(directory), error);
     require_written(!error, last_in(directory));

@@ -58,7 +58,7 @@ namespace stiction
   json problem_identity(const Parameters &parameters)
   {
     json identity;
-    for (const auto &[entry, value] : parameters.source.values())
+    for (const auto &[entry, value] : parameters.source.given(true))
       if (is_of_problem(entry))
         identity["entries"][entry] = identity_of(entry, value);
     if (parameters.geometry.type == "file")

@@ -53,6 +53,9 @@ namespace stiction
     double value_with(const dealii::Point<3> &p, const std::vector<double> &quantities,
                       unsigned int component) const;
 
+    /// ", t = 2" if it depends on t, for a sentence about one of its values.
+    std::string time_in_words() const;
+
     /// As the user wrote it.
     const std::string &expression() const { return expression_; }
 

@@ -27,11 +27,19 @@ namespace stiction
     void set(const std::string &where, const std::string &pair, const std::string &entry,
              const std::string &value);
 
+    /// A value of one pair: "line 7", "Contact pair floor/Coefficient", "0.3"; no place
+    /// if the pair does not say it.
+    struct OfPair
+    {
+      std::string where, entry, value;
+    };
+
     /// One of the lists: "Friction", "Coefficient", "0.3 | 0.1", and where its values
     /// stand.
     struct List
     {
       std::string where, section, name, value;
+      std::vector<OfPair> of_pairs;
     };
 
     /// All lists, none if there are no pairs. What no pair says has no place; what

@@ -53,6 +53,10 @@ namespace stiction
     /// sentence about the value of @p entry ("Section/Entry").
     std::string describe(const std::string &entry) const;
 
+    /// The file as far as it speaks of one contact boundary: entries of its section
+    /// 'Contact pair NAME' have their own places, names and values.
+    ParameterFile of_pair(std::size_t number) const;
+
     /// "brick.prm, line 12: Material/Poisson ratio", for values that are too
     /// long to repeat.
     std::string locate(const std::string &entry) const;
@@ -77,11 +81,8 @@ namespace stiction
     const std::string &file() const { return file_; }
 
     /// The values that the file and the settings give, by entry
-    /// ("Section/Entry").
-    std::map<std::string, std::string> given() const;
-
-    /// The values of all entries, defaults among them.
-    std::map<std::string, std::string> values() const;
+    /// ("Section/Entry"), or with the defaults those of all entries.
+    std::map<std::string, std::string> given(bool or_default = false) const;
 
   private:
     /// Gives an entry of a section or of a contact pair a value.
@@ -101,10 +102,13 @@ namespace stiction
     {
       std::string where;
       std::string value;
+      std::string name = {}; ///< what the entry is called there, if not as here
     };
 
     std::string file_;
     std::map<std::string, Place> places_;
+    /// Of the lists that the sections 'Contact pair' say, the places of each pair.
+    std::map<std::string, std::vector<Place>> of_pairs_;
   };
 } // namespace stiction
 

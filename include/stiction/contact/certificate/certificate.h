@@ -5,8 +5,6 @@
 #include <stiction/qp/contact_conditions.h>
 #include <stiction/qp/contact_scales.h>
 
-#include <deal.II/base/tensor.h>
-
 #include <Eigen/Core>
 
 #include <string>
@@ -88,22 +86,13 @@ namespace stiction
     /// Load times displacement, prescribed displacements included, in J.
     double load_work() const { return load_work_; }
 
-    /// The resultant −ΣBᵀλ on the body in N, and its moment about the origin
-    /// in Nm.
-    dealii::Tensor<1, 3> force_on_body() const { return force_on_body_; }
-    dealii::Tensor<1, 3> moment_on_body() const { return moment_on_body_; }
-
   private:
     void compute_body_figures(const State &state);
-
-    /// Adds up force and moment on the body. @return Σ‖λ_i‖, N.
-    double add_contact_forces();
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;
     double force_scale_ = 1., energy_scale_ = 0., strain_energy_ = 0., load_work_ = 0.;
-    dealii::Tensor<1, 3> force_on_body_, moment_on_body_;
   };
 } // namespace stiction
 

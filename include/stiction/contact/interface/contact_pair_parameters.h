@@ -7,6 +7,9 @@
 
 namespace stiction
 {
+  struct FrictionParameters;
+  class ParameterFile;
+
   /// Of the section 'Boundary conditions' what the contact boundaries are and what
   /// they may touch, of several separated by '|'.
   struct ContactPairParameters : dealii::ParameterAcceptor
@@ -38,6 +41,14 @@ namespace stiction
 
   /// NAME of an obstacle 'boundary : NAME', empty for others.
   std::string paired_boundary(const std::string &obstacle);
+
+  /// What the parameter file says of contact.
+  struct ContactParameters
+  {
+    const ContactPairParameters &pairs;
+    const FrictionParameters &friction;
+    const ParameterFile &source; ///< for messages
+  };
 } // namespace stiction
 
 #endif

@@ -47,8 +47,9 @@ namespace stiction
     dealii::Tensor<1, 3> prescribed_displacement;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
-    double area           = 0.;
-    double youngs_modulus = 0.; ///< the largest of the cells behind it, Pa
+    double area = 0.;
+    /// The largest of the cells behind it, Pa; of a pair that of the softer body.
+    double youngs_modulus = 0.;
     double coefficient    = 0.; ///< F of Coulomb's law
     double slip_stress    = 0.; ///< τ_c of given friction, Pa
     unsigned int boundary = 0;  ///< whose node it is, of boundaries()
@@ -205,17 +206,16 @@ namespace stiction
   private:
     /// Chooses the sides of pairs and finds what lies opposite to the slaves.
     /// Throws InputError if one would be the slave of two.
-    void join_pairs(const LinearElasticity &elasticity, const ParameterFile &source);
+    void join_pairs(const LinearElasticity &elasticity);
     /// Sees that a tied pair holds: takes the other side where supports hold nodes of
     /// this one alone. Throws InputError if neither does, or if the sides are far apart.
     void tie(std::size_t b, const LinearElasticity &elasticity,
              const std::vector<SurfaceFace> &slaves,
-             const std::vector<SurfaceFace> &masters, const ParameterFile &source);
+             const std::vector<SurfaceFace> &masters);
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.
-    void require_nodes(const ParameterFile &source, const std::string &entry,
-                       const std::string &reason) const;
+    void require_nodes(const std::string &entry, const std::string &reason) const;
 
     /// Normals and gaps, and out with the nodes that face away.
     void place_obstacles();
@@ -231,7 +231,7 @@ namespace stiction
     void find_weights_of_other_side();
 
     /// Throws InputError if a force presses no node.
-    void displace_obstacles(const ParameterFile &source);
+    void displace_obstacles();
 
     std::vector<ContactBoundary> boundaries_;
     std::vector<std::unique_ptr<Mortar>>

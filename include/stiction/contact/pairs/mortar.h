@@ -35,6 +35,8 @@ namespace stiction
     /// weighted by ψ, but not beyond what there is around the node, m.
     Eigen::VectorXd gaps;
 
+    double youngs_modulus = 0.; ///< the largest of the cells of the master, Pa
+
     /// The master nodes.
     std::vector<dealii::types::global_dof_index> masters;
     Eigen::SparseMatrix<double, Eigen::RowMajor> A; ///< Â, slaves × masters

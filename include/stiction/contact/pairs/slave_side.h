@@ -3,6 +3,8 @@
 
 #include <stiction/contact/pairs/surface_face.h>
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,13 +14,29 @@ namespace stiction
   struct SlaveSide
   {
     bool is_first;
-    bool is_softer; ///< by a factor of two or more
+    bool is_much_softer; ///< so that on the other one iterations are many more
     std::string reason;
   };
 
-  /// The softer one if E/h of its cells, h being their size along the surface, is less
-  /// by a factor of two or more, otherwise the finer one; of equals the first. On the
-  /// stiff side of a large contrast the iterations would be many times more.
+  /// Which bodies are slaves of which. Where pairs meet at a node, slaves must not follow
+  /// themselves in a circle.
+  class SlaveOrder
+  {
+  public:
+    using Bodies = std::set<unsigned int>;
+
+    /// Whether one of the masters is a slave, over any number of pairs, of the slaves.
+    bool closes_circle(const Bodies &slaves, const Bodies &masters) const;
+
+    void add(const Bodies &slaves, const Bodies &masters);
+
+  private:
+    std::map<unsigned int, Bodies> masters_of_;
+  };
+
+  /// The softer one if E/h of its cells, h being their size along the surface before
+  /// refinement, is less by a factor of two or more, otherwise the finer one; of equals
+  /// the first.
   SlaveSide choose_slave_side(const std::vector<SurfaceFace> &first,
                               const std::vector<SurfaceFace> &second);
 } // namespace stiction

@@ -84,7 +84,7 @@ namespace stiction
     Eigen::VectorXd nodal_stiffness() const;
 
     /// Gives u its prescribed values, and v zeros in their places.
-    void prescribe(LA::Vector &u) const;
+    void prescribe(LA::Vector &u) const { set_prescribed_entries(prescribed_, u); }
     void clear_prescribed(LA::Vector &v) const;
 
     /// The entries of v at the prescribed unknowns this rank owns, and the way
@@ -116,7 +116,7 @@ namespace stiction
     /// @param a λ + ρw, or its normal part: above zero where they meet.
     void bring_into_contact(ContactState &state, const Eigen::VectorXd &a) const;
 
-    /// foundation_under() the contact nodes of a body that contact alone holds: it makes
+    /// ContactStiffness::foundation() of a body that contact alone holds: it makes
     /// singular systems regular, in a preconditioner or for a step. Zero where supports
     /// hold the body.
     const Eigen::VectorXd &foundation() const { return foundation_; }

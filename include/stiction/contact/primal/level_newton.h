@@ -15,7 +15,7 @@
 namespace stiction
 {
   class ContactLevel;
-  class StiffnessPreconditioner;
+  class Multigrid;
 
   /// The semismooth Newton method for the contact problem on one level of the
   /// mesh, Coulomb's law or given friction.
@@ -67,7 +67,7 @@ namespace stiction
     /// @param level the number of the problem's level for the preconditioner.
     ///   All arguments must outlive the object.
     LevelNewton(const ContactLevel &problem, unsigned int level,
-                StiffnessPreconditioner &preconditioner, const Options &options);
+                Multigrid &preconditioner, const Options &options);
 
     /// Improves the state until its residual is at most the tolerance.
     /// Collective.
@@ -112,7 +112,7 @@ namespace stiction
 
     const ContactLevel &problem_;
     const unsigned int level_;
-    StiffnessPreconditioner &preconditioner_;
+    Multigrid &preconditioner_;
     const Options options_;
     NewtonSystem system_;
     double c_;

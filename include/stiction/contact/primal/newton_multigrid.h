@@ -64,7 +64,7 @@ namespace stiction
     }
 
     /// The preconditioner, for other systems with K on the finest level.
-    StiffnessPreconditioner &preconditioner() { return multigrid_; }
+    Multigrid &preconditioner() { return multigrid_; }
 
     /// Its supports without contact.
     NodalSupports free_supports() const;

@@ -14,7 +14,7 @@
 namespace stiction
 {
   class ContactLevel;
-  class StiffnessPreconditioner;
+  class Multigrid;
 
   /// The linear system of a linearised contact problem in displacements,
   /// (W K P + S) d = W R − S w − c at the contact nodes and K d = R elsewhere,
@@ -38,7 +38,7 @@ namespace stiction
     /// @param level the number of the problem's level for the preconditioner.
     ///   All arguments must outlive the object.
     NewtonSystem(const ContactLevel &problem, unsigned int level,
-                 StiffnessPreconditioner &preconditioner);
+                 Multigrid &preconditioner);
 
     /// The iterations that solve() takes at most beside those that move obstacles: their
     /// directions are kept, 12 bytes an unknown each.
@@ -128,7 +128,7 @@ namespace stiction
 
     const ContactLevel &problem_;
     const unsigned int level_;
-    StiffnessPreconditioner &preconditioner_;
+    Multigrid &preconditioner_;
     std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
     LA::Vector residual_, step_;                         ///< scratch
     unsigned int n_unfinished_ = 0;

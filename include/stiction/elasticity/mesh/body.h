@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -111,6 +112,11 @@ namespace stiction
       return hanging_nodes_.is_constrained(dof);
     }
 
+    /// The unknowns that one follows and their weights: those that it hangs on, or
+    /// itself with 1.
+    std::vector<std::pair<dealii::types::global_dof_index, double>> followed_by(
+      dealii::types::global_dof_index dof) const;
+
     /// Hanging nodes of the whole mesh.
     dealii::types::global_dof_index n_hanging_nodes() const { return n_hanging_nodes_; }
 
@@ -143,8 +149,17 @@ namespace stiction
     /// The smallest box around the body, in m.
     const dealii::BoundingBox<3> &bounding_box() const { return bounding_box_; }
 
+    /// The diagonal of its bounding box, m.
+    double diameter() const { return stiction::diameter(bounding_box_); }
+
     /// The elastic bodies that the mesh is of.
     const std::vector<Piece> &pieces() const { return pieces_.list(); }
+
+    /// The places in pieces() of those with cells at a boundary.
+    std::set<unsigned int> pieces_at(const dealii::types::boundary_id id) const
+    {
+      return pieces_.at_boundary(triangulation_, id);
+    }
 
     /// The place in pieces() of a cell of any level.
     unsigned int piece_of(const dealii::Triangulation<3>::cell_iterator &cell) const

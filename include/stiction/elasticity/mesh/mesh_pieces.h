@@ -13,6 +13,12 @@
 
 namespace stiction
 {
+  /// The diagonal of a box, m.
+  inline double diameter(const dealii::BoundingBox<3> &box)
+  {
+    return box.get_boundary_points().first.distance(box.get_boundary_points().second);
+  }
+
   /// A part of a mesh that shares no vertex with others: an elastic body of its own,
   /// which meets others in contact alone.
   struct Piece
@@ -21,11 +27,7 @@ namespace stiction
     dealii::BoundingBox<3> box; ///< the smallest around it, in m
 
     /// Half the diagonal of the box, m.
-    double radius() const
-    {
-      const auto corners = box.get_boundary_points();
-      return corners.first.distance(corners.second) / 2.;
-    }
+    double radius() const { return diameter(box) / 2.; }
   };
 
   /// The pieces of a mesh, in the order of their first coarse cells.

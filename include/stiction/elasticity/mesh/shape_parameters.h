@@ -42,6 +42,9 @@ namespace stiction
     /// The beginning of a sentence about entry_of_shape() and its value.
     std::string location;
 
+    /// Of an entry, with the section.
+    std::string entry(const std::string &name) const { return section_ + "/" + name; }
+
   protected:
     /// Declares the entries.
     explicit ShapeParameters(const std::string &section);
@@ -51,9 +54,6 @@ namespace stiction
 
     /// Throws InputError about what is missing and what a pattern cannot see.
     void check(const ParameterFile &source) const;
-
-    /// Of an entry, with the section.
-    std::string entry(const std::string &name) const { return section_ + "/" + name; }
 
   private:
     void require_shape(const ParameterFile &source) const;

@@ -79,9 +79,6 @@ namespace stiction
     /// Whether ∇·u is to be replaced by its mean over each cell.
     bool have_mean_dilatation() const { return have_mean_dilatation_; }
 
-    /// Whether all cells are made of the same.
-    bool are_one() const { return by_id_.size() == 1; }
-
     /// The extreme ones of all materials in the body, Pa.
     double smallest_youngs_modulus() const;
     double largest_youngs_modulus() const;

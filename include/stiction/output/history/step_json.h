@@ -7,14 +7,11 @@
 
 namespace stiction
 {
-  /// A list of three numbers.
-  nlohmann::json to_json(const dealii::Tensor<1, 3> &vector);
-
   /// A certified step with all its digits, as in the list "steps" of summary.json.
-  nlohmann::json to_json(const StepResult &step);
+  void to_json(nlohmann::json &json, const StepResult &step);
 
   /// Back. Throws what nlohmann's library does if something is missing.
-  StepResult step_from_json(const nlohmann::json &step);
+  void from_json(const nlohmann::json &json, StepResult &step);
 } // namespace stiction
 
 #endif

@@ -226,7 +226,10 @@ namespace stiction
             const std::int64_t last  = text_.to_integer(items[1]);
             const std::int64_t step =
               items.size() > 2 && !items[2].empty() ? text_.to_integer(items[2]) : 1;
-            if (step < 1 || last - first > 1000000000)
+            // no mesh has so many elements, nor larger numbers of them
+            constexpr std::int64_t largest = 10000000000, most = 20000000;
+            if (step < 1 || std::abs(first) > largest || std::abs(last) > largest ||
+                (last - first) / step >= most)
               text_.refuse("the elements from " + items[0] + " to " + items[1] +
                            " in steps of " + std::to_string(step) + " are no set");
             for (std::int64_t e = first; e <= last; e += step)
