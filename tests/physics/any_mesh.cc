@@ -98,23 +98,30 @@ namespace
     return run.summary()["solver"]["krylov_iterations"];
   }
 
+  // beside_assembled: whether to solve with the assembled matrix as well, which takes
+  // long
   void check(const std::string &name, const Settings &settings,
-             const unsigned int most_elastic, const unsigned int most)
+             const unsigned int most_elastic, const unsigned int most,
+             const bool beside_assembled = true)
   {
     const std::string brick = shipped("brick.prm");
     const Settings multigrid{"Contact solver/Method=newton multigrid"};
     const Run run(brick, settings + multigrid);
-    const Run algebraic(brick,
-                        settings + multigrid + Settings{"Stiffness solver/Type=amg"});
+    std::string assembled;
+    if (beside_assembled)
+      {
+        const Run amg(brick,
+                      settings + multigrid + Settings{"Stiffness solver/Type=amg"});
+        assembled = std::string(" of the assembled matrix to 1e-7 ") +
+                    yes(amg.converged && distance(run, amg) < 1e-7) + ",";
+      }
     const Run dual(brick, settings + Settings{"Contact solver/Method=newton"});
     const unsigned int elastic = run.summary()["solver"]["elastic_solve_iterations"];
-    out() << name << ": certified " << yes(run.converged && algebraic.converged)
-          << ", opens, slips and sticks "
+    out() << name << ": certified " << yes(run.converged) << ", opens, slips and sticks "
           << yes(run.summary()["contact"]["open"] > 0 &&
                  run.summary()["contact"]["slip"] > 0 &&
                  run.summary()["contact"]["stick"] > 0)
-          << ", forces of the assembled matrix to 1e-7 "
-          << yes(distance(run, algebraic) < 1e-7) << ", of the dual method "
+          << ", forces" << assembled << " of the dual method "
           << yes(dual.converged && distance(run, dual) < 1e-7)
           << ", iterations of an elastic solve at most " << most_elastic << ' '
           << yes(elastic <= most_elastic) << ", of contact at most " << most << ' '
@@ -157,8 +164,8 @@ int main(int argc, char *argv[])
                    "Boundary conditions/Prescribed displacement=front : 1e-5; 0; 0"},
         16, 40);
   check("quadratic elements refined at the contact",
-        problem("whole.msh") +
-          Settings{"Geometry/Element degree=2", "Geometry/Contact refinement=1",
-                   "Geometry/Contact refinement where=x - 10"},
-        20, 40);
+        problem("whole.msh") + Settings{"Geometry/Element degree=2",
+                                        "Geometry/Contact refinement=1",
+                                        "Geometry/Contact refinement where=x - 13"},
+        15, 50, false);
 }

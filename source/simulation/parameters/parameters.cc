@@ -67,7 +67,7 @@ namespace stiction
     const std::string section = PlacedBody::section_name + " NAME";
     const PlacedBody body(section);
     const std::string all   = printed();
-    const std::size_t begin = all.find("subsection " + section);
+    const std::size_t begin = all.find("\nsubsection " + section + "\n") + 1;
     std::istringstream lines(all.substr(begin, all.find("\nend", begin) + 4 - begin));
     text += "\n\n# Of several bodies each has a section:\n";
     for (std::string line; std::getline(lines, line);)
