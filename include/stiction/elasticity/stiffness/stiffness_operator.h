@@ -18,8 +18,8 @@ namespace stiction
 
   /// The product with the stiffness matrix K of a level of the mesh without any
   /// boundary condition, cell by cell: integrated in every product for trilinear cells
-  /// of simple materials, else by element matrices. With hanging nodes it is CᵀKC: what a vector has there is ignored, and the product is
-  /// zero there.
+  /// of simple materials, else by element matrices. With hanging nodes it is CᵀKC: what a
+  /// vector has there is ignored, and the product is zero there.
   template<typename Number>
   class StiffnessOperator
   {
