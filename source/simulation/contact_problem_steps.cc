@@ -122,6 +122,11 @@ namespace stiction
     discretization_->set_time(parameters_.of_contact(), time, history);
     if (const std::string reason = why_no_equilibrium(); !reason.empty())
       return refuse_step(reason);
+    if (!ends_.empty() && ends_.front().state.distances.size() >
+                            discretization_->surface->motion().n_pressed())
+      return refuse_step("'Boundary conditions/Obstacle force' becomes zero, which would "
+                         "hold the obstacle where it is drawn, and may press harder "
+                         "there, let a small force remain");
     if (!ends_.empty())
       state_ = first_guess(time);
     const SlipHistory here = on_nodes(history, *discretization_->surface);

@@ -34,7 +34,8 @@ namespace stiction
   /// boundary: Young's moduli in Pa.
   struct ContactStiffness
   {
-    Eigen::VectorXd youngs_moduli; ///< of the cells behind each contact node
+    Eigen::VectorXd youngs_moduli; ///< of the cells behind each contact node, of the
+                                   ///< softer body of a pair
     double softest = 0.;           ///< of the whole body
 
     /// Springs E_i A_i/L under the contact nodes, N/m: together they are about as stiff

@@ -150,9 +150,14 @@ namespace stiction
         boundary.slave_side_      = sides[b];
         boundary.mesh_gap_        = mesh_gaps[b];
         if (partner.empty())
-          boundary.obstacle_ =
-            Obstacle::read(with_path(obstacles[b], source), source.locate(obstacle_entry),
-                           size, time, body.communicator());
+          {
+            std::string obstacle;
+            throw_on_all_ranks(body.communicator(), [&]() { // their files may differ
+              obstacle = with_path(obstacles[b], source);
+            });
+            boundary.obstacle_ = Obstacle::read(obstacle, source.locate(obstacle_entry),
+                                                size, time, body.communicator());
+          }
         boundary.gap_ =
           std::make_unique<ParsedFunction>(gaps[b], 1, source.locate(gap_entry), time);
         const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
@@ -160,7 +165,6 @@ namespace stiction
           law, coefficients[b], slip_stresses[b], directions[b], source, time);
         boundary.displacement_ = vector(displacement_entry, displacements[b]);
         boundary.force_        = vector(force_entry, forces[b]);
-        boundary.lets_go_      = boundary.force_.norm() == 0. && !are_zero(forces[b]);
         boundary.set_rotation(
           read_numbers(rotations[b], 7, source.locate(rotation_entry), time));
         const std::string angle = rotations[b].substr(rotations[b].rfind(';') + 1);

@@ -77,7 +77,8 @@ namespace stiction
                   "Of a contact pair the side whose nodes carry the contact forces: "
                   "boundary, the one of 'Contact boundary', or obstacle, the one of "
                   "'Obstacle'. automatic: the softer side if E/h of its cells is less by "
-                  "a factor of two or more, h being their size, otherwise that with "
+                  "a factor of two or more, h being their size before refinement, "
+                  "otherwise that with "
                   "smaller cells. Either gives the same answer but for the error of the "
                   "mesh.",
                   prm, Patterns::Anything());
@@ -120,9 +121,10 @@ namespace stiction
                   "The obstacle is then free to move along this vector, from where the "
                   "other entries place it, and moves until it acts on the body with this "
                   "force along it; it does not tilt, and is held in the directions "
-                  "across. Where formulas make it zero at some t the obstacle lets go. "
+                  "across. "
                   "Of a body cut by planes of symmetry it is the part of the "
-                  "force that acts on what is modelled. '0; 0; 0': the obstacle is held. "
+                  "force that acts on what is modelled. '0; 0; 0': the obstacle is held; "
+                  "in a history a force may begin, not end. "
                   "Unit: of force.",
                   prm, Patterns::Anything());
   }

@@ -3,7 +3,6 @@
 #include "node_shares.h"
 
 #include <stiction/base/errors.h>
-#include <stiction/base/log.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
@@ -20,9 +19,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace stiction
@@ -176,7 +173,7 @@ namespace stiction
         const ContactNode &node         = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
         Eigen::Vector3d e               = seen_from(node, boundary.displacement());
-        e(0) += node.gap + (boundary.lets_go() ? 2. * boundary.body_size() : 0.);
+        e(0) += node.gap;
         e.tail<2>() += seen_from(node, node.turning).tail<2>();
         if (e(0) < -boundary.body_size())
           throw InputError(

@@ -97,6 +97,11 @@ namespace stiction
     const auto bodies_at = [&](const types::boundary_id id) {
       return elasticity.body().pieces_at(id);
     };
+    for (const ContactBoundary &boundary : boundaries_)
+      if (boundary.is_pair() && boundary.slave_side() == "boundary")
+        order.add(bodies_at(boundary.id()), bodies_at(boundary.partner()));
+      else if (boundary.is_pair() && boundary.slave_side() == "obstacle")
+        order.add(bodies_at(boundary.partner()), bodies_at(boundary.id()));
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
       if (ContactBoundary &boundary = boundaries_[b]; boundary.is_pair())
         {
@@ -121,7 +126,6 @@ namespace stiction
             side.reason += ", although it is the stiffer one, for which newton "
                            "multigrid takes many iterations";
           boundary.take_side(side.is_first, side.reason);
-          order.add(bodies_at(boundary.id()), bodies_at(boundary.partner()));
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(
               boundary.source().describe("Boundary conditions/Slave side") +
@@ -138,6 +142,7 @@ namespace stiction
               tie(b, elasticity, first, second);
               with_forces.insert(boundary.id());
             }
+          order.add(bodies_at(boundary.id()), bodies_at(boundary.partner()));
           require_side_by_side(boundary, *mortars_[b], elasticity.body());
         }
   }
@@ -174,7 +179,7 @@ namespace stiction
     if (i < 0 || mortar.areas(i) < least_cover * node.area)
       return false;
     node.area           = mortar.areas(i);
-    node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_modulus);
+    node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
     const ContactBoundary &boundary = boundaries_[node.boundary];
     node.gap                        = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? mortar.gaps(i) : 0.);

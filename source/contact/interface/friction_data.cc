@@ -26,8 +26,8 @@ namespace stiction
     // of the axes.
     constexpr double largest_ratio = 100.;
 
-    // A value so little below zero is zero: 0.3 - 0.2 * 1.5 is not in binary numbers.
-    constexpr double below_zero = 1e-15;
+    // A smaller value is zero: 0.3 - 0.2 * 1.5 is not in binary numbers.
+    constexpr double rounded = 1e-15;
 
     // Ratios of axes that differ by less are the same but for rounding.
     constexpr double same_ratio = 1e-9;
@@ -57,7 +57,7 @@ namespace stiction
     const bool is_one = function->n_components == 1;
     const auto value  = [&](const unsigned int component) {
       const double of_formula = function->value_with(p, quantities, component);
-      return -below_zero < of_formula && of_formula < 0. ? 0. : of_formula;
+      return std::abs(of_formula) < rounded ? 0. : of_formula;
     };
     const double first = value(0), second = is_one ? first : value(1);
 

@@ -39,7 +39,7 @@ namespace stiction
     struct Share
     {
       Dof slave, master; // invalid: to D and to the gap
-      double value, gap, smallest, largest;
+      double value, gap, smallest, largest, modulus;
     };
 
     BoundingBox<3> box_around(const std::vector<Point<3>> &points)
@@ -106,7 +106,8 @@ namespace stiction
       const Eigen::Index n = slave.n_nodes();
       Eigen::MatrixXd m    = Eigen::MatrixXd::Zero(n, n);
       Eigen::VectorXd d    = Eigen::VectorXd::Zero(n);
-      double smallest = std::numeric_limits<double>::max(), largest = -smallest;
+      double smallest = std::numeric_limits<double>::max(), largest = -smallest,
+             modulus = 0.;
       for (const Point &point : points)
         {
           const FaceShape shape(slave.degree, point.at.first);
@@ -115,6 +116,7 @@ namespace stiction
           d += point.at.weight * phi;
           smallest = std::min(smallest, point.at.gap);
           largest  = std::max(largest, point.at.gap);
+          modulus  = std::max(modulus, point.master->youngs_modulus);
         }
       if (d.sum() < no_cover * slave.diameter() * slave.diameter())
         return;
@@ -135,10 +137,10 @@ namespace stiction
         }
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          shares.push_back(
-            {slave.dofs[i], numbers::invalid_dof_index, d(i), gap(i), smallest, largest});
+          shares.push_back({slave.dofs[i], numbers::invalid_dof_index, d(i), gap(i),
+                            smallest, largest, modulus});
           for (const auto &[master, column] : M)
-            shares.push_back({slave.dofs[i], master, column(i), 0., 0., 0.});
+            shares.push_back({slave.dofs[i], master, column(i), 0., 0., 0., 0.});
         }
     }
 
@@ -241,8 +243,6 @@ namespace stiction
                  const std::vector<SurfaceFace> &slave_faces,
                  const std::vector<SurfaceFace> &master_faces)
   {
-    for (const SurfaceFace &face : master_faces)
-      youngs_modulus = std::max(youngs_modulus, face.youngs_modulus);
     std::set<Dof> slave_nodes, master_nodes;
     const double reach = std::min(size_of(slave_faces), size_of(master_faces));
     const auto shares  = integrate(elasticity, slave_faces, master_faces, reach);
@@ -258,7 +258,7 @@ namespace stiction
     };
 
     const auto n      = static_cast<Eigen::Index>(on_slave.size());
-    Eigen::VectorXd D = Eigen::VectorXd::Zero(n), weighted = D,
+    Eigen::VectorXd D = Eigen::VectorXd::Zero(n), weighted = D, moduli = D,
                     smallest = Eigen::VectorXd::Constant(n, 1e300), largest = -smallest;
     std::vector<Eigen::Triplet<double>> entries;
     for (const Share &share : shares)
@@ -273,6 +273,7 @@ namespace stiction
         weighted(i) += share.gap;
         smallest(i) = std::min(smallest(i), share.smallest);
         largest(i)  = std::max(largest(i), share.largest);
+        moduli(i)   = std::max(moduli(i), share.modulus);
       }
     SparseMatrix M(n, static_cast<Eigen::Index>(on_master.size()));
     M.setFromTriplets(entries.begin(), entries.end());
@@ -289,6 +290,10 @@ namespace stiction
     const SparseMatrix C         = of_slave.matrix(on_slave);
     const SparseMatrix M_hanging = C.transpose() * M * of_master.matrix(on_master);
     areas                        = C.transpose() * D;
+    youngs_moduli                = Eigen::VectorXd::Zero(areas.size());
+    for (Eigen::Index j = 0; j < C.cols(); ++j)
+      for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
+        youngs_moduli(j) = std::max(youngs_moduli(j), moduli(entry.row()));
     if (of_slave.has_hanging_nodes())
       {
         const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;

@@ -1,7 +1,6 @@
 #include <stiction/contact/pairs/slave_side.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace stiction
 {
@@ -23,7 +22,7 @@ namespace stiction
         for (const SurfaceFace &face : faces)
           {
             const double weight = face.diameter() * face.diameter();
-            const double h = std::ldexp(face.diameter(), static_cast<int>(face.level));
+            const double h      = face.coarse_diameter;
             area += weight;
             size += weight * h;
             stiffness += weight * face.youngs_modulus / h;

@@ -122,8 +122,15 @@ namespace stiction
             values.reinit(static_cast<Triangulation<3>::cell_iterator>(cell));
             cell->get_dof_indices(dofs);
             SurfaceFace face{};
-            face.degree = base.degree;
-            face.level  = static_cast<unsigned int>(cell->level());
+            face.degree                            = base.degree;
+            Triangulation<3>::cell_iterator coarse = cell;
+            while (coarse->level() > 0)
+              coarse = coarse->parent();
+            const auto corner = [&](const unsigned int v) {
+              return coarse->face(f)->vertex(v);
+            };
+            face.coarse_diameter =
+              std::max(corner(0).distance(corner(3)), corner(1).distance(corner(2)));
             face.inside = in_array(cell->center());
             face.youngs_modulus =
               elasticity.materials().of(cell->material_id()).youngs_modulus;

@@ -36,9 +36,6 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
-    // An iterate with a larger residual has gone astray.
-    constexpr double lost = 10.;
-
     constexpr unsigned int max_fallback_steps = 60;
     constexpr unsigned int max_approximations = 4;
   } // namespace
@@ -122,8 +119,8 @@ namespace stiction
         ++statistics_.rho_changes;
         if (stalls % 2 == 1 && !options_.only_fallback)
           continue;
-        stands_still_ = statistics_.fallbacks == options_.max_fallbacks ||
-                        has_hard_systems() || residual.value() > lost;
+        stands_still_ =
+          statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
         if (stands_still_)
           return why_no_closer();
         fall_back(state, residual.value(), tolerance,

@@ -136,7 +136,8 @@ namespace stiction
     for (unsigned int l = first; l < hierarchy_.n_levels(); ++l)
       {
         if (l > first)
-          lambda = row.residual > worthless ? begin(l, {}) : refine(l);
+          lambda =
+            status.reason.empty() || row.residual <= worthless ? refine(l) : begin(l, {});
         if (status.interrupted)
           continue; // the iterate is wanted on the finest level
         const bool is_finest = l == finest_level();

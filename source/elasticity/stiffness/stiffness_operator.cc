@@ -6,7 +6,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <utility>
 

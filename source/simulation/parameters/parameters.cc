@@ -162,7 +162,8 @@ namespace stiction
     if (method == "admm")
       return dual_operator.form != "assembled";
     return method == "newton multigrid" &&
-           (!has_body || (contact.has_elastic_pairs() && !is_matrix_free()) ||
+           (!has_body ||
+            (contact.has_elastic_pairs() && stiffness_solver.type == "amg") ||
             !output.export_directory.empty() || stiffness_solver.type == "mumps" ||
             contact_solver.coulomb_iteration != "direct" ||
             performance.measure_factorizations);

@@ -66,15 +66,11 @@ namespace stiction
                              const dealii::Tensor<1, 3> &n) const;
 
     /// The force in N that presses the obstacle on and along which it is free
-    /// to move; zero: it is held, unless it lets go.
+    /// to move; zero: it is held.
     const dealii::Tensor<1, 3> &force() const { return force_; }
 
     /// What the parameter file says of it, for messages.
     const ParameterFile &source() const { return *source_; }
-
-    /// Whether the force that presses the obstacle on at other times is zero now, so
-    /// that it touches nothing.
-    bool lets_go() const { return lets_go_; }
 
     /// What it may touch, where the parameter file puts it; nullptr: the
     /// foundation.
@@ -148,7 +144,6 @@ namespace stiction
     std::unique_ptr<FrictionData> friction_;
     dealii::Tensor<1, 3> displacement_, force_, axis_;
     dealii::Point<3> axis_point_;
-    bool lets_go_ = false;
     double angle_ = 0.; ///< rad
     double size_  = 0.; ///< of the body, m
     std::shared_ptr<const ParameterFile> source_;

@@ -35,7 +35,8 @@ namespace stiction
     /// weighted by ψ, but not beyond what there is around the node, m.
     Eigen::VectorXd gaps;
 
-    double youngs_modulus = 0.; ///< the largest of the cells of the master, Pa
+    /// Of each the largest of the cells of the master opposite, Pa.
+    Eigen::VectorXd youngs_moduli;
 
     /// The master nodes.
     std::vector<dealii::types::global_dof_index> masters;

@@ -22,7 +22,7 @@ namespace stiction
     std::array<std::array<double, 3>, 9> nodes; ///< where they are, m
     std::array<double, 3> inside;               ///< the centre of the cell, m
     double youngs_modulus;                      ///< of the cell, Pa
-    unsigned int level;                         ///< how often the cell was refined
+    double coarse_diameter;                     ///< of the face before refinement, m
 
     unsigned int n_nodes() const { return (degree + 1) * (degree + 1); }
 

@@ -38,8 +38,8 @@ namespace stiction
   /// holds for K̂ = TᵀKT: corrections go T⁻¹ I T from a level to the finer one.
   ///
   /// A coarsest level too large to be factorised, such as a mesh from a file, has
-  /// grids behind it: see BackgroundMultigrid. Without them, or where K is assembled,
-  /// the end of the cycle is algebraic multigrid.
+  /// grids behind it: see BackgroundMultigrid. Without them the end of the
+  /// cycle is algebraic multigrid.
   class Multigrid
   {
   public:

@@ -155,7 +155,7 @@ namespace stiction
 
     void make_constraints();
 
-    /// K, cell by cell or assembled.
+    /// K, cell by cell.
     void make_stiffness();
 
     /// The right-hand side with prescribed displacements eliminated.

@@ -231,7 +231,8 @@ namespace stiction
             if (step < 1 || std::abs(first) > largest || std::abs(last) > largest ||
                 (last - first) / step >= most)
               text_.refuse("the elements from " + items[0] + " to " + items[1] +
-                           " in steps of " + std::to_string(step) + " are no set");
+                           " in steps of " + std::to_string(step) +
+                           " are too many, or no set, must be at most 20000000");
             for (std::int64_t e = first; e <= last; e += step)
               add_to_set(set, e);
             return;
