@@ -52,8 +52,8 @@ namespace stiction
           parameters.source.describe("Boundary conditions/Slave side") +
           ", makes bodies follow each other in a circle where contact pairs meet at a "
           "node, must say 'boundary' or 'obstacle' for each pair so that they do not, "
-          "for "
-          "'Contact solver/Method = newton multigrid'; the method 'newton' takes these.");
+          "for 'Contact solver/Method = newton multigrid'; the method 'newton' takes "
+          "these.");
       }
   }
 

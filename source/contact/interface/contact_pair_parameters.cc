@@ -121,8 +121,7 @@ namespace stiction
                   "The obstacle is then free to move along this vector, from where the "
                   "other entries place it, and moves until it acts on the body with this "
                   "force along it; it does not tilt, and is held in the directions "
-                  "across. "
-                  "Of a body cut by planes of symmetry it is the part of the "
+                  "across. Of a body cut by planes of symmetry it is the part of the "
                   "force that acts on what is modelled. '0; 0; 0': the obstacle is held; "
                   "in a history a force may begin, not end. "
                   "Unit: of force.",

@@ -36,7 +36,6 @@ namespace stiction
         dofs.push_back(node.first_dof);
       return dofs;
     }
-
   } // namespace
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,

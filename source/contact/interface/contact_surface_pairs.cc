@@ -77,6 +77,32 @@ namespace stiction
                          "', and a body of both is only " + format("%.3g", thickness) +
                          " thick, must lie opposite to it but for a small interference.");
     }
+
+    // The side that the user says, or the best one, unless another bears fewer forces or
+    // closes no circle.
+    //
+    // rank: of a boundary, higher the more forces of others it has to bear.
+    template<typename Rank, typename BodiesAt>
+    SlaveSide choose_side(const ContactBoundary &pair, const SlaveSide &best,
+                          const Rank &rank, const BodiesAt &bodies_at,
+                          const SlaveOrder &order)
+    {
+      const auto slave  = best.is_first ? pair.id() : pair.partner();
+      const auto master = best.is_first ? pair.partner() : pair.id();
+      SlaveSide side    = best;
+      if (pair.slave_side() != "automatic")
+        side = {pair.slave_side() == "boundary", false, "as 'Slave side' says"};
+      else if (rank(slave) > rank(master))
+        side = {!best.is_first, false, "the side that bears no other ones"};
+      else if (!best.is_much_softer && rank(slave) == rank(master) &&
+               order.closes_circle(bodies_at(slave), bodies_at(master)) &&
+               !order.closes_circle(bodies_at(master), bodies_at(slave)))
+        side = {!best.is_first, false, "the side that closes no circle of bodies"};
+      if (best.is_much_softer && best.is_first != side.is_first)
+        side.reason += ", although it is the stiffer one, for which newton "
+                       "multigrid takes many iterations";
+      return side;
+    }
   } // namespace
 
   void ContactSurface::join_pairs(const LinearElasticity &elasticity)
@@ -107,24 +133,8 @@ namespace stiction
         {
           auto first           = surface_faces(elasticity, boundary.id());
           auto second          = surface_faces(elasticity, boundary.partner());
-          const auto &said     = boundary.slave_side();
-          const SlaveSide best = choose_slave_side(first, second);
-          SlaveSide side       = best;
-          if (said != "automatic")
-            side = {said == "boundary", false, "as 'Slave side' says"};
-          else if (const int first_is = rank(boundary.id()),
-                   second_is          = rank(boundary.partner());
-                   side.is_first ? first_is > second_is : second_is > first_is)
-            side = {!side.is_first, false, "the side that bears no other ones"};
-          else if (const auto slaves = side.is_first ? boundary.id() : boundary.partner(),
-                   masters           = side.is_first ? boundary.partner() : boundary.id();
-                   !best.is_much_softer && first_is == second_is &&
-                   order.closes_circle(bodies_at(slaves), bodies_at(masters)) &&
-                   !order.closes_circle(bodies_at(masters), bodies_at(slaves)))
-            side = {!side.is_first, false, "the side that closes no circle of bodies"};
-          if (best.is_much_softer && best.is_first != side.is_first)
-            side.reason += ", although it is the stiffer one, for which newton "
-                           "multigrid takes many iterations";
+          const SlaveSide side = choose_side(boundary, choose_slave_side(first, second),
+                                             rank, bodies_at, order);
           boundary.take_side(side.is_first, side.reason);
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(

@@ -180,6 +180,10 @@ namespace stiction
   void MeshLevel::for_each_node_list(
     const std::function<void(const std::vector<unsigned int> &)> &callback) const
   {
+    if (is_trilinear())
+      return for_each_cell([&](const HexahedralCell &cell) {
+        callback({cell.nodes.begin(), cell.nodes.end()});
+      });
     const auto &fe   = dof_handler_.get_fe();
     const auto order = FETools::lexicographic_to_hierarchic_numbering<3>(fe.degree);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());

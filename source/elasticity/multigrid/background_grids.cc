@@ -217,7 +217,6 @@ namespace stiction
       matrix.setFromTriplets(weights.begin(), weights.end());
       return matrix;
     }
-
   } // namespace
 
   std::vector<Interpolation> background_grids(

@@ -33,17 +33,11 @@ namespace stiction
     template<typename Callback>
     void for_each_cell(const MeshLevel &mesh, const Callback &callback)
     {
-      std::vector<unsigned int> nodes;
-      const auto visit = [&](const auto &local) {
-        nodes.clear();
-        for (const unsigned int node : local)
-          nodes.push_back(static_cast<unsigned int>(mesh.first_dof(node) / 3));
+      mesh.for_each_node_list([&](std::vector<unsigned int> nodes) {
+        for (unsigned int &node : nodes)
+          node = static_cast<unsigned int>(mesh.first_dof(node) / 3);
         callback(nodes);
-      };
-      if (mesh.is_trilinear())
-        mesh.for_each_cell([&](const HexahedralCell &cell) { visit(cell.nodes); });
-      else
-        mesh.for_each_node_list(visit);
+      });
     }
 
     // From the nodes of the whole mesh. A cell of degree 2 is eight with its nodes.

@@ -25,7 +25,6 @@ namespace stiction
   {
   public:
     /// All contact boundaries, in the order of the parameter file. Collective.
-    /// What the parameters refer to must outlive them.
     ///
     /// @param time the value of t.
     ///

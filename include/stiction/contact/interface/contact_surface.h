@@ -207,6 +207,7 @@ namespace stiction
     /// Chooses the sides of pairs and finds what lies opposite to the slaves.
     /// Throws InputError if one would be the slave of two.
     void join_pairs(const LinearElasticity &elasticity);
+
     /// Sees that a tied pair holds: takes the other side where supports hold nodes of
     /// this one alone. Throws InputError if neither does, or if the sides are far apart.
     void tie(std::size_t b, const LinearElasticity &elasticity,

@@ -85,8 +85,8 @@ namespace stiction
     /// with its material id but without its material, see Materials::assign().
     void for_each_cell(const std::function<void(const HexahedralCell &)> &callback) const;
 
-    /// Calls back with the nodes of every cell of the mesh itself that this rank owns, in
-    /// lexicographic order: 8 of trilinear elements, 27 of degree 2.
+    /// Calls back with the nodes of every cell that this rank owns, in lexicographic
+    /// order: 8 of trilinear elements, 27 of degree 2.
     void for_each_node_list(
       const std::function<void(const std::vector<unsigned int> &)> &callback) const;
 
