@@ -42,6 +42,9 @@ namespace stiction
     // from here on 5 % of the first, which is as much as materials are known to, or
     // half a percent of strain in a body that turns.
     constexpr double large_deformation = 0.1;
+
+    // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
+    constexpr double much_beyond_edge = 0.3;
   } // namespace
 
   std::vector<NodeStatus> ContactProblem::node_statuses() const
@@ -186,6 +189,7 @@ namespace stiction
   std::vector<std::string> ContactProblem::warnings(
     const double largest_displacement) const
   {
+    const ContactSurface &surface = *discretization_->surface;
     std::vector<std::string> warnings;
     if (parameters_.has_locking())
       warnings.push_back(
@@ -193,19 +197,28 @@ namespace stiction
                "forces become too stiff, which the certificate does not see: "
                "'Material/Volume strain = cell mean' does not lock.",
                parameters_.material.largest_poisson_ratio()));
-    const std::string friction =
-      warning_on_friction(discretization_->surface->largest_coefficient());
+    const std::string friction = warning_on_friction(surface.largest_coefficient());
     if (status_.converged && !friction.empty())
       warnings.push_back(friction);
-    const double depth = status_.converged
-                           ? discretization_->surface->penetration_of_facing_away(state_)
-                           : 0.;
+    const double depth =
+      status_.converged ? surface.penetration_of_facing_away(state_) : 0.;
     if (depth > 1e-6 * largest_displacement)
       warnings.push_back(
         "a node that faces away from its obstacle came " +
         with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
+    for (const ContactBoundary &pair : surface.boundaries())
+      if (const double share = pair.is_pair() && !pair.is_tied()
+                                 ? surface.share_beyond_edge(pair, state_.lambda)
+                                 : 0.;
+          share > much_beyond_edge)
+        warnings.push_back(format(
+          "%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' beyond the "
+          "edge of what lies opposite, by up to a cell, so that a body tips late: "
+          "let the other side bear the forces ('Slave side'), or make cells finer there.",
+          100. * share, pair.name().c_str(), pair.partner_name().c_str(),
+          pair.name().c_str()));
     Deformation deformation = largest_deformation_;
     if (status_.converged)
       deformation.include(largest_deformation(*body_, state_.u));

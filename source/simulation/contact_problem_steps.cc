@@ -78,7 +78,7 @@ namespace stiction
     return true;
   }
 
-  void ContactProblem::begin_balance(const bool is_carried)
+  void ContactProblem::begin_balance(const std::optional<double> energy_before)
   {
     if (!steps_)
       return;
@@ -90,7 +90,7 @@ namespace stiction
       balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
     else
       balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface,
-                                                 ends_.front().state, is_carried);
+                                                 ends_.front().state, energy_before);
   }
 
   void ContactProblem::begin_step(const TimeSteps &times)
@@ -332,7 +332,8 @@ namespace stiction
         state.scales = ends_.front().state.scales;
         ends_        = {{time, std::move(state)}};
       }
-    begin_balance(true);
+    begin_balance(balance_ ? std::optional<double>(balance_->elastic_energy())
+                           : std::nullopt);
   }
 
   bool ContactProblem::has_steps() const

@@ -48,6 +48,12 @@ namespace stiction
       }
     catch (const CircleOfSlaves &)
       {
+        if (can_hand_over_)
+          {
+            print_progress("Bodies follow each other in a circle, which 'newton' takes:");
+            dual_ = std::make_unique<DualContactSolver>(setting_);
+            return;
+          }
         throw InputError(
           parameters.source.describe("Boundary conditions/Slave side") +
           ", makes bodies follow each other in a circle where contact pairs meet at a "
@@ -62,9 +68,20 @@ namespace stiction
   SolveStatus PrimalContactSolver::solve(State &state, const Observer &observer)
   {
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
+    unsigned int n_steps                  = 0;
+    const auto solve_dual                 = [&]() {
+      return dual_->solve(state, [&, n_before = n_steps](ContactStep step) {
+        step.step += n_before;
+        step.unknowns = setting_.elasticity.mesh().n_dofs();
+        n_steps       = step.step;
+        observer(step);
+      });
+    };
+    if (!newton_)
+      return solve_dual();
+
     SolveStatus status;
-    unsigned int n_steps = 0;
-    double residual      = 0.;
+    double residual = 0.;
     {
       const auto phase = setting_.phases.scope("displacement_iteration");
       status = newton_->solve(state, chosen.tolerance, chosen.maximum_iterations,
@@ -80,14 +97,6 @@ namespace stiction
     print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_);
-    const auto solve_dual = [&]() {
-      return dual_->solve(state, [&, n_before = n_steps](ContactStep step) {
-        step.step += n_before;
-        step.unknowns = setting_.elasticity.mesh().n_dofs();
-        n_steps       = step.step;
-        observer(step);
-      });
-    };
     const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
     const bool is_warm = residual < residual_of_start;
     if (!is_warm)
@@ -112,7 +121,8 @@ namespace stiction
 
   void PrimalContactSolver::update()
   {
-    newton_->update();
+    if (newton_)
+      newton_->update();
     if (dual_)
       dual_->update();
   }
@@ -133,7 +143,8 @@ namespace stiction
 
   void PrimalContactSolver::add_to(RunResult &result) const
   {
-    add_method(result.solver, *newton_);
+    if (newton_)
+      add_method(result.solver, *newton_);
     if (!dual_)
       return;
     RunResult dual;

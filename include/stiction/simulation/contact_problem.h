@@ -90,8 +90,8 @@ namespace stiction
     /// Of several steps: from the body as it is made, or from the end of the last step.
     /// Leaves the problem at the time of that.
     ///
-    /// @param is_carried whether this was carried to a refined mesh.
-    void begin_balance(bool is_carried);
+    /// @param energy_before see EnergyBalance, where it was carried to a refined mesh.
+    void begin_balance(std::optional<double> energy_before);
     void solve_at(double time);
     void begin_step(const TimeSteps &times);
     /// Makes the state the end of a step, and writes its results if there are several.

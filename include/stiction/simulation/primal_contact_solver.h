@@ -8,8 +8,9 @@ namespace stiction
   class DualContactSolver;
   class NewtonMultigrid;
 
-  /// Solves for displacements, by NewtonMultigrid. Where that stands still and the body
-  /// is small enough for the dual operator, the dual method newton goes on.
+  /// Solves for displacements, by NewtonMultigrid. Where that stands still, or cannot
+  /// take the order of the slaves, and the body is small enough for the dual operator,
+  /// the dual method newton goes on.
   class PrimalContactSolver : public ContactSolver
   {
   public:
@@ -29,7 +30,7 @@ namespace stiction
     bool can_hand_over() const;
 
     const bool can_hand_over_;
-    std::unique_ptr<NewtonMultigrid> newton_;
+    std::unique_ptr<NewtonMultigrid> newton_; ///< none where slaves follow in a circle
     std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
   };
 } // namespace stiction

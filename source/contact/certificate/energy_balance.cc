@@ -5,6 +5,8 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,6 +19,26 @@ namespace stiction
     // Of a body that rests all terms are what rounding leaves, 1e-10 of its energy at
     // most; a history of 100,000 steps has larger ones.
     constexpr double least_part = 1e-6;
+
+    // Of the largest displacement: less is what interpolation to a new mesh rounds.
+    constexpr double at_rest = 1e-12;
+
+    double lacking(const EnergyBalance::Step &step)
+    {
+      return step.loads + step.supports + step.obstacles - step.elastic_change -
+             step.dissipation - step.time_stepping;
+    }
+
+    // Whether prescribed displacements change by this. Collective.
+    bool do_supports_move(const LinearElasticity &elasticity, const LA::Vector &moved)
+    {
+      double largest = 0.;
+      for (const auto dof : elasticity.body().locally_owned_dofs())
+        if (elasticity.is_prescribed(dof))
+          largest = std::max(largest, std::abs(moved(dof)));
+      return dealii::Utilities::MPI::max(largest, elasticity.body().communicator()) >
+             at_rest * moved.linfty_norm();
+    }
 
     // The tangential part of Cartesian vectors at all nodes, in free directions.
     Eigen::VectorXd tangential(const ContactSurface &surface, const Eigen::VectorXd &v)
@@ -72,9 +94,10 @@ namespace stiction
 
   EnergyBalance::EnergyBalance(const LinearElasticity &elasticity,
                                const ContactSurface &surface, const State &state,
-                               const bool is_carried)
+                               const std::optional<double> energy_before)
     : last_(end_of(elasticity, surface, state))
-    , is_carried_(is_carried)
+    , elastic_energy_(energy_before.value_or(0.5 * (last_.u * last_.internal_force)))
+    , is_carried_(energy_before.has_value())
   {
   }
 
@@ -167,16 +190,22 @@ namespace stiction
     step.elastic_change = mean_work(before.internal_force, last_.internal_force);
     step.elastic_energy = 0.5 * (last_.u * last_.internal_force);
     add_contact(step, before, last_, surface, state);
-
-    const double lacking = step.loads + step.supports + step.obstacles -
-                           step.elastic_change - step.dissipation - step.time_stepping;
+    const double energy_before = std::exchange(elastic_energy_, step.elastic_energy);
+    if (std::exchange(is_carried_, false))
+      {
+        step.elastic_change = step.elastic_energy - energy_before;
+        step.supports       = 0.;
+        if (do_supports_move(elasticity, moved))
+          step.supports -= lacking(step);
+        else
+          step.time_stepping += lacking(step);
+        return step;
+      }
     const double largest =
       std::max({std::abs(step.loads), std::abs(step.supports), std::abs(step.obstacles),
                 std::abs(step.elastic_change), std::abs(step.dissipation),
                 std::abs(step.time_stepping), least_part * step.elastic_energy});
-    if (!is_carried_)
-      step.error = largest > 0. ? std::abs(lacking) / largest : 0.;
-    is_carried_ = false;
+    step.error = largest > 0. ? std::abs(lacking(step)) / largest : 0.;
     return step;
   }
 } // namespace stiction

@@ -8,12 +8,17 @@ namespace stiction
     : ParameterAcceptor("Contact solver")
   {
     add_parameter("Method", method,
-                  "newton: semismooth Newton on the dual problem, the fastest of the "
-                  "dual methods; where it stands still, as with bodies that are held "
+                  "automatic: newton multigrid, or newton where that is not taken: for "
+                  "a problem from a file, and beside 'Form = by solves', 'Type = "
+                  "mumps', 'Coulomb iteration = fixed point', 'Export directory' or "
+                  "'Measure factorizations'. newton: semismooth Newton on the dual "
+                  "problem, the fastest of the dual methods; where it stands still, as "
+                  "with bodies that are held "
                   "weakly, its systems are solved directly, and an interior point "
                   "method and successive approximations help. newton multigrid: "
                   "semismooth Newton on the displacements, without Q, for about the "
-                  "price of two elastic solves; the one for large bodies. gauss "
+                  "price of two elastic solves; where its steps come no closer, newton "
+                  "goes on for bodies up to 100,000 unknowns. gauss "
                   "seidel: the paper's ALGORITHM GS, alternating between the normal "
                   "forces (half-lines) and the tangential forces (discs, ALGORITHM "
                   "QPQ). mpgp: conjugate gradients with projections on half-lines "
@@ -22,8 +27,8 @@ namespace stiction
                   "ALG_4, discs replaced by 'Squares' rotated squares; another "
                   "problem, so never certified unless nothing slips.",
                   prm,
-                  Patterns::Selection("newton|newton multigrid|gauss seidel|mpgp|admm|"
-                                      "squares"));
+                  Patterns::Selection("automatic|newton|newton multigrid|gauss seidel|"
+                                      "mpgp|admm|squares"));
     add_parameter("Tolerance", tolerance,
                   "What every error figure of the certificate has to reach; "
                   "they are relative, so that no unit enters. All inner "

@@ -8,6 +8,7 @@
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/slave_side.h>
+#include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
@@ -26,6 +27,44 @@ namespace stiction
   {
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
+
+    // A node with less is beyond the edge of what lies opposite, but for rounding.
+    constexpr double covered = 0.499;
+
+    // Of the area of a surface: less than the first is all of it, more than the second
+    // is another one.
+    constexpr double all_of_it = 0.999, smaller = 0.99;
+
+    double area(const std::vector<SurfaceFace> &faces)
+    {
+      double sum = 0.;
+      for (const SurfaceFace &face : faces)
+        sum += face.area();
+      return sum;
+    }
+
+    // Whether a surface ends within another one, which goes on beyond its edges.
+    bool ends_within(const LinearElasticity &elasticity,
+                     const std::vector<SurfaceFace> &inner,
+                     const std::vector<SurfaceFace> &outer)
+    {
+      return area(inner) < smaller * area(outer) &&
+             Mortar(elasticity, inner, outer).areas.sum() > all_of_it * area(inner);
+    }
+
+    // Forces act at nodes of the slave side, so that a contact ends where it should if
+    // that is the side with the edge.
+    SlaveSide best_side(const LinearElasticity &elasticity,
+                        const std::vector<SurfaceFace> &first,
+                        const std::vector<SurfaceFace> &second)
+    {
+      const SlaveSide side = choose_slave_side(first, second);
+      const bool has_edge  = side.is_first ? ends_within(elasticity, second, first)
+                                           : ends_within(elasticity, first, second);
+      if (has_edge && !side.is_much_softer)
+        return {!side.is_first, false, "the side that ends within the other"};
+      return side;
+    }
 
     // The smallest edge of the boxes around the bodies at two boundaries.
     double thinnest(const Body &body, const ContactBoundary &pair)
@@ -133,8 +172,8 @@ namespace stiction
         {
           auto first           = surface_faces(elasticity, boundary.id());
           auto second          = surface_faces(elasticity, boundary.partner());
-          const SlaveSide side = choose_side(boundary, choose_slave_side(first, second),
-                                             rank, bodies_at, order);
+          const SlaveSide side = choose_side(
+            boundary, best_side(elasticity, first, second), rank, bodies_at, order);
           boundary.take_side(side.is_first, side.reason);
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(
@@ -188,12 +227,28 @@ namespace stiction
     const Eigen::Index i = mortar.row_of(node.first_dof);
     if (i < 0 || mortar.areas(i) < least_cover * node.area)
       return false;
+    node.cover          = mortar.areas(i) / node.area;
     node.area           = mortar.areas(i);
     node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
     const ContactBoundary &boundary = boundaries_[node.boundary];
     node.gap                        = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? mortar.gaps(i) : 0.);
     return true;
+  }
+
+  double ContactSurface::share_beyond_edge(const ContactBoundary &pair,
+                                           const Eigen::VectorXd &lambda) const
+  {
+    double beyond = 0., all = 0.;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (boundaries_[nodes_[i].boundary].id() == pair.id())
+        {
+          const double force = std::max(lambda(i), 0.);
+          all += force;
+          if (nodes_[i].cover < covered)
+            beyond += force;
+        }
+    return all > 0. ? beyond / all : 0.;
   }
 
   ContactOperator::OtherSide ContactSurface::other_side(

@@ -81,6 +81,12 @@ namespace stiction
     return (across * (centre() - in) > 0. ? 1. : -1.) / across.norm() * across;
   }
 
+  double SurfaceFace::area() const
+  {
+    const auto c = corners();
+    return 0.5 * cross_product_3d(c[2] - c[0], c[3] - c[1]).norm();
+  }
+
   double SurfaceFace::diameter() const
   {
     const auto c = corners();

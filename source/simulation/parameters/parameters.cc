@@ -29,8 +29,14 @@ namespace stiction
       {
         geometry.complete(source);
         material.add_bodies(geometry.bodies);
-        check_body();
       }
+    if (contact_solver.method == "automatic")
+      contact_solver.method =
+        is_refused("newton multigrid", has_body) || dual_operator.form != "assembled"
+          ? "newton"
+          : "newton multigrid";
+    if (has_body)
+      check_body();
     this->output.check(source);
 
     std::ostringstream out;

@@ -44,6 +44,11 @@ namespace stiction
   /// Cartesian components, in which what the turning changes of the slip counts to X,
   /// and so does the work at nodes that are contact nodes at one end alone.
   ///
+  /// On a new mesh the interpolated u₀ is in no equilibrium, and near ν = 0.5 its
+  /// internal forces are much too large. ΔE is then that of the energies, E₀ on the mesh
+  /// before; the balance gives the work of supports that move, or else X, with the energy
+  /// that the new mesh changes.
+  ///
   /// The first step begins without displacement and forces, whatever the loads there:
   /// the energy that an initial interference gives to the body is in its X.
   class EnergyBalance
@@ -58,8 +63,7 @@ namespace stiction
       double time_stepping  = 0.; ///< X
       double elastic_energy = 0.; ///< E at its end
       /// What the balance lacks, relative to the largest term, or to 1e-6 E where all
-      /// are smaller; nothing after a change of the mesh, where the forces λ₀ were
-      /// interpolated and are in no equilibrium.
+      /// are smaller; nothing after a change of the mesh, where it gives a term.
       std::optional<double> error;
 
       /// Adds up terms and takes the other's energy. The error is that of no step.
@@ -74,9 +78,12 @@ namespace stiction
     /// Goes on from the end of a step.
     ///
     /// @param surface at the time of that, for the gaps.
-    /// @param is_carried whether the state was carried to another mesh.
+    /// @param energy_before on the mesh from which the state was carried, if it was, J.
     EnergyBalance(const LinearElasticity &elasticity, const ContactSurface &surface,
-                  const State &state, bool is_carried);
+                  const State &state, std::optional<double> energy_before = {});
+
+    /// E of the last end, on the mesh where that was solved, J.
+    double elastic_energy() const { return elastic_energy_; }
 
     /// Takes the end of a step. Collective.
     ///
@@ -105,7 +112,8 @@ namespace stiction
                             const ContactSurface &surface, const State &state);
 
     End last_;
-    bool is_carried_ = false; ///< the last end, from another mesh
+    double elastic_energy_ = 0.;
+    bool is_carried_       = false; ///< the last end, from another mesh
   };
 } // namespace stiction
 

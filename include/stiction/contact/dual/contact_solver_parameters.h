@@ -15,7 +15,7 @@ namespace stiction
     /// Whether the method solves for displacements, not for contact forces.
     bool is_primal() const;
 
-    std::string method              = "newton";
+    std::string method              = "automatic";
     double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
     std::string disc_solver         = "newton";

@@ -48,6 +48,9 @@ namespace stiction
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
     double area = 0.;
+    /// Of a pair: of what is around it, how much has something opposite. With less than
+    /// half a node is beyond the edge of what lies opposite, or next to a corner of it.
+    double cover = 1.;
     /// The largest of the cells behind it, Pa; of a pair that of the softer body.
     double youngs_modulus = 0.;
     double coefficient    = 0.; ///< F of Coulomb's law
@@ -181,6 +184,11 @@ namespace stiction
     {
       return to_other_side_;
     }
+
+    /// Of the normal force of a contact boundary that is a pair, how much acts at nodes
+    /// beyond the edge of what lies opposite.
+    double share_beyond_edge(const ContactBoundary &pair,
+                             const Eigen::VectorXd &lambda) const;
 
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }

@@ -40,6 +40,9 @@ namespace stiction
     /// Unit, outward, by the diagonals.
     dealii::Tensor<1, 3> normal() const;
 
+    /// That of the flat quadrilateral between the corners, m².
+    double area() const;
+
     /// The longer diagonal, m.
     double diameter() const;
   };

@@ -109,7 +109,7 @@ namespace stiction
     ContactPairParameters contact;
     TimeParameters time;
     FrictionParameters friction;
-    ContactSolverParameters contact_solver;
+    ContactSolverParameters contact_solver; ///< its method never automatic once read
     StiffnessSolverParameters stiffness_solver;
     DualOperatorParameters dual_operator;
     OutputParameters output;
