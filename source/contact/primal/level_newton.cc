@@ -204,11 +204,16 @@ namespace stiction
       statistics_.factorized_from = statistics_.newton_steps + 1;
   }
 
-  void LevelNewton::fall_back(ContactState &state, const double residual,
+  void LevelNewton::fall_back(ContactState &state, double residual,
                               const double tolerance, const unsigned int max_steps)
   {
     // one digit more each time, so that given friction gets there by this alone
     ++statistics_.fallbacks;
+    if (last_fallback_ && last_fallback_->residual < residual)
+      {
+        state    = last_fallback_->state;
+        residual = last_fallback_->residual;
+      }
     const double target = std::max(0.5 * tolerance, 0.1 * residual);
     MethodOfMultipliers multipliers(problem_, system_);
     unsigned int steps = 0;
@@ -219,9 +224,11 @@ namespace stiction
                     state, bound, target, std::min(max_fallback_steps, max_steps - steps));
         steps += effort.newton_steps;
         statistics_.IterationCounts::operator+=(effort);
-        if (ContactResidual(problem_, state, problem_.slip_bound()).value() <= target)
+        residual = ContactResidual(problem_, state, problem_.slip_bound()).value();
+        if (residual <= target)
           break;
       }
+    last_fallback_ = {state, residual};
     note_factorization();
   }
 } // namespace stiction

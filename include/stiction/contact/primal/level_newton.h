@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace stiction
@@ -106,7 +107,8 @@ namespace stiction
     void step(ContactState &state, const Eigen::VectorXd &lambda,
               const ContactResidual &residual, double tolerance);
 
-    /// The method of multipliers from this state on.
+    /// The method of multipliers, from this state on or from where it ended last if that
+    /// was better, for one digit more.
     void fall_back(ContactState &state, double residual, double tolerance,
                    unsigned int max_steps);
 
@@ -117,6 +119,14 @@ namespace stiction
     NewtonSystem system_;
     double c_;
     bool stands_still_ = false;
+
+    struct Fallback
+    {
+      ContactState state;
+      double residual;
+    };
+    std::optional<Fallback> last_fallback_; ///< its end
+
     Statistics statistics_;
   };
 } // namespace stiction
