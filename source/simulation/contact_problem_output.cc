@@ -44,7 +44,7 @@ namespace stiction
     constexpr double large_deformation = 0.1;
 
     // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
-    constexpr double much_beyond_edge = 0.3;
+    constexpr double much_beyond_edge = 1. / 3.;
   } // namespace
 
   std::vector<NodeStatus> ContactProblem::node_statuses() const
@@ -215,7 +215,8 @@ namespace stiction
           share > much_beyond_edge)
         warnings.push_back(format(
           "%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' beyond the "
-          "edge of what lies opposite, by up to a cell, so that a body tips late: "
+          "edge of what lies opposite, by up to a cell: a body tips late, and pressures "
+          "at such an edge are too large; "
           "let the other side bear the forces ('Slave side'), or make cells finer there.",
           100. * share, pair.name().c_str(), pair.partner_name().c_str(),
           pair.name().c_str()));

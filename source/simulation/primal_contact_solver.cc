@@ -27,12 +27,25 @@ namespace stiction
     // An iterate with a larger residual is a worse start for it than none: a body that
     // contact alone holds may have left.
     constexpr double residual_of_start = 0.1;
+
+    // Up to here the dual method newton, which factorises once, is the faster one, above
+    // all in load steps.
+    constexpr unsigned int small_body = 10000, small_contact = 2000;
+
+    // Up to here it is where multigrid is no good: the other one factorises in each step.
+    constexpr unsigned int medium_contact = 6000;
   } // namespace
 
   PrimalContactSolver::PrimalContactSolver(const Setting &setting)
     : ContactSolver(setting)
     , can_hand_over_(can_hand_over())
   {
+    if (const std::string why = why_not_at_all(); !why.empty())
+      {
+        print_progress(why);
+        dual_ = std::make_unique<DualContactSolver>(setting_);
+        return;
+      }
     const auto phase             = setting_.phases.scope("stiffness_setup");
     const Parameters &parameters = setting_.parameters;
     print_progress("Newton method in displacements: " +
@@ -40,7 +53,11 @@ namespace stiction
     LevelNewton::Options options;
     options.other_method = other_method();
     if (can_hand_over_)
-      options.max_fallbacks = max_fallbacks;
+      {
+        options.max_fallbacks = max_fallbacks;
+        options.factorizes    = !parameters.contact_solver.is_automatic ||
+                             3 * setting_.surface.n_nodes() > medium_contact;
+      }
     try
       {
         newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
@@ -94,7 +111,11 @@ namespace stiction
     }
     if (!status.stands_still || status.interrupted || !can_hand_over_)
       return status;
-    print_progress("Newton steps in displacements come no closer, 'newton' goes on:");
+    const auto n_dual = static_cast<unsigned int>(3 * setting_.surface.n_nodes());
+    print_progress("Newton steps in displacements come no closer, 'newton' goes on" +
+                   (n_dual > medium_contact
+                      ? format(", which may take minutes with %u dual unknowns:", n_dual)
+                      : ":"));
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_);
     const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
@@ -107,6 +128,18 @@ namespace stiction
     print_progress("Once more, without what was found:");
     forget();
     return solve_dual();
+  }
+
+  std::string PrimalContactSolver::why_not_at_all() const
+  {
+    if (!setting_.parameters.contact_solver.is_automatic || !can_hand_over_)
+      return "";
+    if (setting_.surface.has_stiff_slaves())
+      return "Method: newton, since forces of a pair are on its stiffer side";
+    if (setting_.elasticity.mesh().n_dofs() <= small_body &&
+        3 * setting_.surface.n_nodes() <= small_contact)
+      return "Method: newton, since the body is small";
+    return "";
   }
 
   bool PrimalContactSolver::can_hand_over() const

@@ -1,6 +1,6 @@
 // What newton multigrid comes no closer to, friction ellipses thirty times as long as
-// wide, is certified all the same: the dual method newton goes on, with the forces that
-// it finds alone, over several times too.
+// wide and more, is certified all the same: the dual method newton goes on, with the
+// forces that it finds alone, over several times too.
 
 #include "tests.h"
 
@@ -11,9 +11,10 @@ namespace
   void check(const std::string &name, const Settings &settings,
              const std::string &file = shipped("orthotropic_friction.prm"))
   {
-    const Settings all = settings + Settings{"Friction/Coefficient=0.9; 0.03",
-                                             "Contact solver/Tolerance=1e-10",
-                                             "Output/Write solution=false"};
+    const Settings all =
+      Settings{"Friction/Coefficient=0.9; 0.03", "Contact solver/Tolerance=1e-10",
+               "Output/Write solution=false"} +
+      settings;
     const Run alone(file, all + Settings{"Contact solver/Method=newton"});
     const Run handed(file, all + Settings{"Contact solver/Method=newton multigrid"});
     const auto solver = handed.summary()["solver"];
@@ -26,7 +27,7 @@ namespace
 int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  check("moved", {});
+  check("moved", {"Friction/Coefficient=0.9; 0.02"});
   check("two steps", {"Time/End=1", "Time/Steps=2",
                       "Boundary conditions/Prescribed displacement=right : 0; free; free "
                       "| top : 0; 4e-5*t; -1e-4*(1 + y/2)*t"});

@@ -29,8 +29,12 @@ namespace stiction
     /// Whether the body and its dual operator are small enough. Collective.
     bool can_hand_over() const;
 
+    /// Where the method is chosen, not said, and newton is known to be the better one:
+    /// why. Else empty.
+    std::string why_not_at_all() const;
+
     const bool can_hand_over_;
-    std::unique_ptr<NewtonMultigrid> newton_; ///< none where slaves follow in a circle
+    std::unique_ptr<NewtonMultigrid> newton_; ///< none where it is left to newton at once
     std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
   };
 } // namespace stiction

@@ -8,10 +8,12 @@ namespace stiction
     : ParameterAcceptor("Contact solver")
   {
     add_parameter("Method", method,
-                  "automatic: newton multigrid, or newton where that is not taken: for "
+                  "automatic: newton multigrid, or newton where that is not taken, for "
                   "a problem from a file, and beside 'Form = by solves', 'Type = "
                   "mumps', 'Coulomb iteration = fixed point', 'Export directory' or "
-                  "'Measure factorizations'. newton: semismooth Newton on the dual "
+                  "'Measure factorizations', or where newton is known to be better: "
+                  "small bodies, forces of a pair on its stiffer side. newton: "
+                  "semismooth Newton on the dual "
                   "problem, the fastest of the dual methods; where it stands still, as "
                   "with bodies that are held "
                   "weakly, its systems are solved directly, and an interior point "

@@ -127,8 +127,16 @@ namespace stiction
       const double length          = sliding.norm();
       const Tensor<1, 3> direction = sliding / length;
       const double pushing         = load * direction;
-      double borne                 = pushing - work / length;
-      borne                        = borne > no_force * pushing ? borne : 0.;
+      const double lacking         = work / length;
+      const std::string moves = who + (slides ? " slide" + s : " move" + s + "away ") +
+                                "along " + vector(direction, 1.) + ", where the loads ";
+      const std::string bears = slides ? "friction bears" : "contact bears";
+      // of bodies that move each in its own direction the work alone is known
+      if (pushing < (1. - no_force) * lacking)
+        return moves + "push with " + with_unit(format("%.3g", lacking), units.force) +
+               " more than " + bears;
+      const double borne =
+        pushing - lacking > no_force * pushing ? pushing - lacking : 0.;
       // so many digits that they differ
       std::string push, bear;
       for (unsigned int digits = 4; digits <= 12 && push == bear; ++digits)
@@ -137,10 +145,7 @@ namespace stiction
           push                   = format(form.c_str(), pushing);
           bear                   = format(form.c_str(), borne);
         }
-      return who + (slides ? " slide" + s : " move" + s + "away ") + "along " +
-             vector(direction, 1.) + ", where the loads push with " +
-             with_unit(push, units.force) +
-             (slides ? " and friction bears " : " and contact bears ") +
+      return moves + "push with " + with_unit(push, units.force) + " and " + bears + " " +
              with_unit(bear, units.force);
     }
   } // namespace

@@ -76,10 +76,11 @@ namespace stiction
     add_parameter("Slave side", slave_side,
                   "Of a contact pair the side whose nodes carry the contact forces: "
                   "boundary, the one of 'Contact boundary', or obstacle, the one of "
-                  "'Obstacle'. automatic: the side that ends within the other, unless "
-                  "E/h of its cells, h being their size before refinement, is 30 times "
-                  "larger; otherwise the softer side if E/h is less by a factor of two or "
-                  "more, then that with smaller cells. Either gives the same answer but for the error of the "
+                  "'Obstacle'. automatic: the side that ends within the other; of two "
+                  "that go on the softer one if E/h of its cells, h being their size "
+                  "before refinement, is less by a factor of two or more, otherwise that "
+                  "with smaller cells. Either gives the same answer but for the "
+                  "error of the "
                   "mesh.",
                   prm, Patterns::Anything());
     add_parameter("Mesh gap", mesh_gap,

@@ -80,10 +80,11 @@ namespace stiction
     const auto empty = std::find(n.begin(), n.end(), 0u);
     if (empty == n.end())
       return;
-    throw InputError(boundaries_[empty - n.begin()].source().describe(entry) +
-                     (n.size() == 1
+    const ContactBoundary &boundary = boundaries_[empty - n.begin()];
+    throw InputError(boundary.source().describe(entry) +
+                     (n.size() == 1 && !boundary.is_pair()
                         ? ""
-                        : ", boundary '" + boundaries_[empty - n.begin()].name() + "'") +
+                        : ", boundary '" + boundary.name() + "'") +
                      ", " + reason + ".");
   }
 

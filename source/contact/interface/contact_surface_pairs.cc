@@ -61,9 +61,7 @@ namespace stiction
       const SlaveSide side = choose_slave_side(first, second);
       const bool has_edge  = side.is_first ? ends_within(elasticity, second, first)
                                            : ends_within(elasticity, first, second);
-      if (has_edge && !side.is_much_softer)
-        return {!side.is_first, false, "the side that ends within the other"};
-      return side;
+      return has_edge ? side.other("the side that ends within the other") : side;
     }
 
     // The smallest edge of the boxes around the bodies at two boundaries.
@@ -130,14 +128,18 @@ namespace stiction
       const auto master = best.is_first ? pair.partner() : pair.id();
       SlaveSide side    = best;
       if (pair.slave_side() != "automatic")
-        side = {pair.slave_side() == "boundary", false, "as 'Slave side' says"};
+        {
+          const bool is_best = (pair.slave_side() == "boundary") == best.is_first;
+          side               = is_best ? best : best.other("");
+          side.reason        = "as 'Slave side' says";
+        }
       else if (rank(slave) > rank(master))
-        side = {!best.is_first, false, "the side that bears no other ones"};
-      else if (!best.is_much_softer && rank(slave) == rank(master) &&
+        side = best.other("the side that bears no other ones");
+      else if (!best.is_much_softer() && rank(slave) == rank(master) &&
                order.closes_circle(bodies_at(slave), bodies_at(master)) &&
                !order.closes_circle(bodies_at(master), bodies_at(slave)))
-        side = {!best.is_first, false, "the side that closes no circle of bodies"};
-      if (best.is_much_softer && best.is_first != side.is_first)
+        side = best.other("the side that closes no circle of bodies");
+      if (side.is_much_stiffer())
         side.reason += ", although it is the stiffer one, for which newton "
                        "multigrid takes many iterations";
       return side;
@@ -175,6 +177,7 @@ namespace stiction
           const SlaveSide side = choose_side(
             boundary, best_side(elasticity, first, second), rank, bodies_at, order);
           boundary.take_side(side.is_first, side.reason);
+          has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(
               boundary.source().describe("Boundary conditions/Slave side") +

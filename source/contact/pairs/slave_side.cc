@@ -9,9 +9,6 @@ namespace stiction
     // Of E/h, and of h: less is the same.
     constexpr double softer = 2., finer = 1.001;
 
-    // Of E/h: newton multigrid takes many iterations on the other side.
-    constexpr double much_softer = 30.;
-
     // Of the size of cells before they were refined, so that a side stays the slave when
     // a mesh is refined in the middle of a history.
     struct Means
@@ -26,12 +23,14 @@ namespace stiction
             area += weight;
             size += weight * h;
             stiffness += weight * face.youngs_modulus / h;
+            modulus += weight * face.youngs_modulus;
           }
         size /= area;
         stiffness /= area;
+        modulus /= area;
       }
 
-      double size = 0., stiffness = 0.;
+      double size = 0., stiffness = 0., modulus = 0.;
     };
   } // namespace
 
@@ -62,14 +61,15 @@ namespace stiction
                               const std::vector<SurfaceFace> &second)
   {
     const Means a(first), b(second);
+    const SlaveSide side{true, b.modulus / a.modulus, "the first side"};
     if (softer * a.stiffness <= b.stiffness)
-      return {true, much_softer * a.stiffness <= b.stiffness, "the softer side"};
+      return {true, side.softness, "the softer side"};
     if (softer * b.stiffness <= a.stiffness)
-      return {false, much_softer * b.stiffness <= a.stiffness, "the softer side"};
+      return side.other("the softer side");
     if (finer * a.size < b.size)
-      return {true, false, "the finer side"};
+      return {true, side.softness, "the finer side"};
     if (finer * b.size < a.size)
-      return {false, false, "the finer side"};
-    return {true, false, "the first side"};
+      return side.other("the finer side");
+    return side;
   }
 } // namespace stiction

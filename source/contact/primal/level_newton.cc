@@ -46,7 +46,7 @@ namespace stiction
     , level_(level)
     , preconditioner_(preconditioner)
     , options_(options)
-    , system_(problem, level, preconditioner)
+    , system_(problem, level, preconditioner, options.factorizes)
     , c_(options.first_c)
   {
   }
@@ -92,6 +92,11 @@ namespace stiction
         stands_still_ = !std::isfinite(residual.value());
         if (stands_still_)
           return "the iteration broke down: the displacement is no number";
+        if (system_.is_too_hard() && residual.value() > tolerance)
+          {
+            stands_still_ = true;
+            return why_no_closer();
+          }
         const bool falls =
           history.size() <= fall_horizon ||
           history.back() <= required_fall * history[history.size() - 1 - fall_horizon];
@@ -135,6 +140,7 @@ namespace stiction
                                           const double rounding) const
   {
     return residual.force_scale < only_rounding * rounding &&
+           problem_.driven_motions().cols() == 0 &&
            problem_.slip_bound().constant().isZero(0.) &&
            problem_.motion().forces().isZero(0.);
   }

@@ -92,6 +92,7 @@ namespace stiction
     LevelNewton::Options for_start(LevelNewton::Options options)
     {
       options.max_fallbacks = std::min(options.max_fallbacks, 1u);
+      options.factorizes    = true;
       return options;
     }
   } // namespace

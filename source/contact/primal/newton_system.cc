@@ -18,9 +18,6 @@ namespace stiction
     // to be done with a piece is done at once.
     constexpr std::size_t block_size = 1536;
 
-    // So many systems left unfinished, and the next are factorised.
-    constexpr unsigned int max_unfinished = 3;
-
     using Piece      = Eigen::Map<Eigen::VectorXd>;
     using ConstPiece = Eigen::Map<const Eigen::VectorXd>;
 
@@ -90,10 +87,11 @@ namespace stiction
   } // namespace
 
   NewtonSystem::NewtonSystem(const ContactLevel &problem, const unsigned int level,
-                             Multigrid &preconditioner)
+                             Multigrid &preconditioner, const bool factorizes)
     : problem_(problem)
     , level_(level)
     , preconditioner_(preconditioner)
+    , factorizes_(factorizes)
     , residual_(problem.mesh().zero_vector<double>())
     , step_(residual_)
   {
@@ -280,7 +278,7 @@ namespace stiction
                                                  state.w, std::sqrt(square) / start}) ||
                                            square == 0.);
       }
-    if (!is_finished && ++n_unfinished_ >= max_unfinished &&
+    if (!is_finished && ++n_unfinished_ >= max_unfinished && factorizes_ &&
         preconditioner_.factorize(level_))
       {
         is_factorized_ = true;

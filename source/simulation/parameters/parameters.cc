@@ -30,7 +30,8 @@ namespace stiction
         geometry.complete(source);
         material.add_bodies(geometry.bodies);
       }
-    if (contact_solver.method == "automatic")
+    contact_solver.is_automatic = contact_solver.method == "automatic";
+    if (contact_solver.is_automatic)
       contact_solver.method =
         is_refused("newton multigrid", has_body) || dual_operator.form != "assembled"
           ? "newton"

@@ -16,6 +16,7 @@ namespace stiction
     bool is_primal() const;
 
     std::string method              = "automatic";
+    bool is_automatic               = false; ///< once that was replaced by a method
     double tolerance                = 1e-6;
     unsigned int maximum_iterations = 1000;
     std::string disc_solver         = "newton";

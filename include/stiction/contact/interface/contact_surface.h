@@ -185,6 +185,9 @@ namespace stiction
       return to_other_side_;
     }
 
+    /// Whether the forces of a pair are on a side that is much stiffer.
+    bool has_stiff_slaves() const { return has_stiff_slaves_; }
+
     /// Of the normal force of a contact boundary that is a pair, how much acts at nodes
     /// beyond the edge of what lies opposite.
     double share_beyond_edge(const ContactBoundary &pair,
@@ -251,7 +254,8 @@ namespace stiction
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
     qp::SlipBound slip_bound_;
-    double boundary_area_ = 0.;
+    double boundary_area_  = 0.;
+    bool has_stiff_slaves_ = false;
     ContactStiffness stiffness_;
 
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_,

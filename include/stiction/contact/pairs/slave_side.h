@@ -14,8 +14,20 @@ namespace stiction
   struct SlaveSide
   {
     bool is_first;
-    bool is_much_softer; ///< so that on the other one iterations are many more
+    double softness; ///< E of the other one over that of this one
     std::string reason;
+
+    SlaveSide other(const std::string &its_reason) const
+    {
+      return {!is_first, 1. / softness, its_reason};
+    }
+
+    bool is_much_softer() const { return softness >= much; }
+
+    /// So that newton multigrid takes many iterations, or factorises its systems.
+    bool is_much_stiffer() const { return softness <= 1. / much; }
+
+    static constexpr double much = 30.;
   };
 
   /// Which bodies are slaves of which. Where pairs meet at a node, slaves must not follow

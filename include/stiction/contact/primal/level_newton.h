@@ -35,6 +35,8 @@ namespace stiction
       double first_c = 0.1;
       /// How often it falls back before it counts as standing still.
       unsigned int max_fallbacks = 8;
+      /// Whether systems that take too many iterations are factorised, not the end.
+      bool factorizes = true;
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
       bool only_fallback = false;

@@ -37,8 +37,9 @@ namespace stiction
   public:
     /// @param level the number of the problem's level for the preconditioner.
     ///   All arguments must outlive the object.
+    /// @param factorizes whether it asks for factors where systems are hard.
     NewtonSystem(const ContactLevel &problem, unsigned int level,
-                 Multigrid &preconditioner);
+                 Multigrid &preconditioner, bool factorizes = true);
 
     /// The iterations that solve() takes at most beside those that move obstacles: their
     /// directions are kept, 12 bytes an unknown each.
@@ -64,6 +65,9 @@ namespace stiction
     unsigned int solve(ContactState &state, const PrimalActiveSet &linearization,
                        const std::function<bool(const Progress &)> &stop);
 
+    /// So many systems left unfinished, and the next are factorised.
+    static constexpr unsigned int max_unfinished = 3;
+
     /// How many systems were left at max_directions. After a few of them the
     /// preconditioner is asked to factorise the level; if it does, this is zero
     /// again.
@@ -71,6 +75,9 @@ namespace stiction
 
     /// Whether that was done.
     bool is_factorized() const { return is_factorized_; }
+
+    /// Whether it would ask, but is not to.
+    bool is_too_hard() const { return !factorizes_ && n_unfinished_ >= max_unfinished; }
 
   private:
     /// What an iteration adds: A d = v for the direction d, which is known as
@@ -129,6 +136,7 @@ namespace stiction
     const ContactLevel &problem_;
     const unsigned int level_;
     Multigrid &preconditioner_;
+    const bool factorizes_;
     std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
     LA::Vector residual_, step_;                         ///< scratch
     unsigned int n_unfinished_ = 0;
