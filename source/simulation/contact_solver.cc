@@ -27,10 +27,10 @@ namespace stiction
     return nullptr;
   }
 
-  std::string ContactSolver::other_method() const
+  std::string ContactSolver::other_method(const std::set<std::string> &tried) const
   {
     return setting_.parameters.advice_on_method(
-      setting_.surface.slip_bound().is_coulomb(), true);
+      setting_.surface.slip_bound().is_coulomb(), true, tried);
   }
 
   void ContactSolver::print_progress(const std::string &line) const

@@ -53,8 +53,10 @@ namespace stiction
     constexpr double first_accuracy    = 1e-2;
   } // namespace
 
-  DualContactSolver::DualContactSolver(const Setting &setting)
+  DualContactSolver::DualContactSolver(const Setting &setting,
+                                       const std::set<std::string> &tried)
     : ContactSolver(setting)
+    , tried_(tried)
   {
     set_up_stiffness_solver();
     set_up_dual_operator();
@@ -120,7 +122,8 @@ namespace stiction
     if (!method_)
       method_ = create_dual_method(chosen, Q, slip_bound.is_coulomb());
     return certified_solve(*method_, Q, slip_bound, verifier, tolerance,
-                           chosen.maximum_iterations, other_method(), observer, lambda);
+                           chosen.maximum_iterations, other_method(tried_), observer,
+                           lambda);
   }
 
   void DualContactSolver::forget_method()
@@ -303,7 +306,7 @@ namespace stiction
              "force, "
            : "no place of the body was found where contact holds it (do the "
              "loads ask for more than friction bears, is a gap too large?), ") +
-        other_method();
+        other_method(tried_);
     status.converged = false;
     state            = best;
     return status;

@@ -34,6 +34,8 @@ namespace stiction
 
     // Up to here it is where multigrid is no good: the other one factorises in each step.
     constexpr unsigned int medium_contact = 6000;
+
+    const std::set<std::string> both_methods = {"newton", "newton multigrid"};
   } // namespace
 
   PrimalContactSolver::PrimalContactSolver(const Setting &setting)
@@ -43,7 +45,8 @@ namespace stiction
     if (const std::string why = why_not_at_all(); !why.empty())
       {
         print_progress(why);
-        dual_ = std::make_unique<DualContactSolver>(setting_);
+        dual_ =
+          std::make_unique<DualContactSolver>(setting_, std::set<std::string>{"newton"});
         return;
       }
     const auto phase             = setting_.phases.scope("stiffness_setup");
@@ -68,7 +71,7 @@ namespace stiction
         if (can_hand_over_)
           {
             print_progress("Bodies follow each other in a circle, which 'newton' takes:");
-            dual_ = std::make_unique<DualContactSolver>(setting_);
+            dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
             return;
           }
         throw InputError(
@@ -117,7 +120,7 @@ namespace stiction
                       ? format(", which may take minutes with %u dual unknowns:", n_dual)
                       : ":"));
     if (!dual_)
-      dual_ = std::make_unique<DualContactSolver>(setting_);
+      dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
     const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
     const bool is_warm = residual < residual_of_start;
     if (!is_warm)

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <memory>
+#include <set>
+#include <string>
 
 namespace stiction
 {
@@ -66,8 +68,8 @@ namespace stiction
   protected:
     explicit ContactSolver(const Setting &setting);
 
-    /// What to choose where the method comes no closer.
-    std::string other_method() const;
+    /// What to choose where the method comes no closer, of methods that were not tried.
+    std::string other_method(const std::set<std::string> &tried = {}) const;
 
     void print_progress(const std::string &line) const;
 

@@ -22,7 +22,10 @@ namespace stiction
   class DualContactSolver : public ContactSolver
   {
   public:
-    explicit DualContactSolver(const Setting &setting);
+    /// @param tried the methods that count as tried if this one comes no closer, none:
+    ///   the one that the parameters say.
+    explicit DualContactSolver(const Setting &setting,
+                               const std::set<std::string> &tried = {});
     ~DualContactSolver() override;
 
     SolveStatus solve(State &state, const Observer &observer) override;
@@ -75,6 +78,7 @@ namespace stiction
     std::unique_ptr<DualOperator> Q_;
     std::unique_ptr<DeflatedOperator> deflated_; ///< of a body with free motions
     std::unique_ptr<AugmentedOperator> augmented_;
+    const std::set<std::string> tried_;
     std::unique_ptr<DualMethod> method_;  ///< of the last solve
     DualMethodStatistics earlier_;        ///< of methods before it
     double earlier_multiplications_ = 0.; ///< of augmented operators before

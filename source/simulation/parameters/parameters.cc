@@ -176,8 +176,8 @@ namespace stiction
             performance.measure_factorizations);
   }
 
-  std::string Parameters::advice_on_method(const bool is_coulomb,
-                                           const bool has_body) const
+  std::string Parameters::advice_on_method(const bool is_coulomb, const bool has_body,
+                                           std::set<std::string> tried) const
   {
     const ContactSolverParameters &chosen = contact_solver;
     const std::string &method             = chosen.method;
@@ -192,9 +192,11 @@ namespace stiction
     if (method == "newton" && dual_operator.form != "assembled")
       return "choose 'Dual operator/Form = assembled'";
 
+    if (tried.empty())
+      tried = {method};
     std::vector<std::string> others;
     for (const char *const other : {"newton", "newton multigrid", "admm", "gauss seidel"})
-      if (other != method && !is_refused(other, has_body))
+      if (tried.count(other) == 0 && !is_refused(other, has_body))
         others.push_back(std::string("'") +
                          (others.empty() ? "Contact solver/Method = " : "") + other +
                          "'");

@@ -17,6 +17,7 @@
 #include <stiction/simulation/parameters/time_parameters.h>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -85,8 +86,10 @@ namespace stiction
     /// newton' or 'newton multigrid'".
     ///
     /// @param is_coulomb whether there is Coulomb friction. @param has_body
-    ///   whether there is a body, not Q and h alone.
-    std::string advice_on_method(bool is_coulomb, bool has_body) const;
+    ///   whether there is a body, not Q and h alone. @param tried what is in use, none:
+    ///   'Contact solver/Method'.
+    std::string advice_on_method(bool is_coulomb, bool has_body,
+                                 std::set<std::string> tried = {}) const;
 
     /// What the rooms of the body and of contact are told of all this, which must
     /// outlive it.
