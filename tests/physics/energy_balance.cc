@@ -122,8 +122,8 @@ namespace
           << yes(sums.n == 3 && sums.n_unknown == 2 && sums.worst < 1e-8) << std::endl;
 
     // forces of an interpolated displacement are thousands of times too large there
-    const Settings soft = dragged + Settings{"Time/Steps=1, 2, 3",
-                                             "Material/Poisson ratio=0.4999"};
+    const Settings soft =
+      dragged + Settings{"Time/Steps=1, 2, 3", "Material/Poisson ratio=0.4999"};
     const Sums changing =
       sums_of({shipped("brick.prm"), soft + Settings{"Refinement/Adaptive steps=1"}});
     const Sums fixed =

@@ -81,8 +81,11 @@ namespace stiction
     if (empty == n.end())
       return;
     const ContactBoundary &boundary = boundaries_[empty - n.begin()];
+    // of a pair the slave may be the one that the entry does not say
+    const bool is_clear =
+      boundary.source().describe(entry).find(boundary.name()) != std::string::npos;
     throw InputError(boundary.source().describe(entry) +
-                     (n.size() == 1 && !boundary.is_pair()
+                     (n.size() == 1 && (is_clear || !boundary.is_pair())
                         ? ""
                         : ", boundary '" + boundary.name() + "'") +
                      ", " + reason + ".");
