@@ -86,7 +86,7 @@ namespace stiction
       describe_interference();
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       go_on(times);
-      begin_balance({});
+      begin_balance();
       while (!times.is_finished() && take_step(times))
         {
         }

@@ -209,7 +209,7 @@ namespace stiction
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
     for (const ContactBoundary &pair : surface.boundaries())
-      if (const double share = pair.is_pair() && !pair.is_tied()
+      if (const double share = status_.converged && pair.is_pair() && !pair.is_tied()
                                  ? surface.share_beyond_edge(pair, state_.lambda)
                                  : 0.;
           share > much_beyond_edge)

@@ -78,7 +78,7 @@ namespace stiction
     return true;
   }
 
-  void ContactProblem::begin_balance(const std::optional<double> energy_before)
+  void ContactProblem::begin_balance()
   {
     if (!steps_)
       return;
@@ -89,8 +89,13 @@ namespace stiction
     if (ends_.empty())
       balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
     else
-      balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface,
-                                                 ends_.front().state, energy_before);
+      {
+        std::optional<double> energy_before; // on the mesh before, if there was one
+        if (balance_)
+          energy_before = balance_->elastic_energy();
+        balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface,
+                                                   ends_.front().state, energy_before);
+      }
   }
 
   void ContactProblem::begin_step(const TimeSteps &times)
@@ -332,8 +337,7 @@ namespace stiction
         state.scales = ends_.front().state.scales;
         ends_        = {{time, std::move(state)}};
       }
-    begin_balance(balance_ ? std::optional<double>(balance_->elastic_energy())
-                           : std::nullopt);
+    begin_balance();
   }
 
   bool ContactProblem::has_steps() const

@@ -66,10 +66,13 @@ namespace stiction
 
   std::string DualContactSolver::stiffness_solver_type() const
   {
-    // who hands over may have failed because of its multigrid
-    return setting_.parameters.contact_solver.is_primal()
+    const Parameters &parameters = setting_.parameters;
+    // multigrid may be why another method came no closer
+    const bool is_free = parameters.stiffness_solver.type == "automatic" ||
+                         tried_.count("newton multigrid") > 0;
+    return parameters.contact_solver.is_primal() && is_free
              ? "mumps"
-             : setting_.parameters.stiffness_solver_type();
+             : parameters.stiffness_solver_type();
   }
 
   void DualContactSolver::set_up_stiffness_solver()

@@ -89,9 +89,7 @@ namespace stiction
     bool take_step(TimeSteps &times);
     /// Of several steps: from the body as it is made, or from the end of the last step.
     /// Leaves the problem at the time of that.
-    ///
-    /// @param energy_before see EnergyBalance, where it was carried to a refined mesh.
-    void begin_balance(std::optional<double> energy_before);
+    void begin_balance();
     void solve_at(double time);
     void begin_step(const TimeSteps &times);
     /// Makes the state the end of a step, and writes its results if there are several.

@@ -20,7 +20,7 @@ namespace stiction
     // most; a history of 100,000 steps has larger ones.
     constexpr double least_part = 1e-6;
 
-    // Of the largest displacement: less is what interpolation to a new mesh rounds.
+    // Of the largest change of the displacement: less is rounding.
     constexpr double at_rest = 1e-12;
 
     double lacking(const EnergyBalance::Step &step)
@@ -99,6 +99,10 @@ namespace stiction
     , elastic_energy_(energy_before.value_or(0.5 * (last_.u * last_.internal_force)))
     , is_carried_(energy_before.has_value())
   {
+    // interpolated to new nodes it is not what is prescribed there
+    for (const auto dof : elasticity.body().locally_owned_dofs())
+      if (elasticity.is_prescribed(dof))
+        last_.u(dof) = elasticity.prescribed_value(dof);
   }
 
   EnergyBalance::End EnergyBalance::end_of(const LinearElasticity &elasticity,

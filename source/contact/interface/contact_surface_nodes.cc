@@ -28,6 +28,9 @@ namespace stiction
 
   namespace
   {
+    // Of a pair the side with the forces need not be the one that it says.
+    const std::string contact_boundary_entry = "Boundary conditions/Contact boundary";
+
     std::vector<types::global_dof_index> first_dofs_of(
       const std::vector<ContactNode> &nodes)
     {
@@ -45,7 +48,7 @@ namespace stiction
     join_pairs(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
-    require_nodes("Boundary conditions/Contact boundary",
+    require_nodes(contact_boundary_entry,
                   boundaries_.size() == 1
                     ? "the displacement is prescribed at every node of this "
                       "boundary, must be a boundary with free nodes"
@@ -81,14 +84,12 @@ namespace stiction
     if (empty == n.end())
       return;
     const ContactBoundary &boundary = boundaries_[empty - n.begin()];
-    // of a pair the slave may be the one that the entry does not say
-    const bool is_clear =
-      boundary.source().describe(entry).find(boundary.name()) != std::string::npos;
-    throw InputError(boundary.source().describe(entry) +
-                     (n.size() == 1 && (is_clear || !boundary.is_pair())
-                        ? ""
-                        : ", boundary '" + boundary.name() + "'") +
-                     ", " + reason + ".");
+    throw InputError(
+      boundary.source().describe(entry) +
+      (n.size() == 1 && !(boundary.is_pair() && entry == contact_boundary_entry)
+         ? ""
+         : ", boundary '" + boundary.name() + "'") +
+      ", " + reason + ".");
   }
 
   void ContactSurface::place_obstacles()

@@ -31,9 +31,20 @@ namespace stiction
     // A node with less is beyond the edge of what lies opposite, but for rounding.
     constexpr double covered = 0.499;
 
-    // Of the area of a surface: less than the first is all of it, more than the second
-    // is another one.
+    // Of the area of a surface: more than the first is all of it, less than the second is
+    // a smaller one.
     constexpr double all_of_it = 0.999, smaller = 0.99;
+
+    // Of a cosine: normals within it are those of a flat surface, whose area stays what
+    // it is when the mesh is refined.
+    constexpr double flat = 0.99;
+
+    bool is_flat(const std::vector<SurfaceFace> &faces)
+    {
+      return std::all_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
+        return face.normal() * faces.front().normal() > flat;
+      });
+    }
 
     double area(const std::vector<SurfaceFace> &faces)
     {
@@ -43,12 +54,12 @@ namespace stiction
       return sum;
     }
 
-    // Whether a surface ends within another one, which goes on beyond its edges.
+    // Whether a flat surface ends within another one, which goes on beyond its edges.
     bool ends_within(const LinearElasticity &elasticity,
                      const std::vector<SurfaceFace> &inner,
                      const std::vector<SurfaceFace> &outer)
     {
-      return area(inner) < smaller * area(outer) &&
+      return is_flat(inner) && is_flat(outer) && area(inner) < smaller * area(outer) &&
              Mortar(elasticity, inner, outer).areas.sum() > all_of_it * area(inner);
     }
 
@@ -177,7 +188,6 @@ namespace stiction
           const SlaveSide side = choose_side(
             boundary, best_side(elasticity, first, second), rank, bodies_at, order);
           boundary.take_side(side.is_first, side.reason);
-          has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(
               boundary.source().describe("Boundary conditions/Slave side") +
@@ -187,13 +197,16 @@ namespace stiction
               "other side, or make boundaries of their own of the parts.");
           if (!side.is_first)
             std::swap(first, second);
-          mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
+          mortars_[b]      = std::make_unique<Mortar>(elasticity, first, second);
+          const auto slave = boundary.id();
           if (boundary.is_tied())
             {
               with_forces.erase(boundary.id());
               tie(b, elasticity, first, second);
               with_forces.insert(boundary.id());
             }
+          const SlaveSide taken = boundary.id() == slave ? side : side.other("");
+          has_stiff_slaves_     = has_stiff_slaves_ || taken.is_much_stiffer();
           order.add(bodies_at(boundary.id()), bodies_at(boundary.partner()));
           require_side_by_side(boundary, *mortars_[b], elasticity.body());
         }

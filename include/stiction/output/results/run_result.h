@@ -50,7 +50,7 @@ namespace stiction
       };
 
       std::string law;
-      std::string handed_over_to; ///< the method that went on, if one did
+      std::string handed_over_to; ///< the method that went on, or was taken instead
       unsigned long dual_multiplications = 0;
       unsigned int stiffness_solves = 0, stiffness_krylov_iterations = 0;
       std::vector<Level> levels;
