@@ -185,8 +185,10 @@ namespace stiction
         {
           auto first           = surface_faces(elasticity, boundary.id());
           auto second          = surface_faces(elasticity, boundary.partner());
-          const SlaveSide side = choose_side(
-            boundary, best_side(elasticity, first, second), rank, bodies_at, order);
+          const SlaveSide best = boundary.slave_side() == "automatic"
+                                   ? best_side(elasticity, first, second)
+                                   : choose_slave_side(first, second);
+          const SlaveSide side = choose_side(boundary, best, rank, bodies_at, order);
           boundary.take_side(side.is_first, side.reason);
           if (!with_forces.insert(boundary.id()).second)
             throw InputError(
