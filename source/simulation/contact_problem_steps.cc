@@ -89,13 +89,9 @@ namespace stiction
     if (ends_.empty())
       balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
     else
-      {
-        std::optional<double> energy_before; // on the mesh before, if there was one
-        if (balance_)
-          energy_before = balance_->elastic_energy();
-        balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface,
-                                                   ends_.front().state, energy_before);
-      }
+      balance_ = std::make_unique<EnergyBalance>(
+        *elasticity, *surface, ends_.front().state,
+        balance_ ? std::optional(balance_->elastic_energy()) : std::nullopt);
   }
 
   void ContactProblem::begin_step(const TimeSteps &times)
