@@ -11,7 +11,8 @@ namespace stiction
   {
     const qp::Scaling &scaling = conditions.scaling();
     const double figure        = conditions.worst_figure().second;
-    const double accuracy      = figure <= tolerance ? tolerance : figure; // or NaN
+    const double rounding      = tolerance / 100.;
+    const double accuracy      = figure <= rounding ? rounding : figure; // or NaN
 
     std::vector<NodeStatus> statuses;
     statuses.reserve(slip_bound.n_nodes());
@@ -21,8 +22,10 @@ namespace stiction
         const double u0         = scaling.displacement_at(i);
         const Eigen::Vector3d a = at_node(conditions.lambda(), i) / force -
                                   at_node(conditions.gradient(), i) / u0;
-        const double F      = slip_bound.coefficient()(i);
-        const double margin = 5. * accuracy * (1. + stiffness(i) * u0 / force);
+        const double F = slip_bound.coefficient()(i);
+        // of gap and slip, and of forces
+        const double error       = 5. * accuracy;
+        const double force_error = error * (1. + stiffness(i) * u0 / force);
 
         if (slip_bound.is_tied(i))
           {
@@ -31,9 +34,9 @@ namespace stiction
           }
         // a NaN is neither above nor below
         NodeStatus status{NormalStatus::undecided, TangentialStatus::undecided};
-        if (a(0) > margin)
+        if (a(0) > force_error)
           status.normal = NormalStatus::closed;
-        else if (a(0) < -margin)
+        else if (a(0) < -error)
           status.normal = NormalStatus::open;
 
         const bool needs_pressure = slip_bound.constant()(i) == 0.;
@@ -42,9 +45,9 @@ namespace stiction
           status.tangential = TangentialStatus::none;
         else if (needs_pressure && status.normal == NormalStatus::undecided)
           status.tangential = TangentialStatus::undecided;
-        else if (excess > (1. + F) * margin)
+        else if (excess > error)
           status.tangential = TangentialStatus::slip;
-        else if (excess < -(1. + F) * margin)
+        else if (excess < -(1. + F) * force_error)
           status.tangential = TangentialStatus::stick;
         statuses.push_back(status);
       }
