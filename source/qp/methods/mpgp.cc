@@ -32,12 +32,12 @@ namespace stiction
                                                         : d.cwiseProduct(scaling.weight)};
     qp::Proportioning solver(DQD_, set, norm_, {6., true});
 
-    Eigen::VectorXd y             = iterate.lambda.cwiseQuotient(D_);
-    Eigen::VectorXd gradient      = iterate.gradient.cwiseProduct(D_);
-    const DualMethodResult result = run_active_set_method(
-      solver, y, gradient, scaled, rule, products_in_an_iteration, statistics_,
-      [&](const Eigen::VectorXd &now) { iterate.lambda = D_.cwiseProduct(now); },
-      observer);
+    Eigen::VectorXd y        = iterate.lambda.cwiseQuotient(D_);
+    Eigen::VectorXd gradient = iterate.gradient.cwiseProduct(D_);
+    DualMethodResult result  = run_active_set_method(
+       solver, y, gradient, scaled, rule, products_in_an_iteration, statistics_,
+       [&](const Eigen::VectorXd &now) { iterate.lambda = D_.cwiseProduct(now); },
+       observer);
     iterate.lambda   = D_.cwiseProduct(y);
     iterate.gradient = gradient.cwiseQuotient(D_);
     return result;

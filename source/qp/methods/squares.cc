@@ -31,12 +31,12 @@ namespace stiction
 
     Eigen::VectorXd x = squares.lift(iterate.lambda);
     qp::move_to(squares.to_forces(x), iterate.lambda, iterate.gradient, block_);
-    Eigen::VectorXd gradient      = squares.pull_back(iterate.gradient);
-    const Eigen::VectorXd start   = iterate.lambda;
-    const DualMethodResult result = run_active_set_method(
-      solver, x, gradient, scaling, rule, Mpgp::products_in_an_iteration, statistics_,
-      [&](const Eigen::VectorXd &now) { iterate.lambda = squares.to_forces(now); },
-      observer);
+    Eigen::VectorXd gradient    = squares.pull_back(iterate.gradient);
+    const Eigen::VectorXd start = iterate.lambda;
+    DualMethodResult result     = run_active_set_method(
+          solver, x, gradient, scaling, rule, Mpgp::products_in_an_iteration, statistics_,
+          [&](const Eigen::VectorXd &now) { iterate.lambda = squares.to_forces(now); },
+          observer);
     iterate.lambda = start; // the one that the gradient belongs to
     qp::move_to(squares.to_forces(x), iterate.lambda, iterate.gradient, block_);
     return result;

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -208,8 +209,8 @@ namespace stiction::qp
     Eigen::MatrixXd A = Q_;
     for (const Eigen::Index i : bounded_)
       {
-        const Eigen::Index k[] = {i, i + m_, i + 2 * m_};
-        const ConePoint p      = force(i);
+        const std::array<Eigen::Index, 3> k = {i, i + m_, i + 2 * m_};
+        const ConePoint p                   = force(i);
         A(i, i) += duals_[i].normal / p.normal;
         if (!has_friction(i))
           for (const Eigen::Index t : {k[1], k[2]})

@@ -79,7 +79,7 @@ namespace stiction::qp
         if ((H * c - e).norm() <= reduction * first ||
             !(H(k + 1, k) > 1e-14 * H.col(k).norm()))
           break;
-        basis.push_back(w / H(k + 1, k));
+        basis.emplace_back(w / H(k + 1, k));
       }
 
     solution.image = Eigen::VectorXd::Zero(image.size());

@@ -1,0 +1,173 @@
+// What mesh files may hold beside nodes and cells, and what is refused: two cubes in
+// Abaqus' format and in VTK's, sets in every way that sets are written, data that is
+// of no use here.
+
+#include "tests.h"
+
+#include <stiction/base/errors.h>
+#include <stiction/elasticity/mesh/readers/mesh_file.h>
+
+#include <fstream>
+
+using namespace stiction;
+
+namespace
+{
+  // A line: what was read, or the sentence.
+  void read(const std::string &name, const std::string &format, const std::string &text)
+  {
+    const std::string file = "mesh." + format;
+    std::ofstream(file) << text;
+    out() << name << ": ";
+    try
+      {
+        const MeshData mesh = read_mesh_file(file, "The mesh");
+        out() << mesh.cells.size() << " cells";
+        for (const auto &[material, id] : mesh.material_names)
+          {
+            unsigned int n = 0;
+            for (const auto &cell : mesh.cells)
+              n += cell.material_id == id ? 1 : 0;
+            out() << ", " << n << " of " << material;
+          }
+        for (const auto &[boundary, id] : mesh.boundary_names)
+          {
+            unsigned int n = 0;
+            for (const auto &face : mesh.faces.boundary_quads)
+              n += face.boundary_id == id ? 1 : 0;
+            out() << ", " << n << " faces of " << boundary;
+          }
+        if (mesh.material_names.empty())
+          for (const auto &cell : mesh.cells)
+            out() << ", material " << cell.material_id;
+      }
+    catch (const InputError &error)
+      {
+        out() << error.what();
+      }
+    out() << std::endl;
+  }
+
+  std::string with(std::string text, const std::string &what, const std::string &by)
+  {
+    return text.replace(text.find(what), what.size(), by);
+  }
+
+  const std::string nodes    = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 2, 0, 0\n4, 0, 1, 0\n"
+                               "5, 1, 1, 0\n6, 2, 1, 0\n7, 0, 0, 1\n8, 1, 0, 1\n"
+                               "9, 2, 0, 1\n10, 0, 1, 1\n11, 1, 1, 1\n12, 2, 1, 1\n";
+  const std::string elements = "*ELEMENT, TYPE=C3D8, ELSET=all\n"
+                               "1, 1, 2, 5, 4, 7, 8, 11, 10\n2, 2, 3, 6, 5,\n"
+                               "8, 9, 12, 11\n";
+  const std::string surface  = "*SURFACE, NAME=\"the floor\"\nall, S1\n";
+  const std::string abaqus = "*HEADING\ntwo cubes\n** made by hand\n" + nodes + elements;
+
+  void abaqus_files()
+  {
+    const auto refused = [](const std::string &name, const std::string &what,
+                            const std::string &by) {
+      read(name, "inp", with(abaqus + surface, what, by));
+    };
+    read("as it is", "inp", abaqus + surface);
+    read("generated sets", "inp",
+         abaqus +
+           "*ELSET, ELSET=one, GENERATE\n1, 1\n*Elset, elset=two, generate\n2, 2, 1\n"
+           "*SOLID SECTION, ELSET=one, MATERIAL=steel\n"
+           "*SOLID SECTION, ELSET=two, MATERIAL=rubber\n*SURFACE, NAME=floor\n"
+           "1, S1\ntwo, S1\n");
+    read("sets of sets", "inp",
+         abaqus + "*ELSET, ELSET=first\n1,\n*ELSET, ELSET=both\nFIRST, 2\n"
+                  "*SURFACE, NAME=floor\nboth, s1\n");
+    read("surfaces of nodes are passed over", "inp",
+         abaqus + surface + "*SURFACE, NAME=n, TYPE=NODE\n1, 1.\n");
+    refused("included", "*HEADING", "*INCLUDE, INPUT=other.inp");
+    refused("nodes elsewhere", "*NODE", "*NODE, INPUT=other.inp");
+    refused("no keyword", "*HEADING\n", "");
+    refused("a node without z", "3, 2, 0, 0", "3, 2, 0");
+    refused("a node twice", "3, 2, 0, 0", "2, 2, 0, 0");
+    refused("an element twice", "2, 2, 3, 6, 5", "1, 2, 3, 6, 5");
+    refused("an element without a node", "8, 9, 12, 11", "8, 9, 12, 13");
+    refused("an incomplete element", "8, 9, 12, 11", "8, 9, 12,");
+    refused("seven nodes", "8, 9, 12, 11", "8, 9, 12");
+    refused("unknown elements", "C3D8", "C3D9");
+    refused("no part of a surface", "all, S1", "all, S1, S2");
+    refused("no face", "all, S1", "all, S7");
+    refused("no set", "all, S1", "none, S1");
+    refused("no element", "all, S1", "7, S1");
+    read("an instance that is moved", "inp",
+         abaqus + "*INSTANCE, NAME=a, PART=b\n1., 0., 0.\n");
+    read("a set without name", "inp", abaqus + "*ELSET\n1\n");
+    read("a set of one number", "inp", abaqus + "*ELSET, ELSET=a, GENERATE\n1\n");
+    read("a set that falls", "inp", abaqus + "*ELSET, ELSET=a, GENERATE\n1, 9, -1\n");
+    read("a set too large", "inp", abaqus + "*ELSET, ELSET=a, GENERATE\n1, 99999999\n");
+    read("two materials of an element", "inp",
+         abaqus + "*ELSET, ELSET=a\n1\n*SOLID SECTION, ELSET=a, MATERIAL=steel\n"
+                  "*SOLID SECTION, ELSET=all, MATERIAL=rubber\n");
+    read("a face that a tetrahedron lacks", "inp",
+         nodes + "*ELEMENT, TYPE=C3D4, ELSET=all\n1, 1, 2, 4, 7\n*SURFACE, NAME=a\n"
+                 "all, S5\n");
+  }
+
+  const std::string points    = "# vtk DataFile Version 3.0\ntwo cubes\nASCII\n"
+                                "DATASET UNSTRUCTURED_GRID\nPOINTS 12 double\n0 0 0 1 0 0\n"
+                                "2 0 0 0 1 0\n1 1 0 2 1 0\n0 0 1 1 0 1\n2 0 1 0 1 1 1 1 1\n"
+                                "2 1 1\n";
+  const std::string cells     = "CELLS 2 18\n8 0 1 4 3 6 7 10 9\n8 1 2 5 4 7 8 11 10\n"
+                                "CELL_TYPES 2\n12 12\n";
+  const std::string materials = "CELL_DATA 2\nSCALARS MaterialID int 1\n"
+                                "LOOKUP_TABLE default\n3 4\n";
+
+  void vtk_files()
+  {
+    const auto refused = [](const std::string &name, const std::string &what,
+                            const std::string &by) {
+      read(name, "vtk", with(points + cells + materials, what, by));
+    };
+    const auto with_data = [](const std::string &name, const std::string &data) {
+      read(name, "vtk", points + cells + data + materials);
+    };
+    read("as it is", "vtk", points + cells + materials);
+    read("without numbers", "vtk", points + cells);
+    with_data("metadata", "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtk\n\n");
+    std::string vectors, tensors;
+    for (unsigned int i = 0; i < 12; ++i)
+      {
+        vectors += "0 0 1\n";
+        tensors += "1 0 0 0 1 0 0 0 1\n";
+      }
+    with_data("vectors and tensors", "POINT_DATA 12\nVECTORS u double\n" + vectors +
+                                       "NORMALS n double\n" + vectors +
+                                       "TENSORS s double\n" + tensors);
+    with_data("colours", "LOOKUP_TABLE table 2\n0 0 0 1\n1 1 1 1\n");
+    with_data(
+      "a field",
+      "POINT_DATA 12\nFIELD FieldData 1\nT 1 12 double\n1 2 3 4 5 6 7 8 9 0 1 2\n");
+    read("offsets, as version 5.1 has them", "vtk",
+         points + "CELLS 3 16\nOFFSETS vtktypeint64\n0 8 16\nCONNECTIVITY vtktypeint64\n"
+                  "0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\nCELL_TYPES 2\n12 12\n");
+    with_data(
+      "a field of strings",
+      "POINT_DATA 12\nFIELD FieldData 1\nT 1 12 string\na b c d e f g h i j k l\n");
+    refused("binary", "ASCII", "BINARY");
+    refused("another data set", "UNSTRUCTURED_GRID", "POLYDATA");
+    refused("no table", "LOOKUP_TABLE default\n", "");
+    refused("an unknown section", "CELL_TYPES", "CELL_KINDS");
+    refused("fewer types", "CELL_TYPES 2\n12 12", "CELL_TYPES 1\n12");
+    refused("a voxel", "12 12", "12 11");
+    read("offsets that fall", "vtk",
+         points + "CELLS 3 16\nOFFSETS vtktypeint64\n0 8 4\nCONNECTIVITY vtktypeint64\n"
+                  "0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\nCELL_TYPES 2\n12 12\n");
+    read("too few numbers for the offsets", "vtk",
+         points + "CELLS 3 15\nOFFSETS vtktypeint64\n0 8 16\nCONNECTIVITY vtktypeint64\n"
+                  "0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\nCELL_TYPES 2\n12 12\n");
+  }
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  out() << "Abaqus" << std::endl;
+  abaqus_files();
+  out() << "VTK" << std::endl;
+  vtk_files();
+}
