@@ -8,7 +8,9 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 
@@ -45,7 +47,8 @@ namespace
   }
 
   // A sphere of triangles: an icosahedron's or, simpler, a grid's of angles.
-  void write_sphere(const std::string &file, const double R, const unsigned int n)
+  void write_sphere(const std::string &file, const double R, const unsigned int n,
+                    const bool is_binary = false)
   {
     std::ofstream stl(file);
     stl.precision(17);
@@ -55,18 +58,38 @@ namespace
       const double s     = i == 0 || i == n ? 0. : std::sin(theta);
       return Point<3>(R * s * std::cos(phi), R * s * std::sin(phi), R * std::cos(theta));
     };
-    stl << "solid sphere\n";
+    std::vector<std::array<Point<3>, 3>> triangles;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < 2 * n; ++j)
-        for (const auto &t :
-             {std::array<Point<3>, 3>{{at(i, j), at(i + 1, j), at(i + 1, j + 1)}},
-              std::array<Point<3>, 3>{{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}})
+        {
+          triangles.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}});
+          triangles.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}});
+        }
+    if (is_binary)
+      {
+        // a title, how many, then the normal, the corners and two bytes of each
+        const auto write = [&](const auto value) {
+          stl.write(reinterpret_cast<const char *>(&value), sizeof(value));
+        };
+        stl << std::string(80, ' ');
+        write(static_cast<std::uint32_t>(triangles.size()));
+        for (const auto &triangle : triangles)
           {
-            stl << "facet normal 0 0 0\nouter loop\n";
-            for (const Point<3> &p : t)
-              stl << "vertex " << p << "\n";
-            stl << "endloop\nendfacet\n";
+            for (const Point<3> &p : {Point<3>(), triangle[0], triangle[1], triangle[2]})
+              for (unsigned int d = 0; d < 3; ++d)
+                write(static_cast<float>(p[d]));
+            write(std::uint16_t(0));
           }
+        return;
+      }
+    stl << "solid sphere\n";
+    for (const auto &triangle : triangles)
+      {
+        stl << "facet normal 0 0 0\nouter loop\n";
+        for (const Point<3> &p : triangle)
+          stl << "vertex " << p << "\n";
+        stl << "endloop\nendfacet\n";
+      }
     stl << "endsolid sphere\n";
   }
 
@@ -165,9 +188,11 @@ int main(int argc, char *argv[])
     ".stl";
   write_sphere(file, 1., n);
   const auto sphere_surface = read("file : " + file);
+  write_sphere(file, 1., n, true);
+  const auto binary_surface = read("file : " + file);
   // a chord of the angle π/n is (π/n)²/8 below the circle, two of them add
   const double faceting = 2. * std::pow(dealii::numbers::PI / n, 2) / 8.;
-  double error = 0., direction = 0.;
+  double error = 0., direction = 0., binary = 0.;
   bool inside = true;
   for (const Point<3> &p : places)
     for (const double scale : {1., 0.1})
@@ -176,12 +201,14 @@ int main(int argc, char *argv[])
         const auto value = sphere_surface->at(q);
         error            = std::max(error, std::abs(value.psi - (q.norm() - 1.)));
         direction        = std::max(direction, (value.gradient - q / q.norm()).norm());
-        inside           = inside && (value.psi < 0.) == (q.norm() < 1.);
+        binary = std::max(binary, std::abs(binary_surface->at(q).psi - value.psi));
+        inside = inside && (value.psi < 0.) == (q.norm() < 1.);
       }
   out() << "sphere of triangles: distance within its facets "
         << yes(error < faceting && error > 1e-8) << ", normals too "
         << yes(direction < 1.5 * dealii::numbers::PI / n) << ", signs right "
-        << yes(inside) << std::endl;
+        << yes(inside) << ", the same in single precision from a binary file "
+        << yes(binary > 0. && binary < 1e-6) << std::endl;
 
   // Nodes: a sphere below the bottom, beyond whose reach nodes face away.
   {

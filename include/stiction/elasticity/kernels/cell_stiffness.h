@@ -91,8 +91,6 @@ namespace stiction
     /// dst[9·node + 3·row + column] += K(3·node + row, 3·node + column).
     void add_diagonal_blocks(Number *dst) const;
 
-    InstructionSet instruction_set() const { return instruction_set_; }
-
     std::size_t n_cells() const { return n_cells_; }
 
     /// Cells in patches of eight.
