@@ -61,7 +61,7 @@ namespace stiction
                               const std::vector<SurfaceFace> &second)
   {
     const Means a(first), b(second);
-    const SlaveSide side{true, b.modulus / a.modulus, "the first side"};
+    SlaveSide side{true, b.modulus / a.modulus, "the first side"};
     if (softer * a.stiffness <= b.stiffness)
       return {true, side.softness, "the softer side"};
     if (softer * b.stiffness <= a.stiffness)
