@@ -13,6 +13,7 @@ namespace stiction
     const double figure        = conditions.worst_figure().second;
     const double rounding      = tolerance / 100.;
     const double accuracy      = figure <= rounding ? rounding : figure; // or NaN
+    const double error         = 5. * accuracy; // of gap and slip
 
     std::vector<NodeStatus> statuses;
     statuses.reserve(slip_bound.n_nodes());
@@ -22,9 +23,7 @@ namespace stiction
         const double u0         = scaling.displacement_at(i);
         const Eigen::Vector3d a = at_node(conditions.lambda(), i) / force -
                                   at_node(conditions.gradient(), i) / u0;
-        const double F = slip_bound.coefficient()(i);
-        // of gap and slip, and of forces
-        const double error       = 5. * accuracy;
+        const double F           = slip_bound.coefficient()(i);
         const double force_error = error * (1. + stiffness(i) * u0 / force);
 
         if (slip_bound.is_tied(i))

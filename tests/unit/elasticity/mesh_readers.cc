@@ -126,6 +126,13 @@ namespace
     const auto with_data = [](const std::string &name, const std::string &data) {
       read(name, "vtk", points + cells + data + materials);
     };
+    const auto with_offsets = [](const std::string &name, const std::string &size,
+                                 const std::string &offsets) {
+      read(name, "vtk",
+           points + "CELLS 3 " + size + "\nOFFSETS vtktypeint64\n" + offsets +
+             "\nCONNECTIVITY vtktypeint64\n0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\n"
+             "CELL_TYPES 2\n12 12\n");
+    };
     read("as it is", "vtk", points + cells + materials);
     read("without numbers", "vtk", points + cells);
     with_data("metadata", "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtk\n\n");
@@ -142,9 +149,7 @@ namespace
     with_data(
       "a field",
       "POINT_DATA 12\nFIELD FieldData 1\nT 1 12 double\n1 2 3 4 5 6 7 8 9 0 1 2\n");
-    read("offsets, as version 5.1 has them", "vtk",
-         points + "CELLS 3 16\nOFFSETS vtktypeint64\n0 8 16\nCONNECTIVITY vtktypeint64\n"
-                  "0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\nCELL_TYPES 2\n12 12\n");
+    with_offsets("offsets, as version 5.1 has them", "16", "0 8 16");
     with_data(
       "a field of strings",
       "POINT_DATA 12\nFIELD FieldData 1\nT 1 12 string\na b c d e f g h i j k l\n");
@@ -154,12 +159,8 @@ namespace
     refused("an unknown section", "CELL_TYPES", "CELL_KINDS");
     refused("fewer types", "CELL_TYPES 2\n12 12", "CELL_TYPES 1\n12");
     refused("a voxel", "12 12", "12 11");
-    read("offsets that fall", "vtk",
-         points + "CELLS 3 16\nOFFSETS vtktypeint64\n0 8 4\nCONNECTIVITY vtktypeint64\n"
-                  "0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\nCELL_TYPES 2\n12 12\n");
-    read("too few numbers for the offsets", "vtk",
-         points + "CELLS 3 15\nOFFSETS vtktypeint64\n0 8 16\nCONNECTIVITY vtktypeint64\n"
-                  "0 1 4 3 6 7 10 9\n1 2 5 4 7 8 11 10\nCELL_TYPES 2\n12 12\n");
+    with_offsets("offsets that fall", "16", "0 8 4");
+    with_offsets("too few numbers for the offsets", "15", "0 8 16");
   }
 } // namespace
 

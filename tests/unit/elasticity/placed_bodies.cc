@@ -1,7 +1,6 @@
 // Bodies that are turned and moved keep the shape that they have alone, refined or
 // not, in cells of either degree: shapes that know their curves, and cells of second
-// order of a file, beside a brick. Volumes are compared, and how far each is from its
-// place.
+// order of a file, beside a brick. Volumes are compared; the body has to be elsewhere.
 
 #include "physics/second_order_file.h"
 #include "tests.h"
@@ -59,7 +58,7 @@ namespace
     return piece;
   }
 
-  // @param turned where the centre of the shape comes to.
+  // @param exact the volume without a mesh; @param allowed how far off it is, relative.
   void compare(const std::string &name, const std::string &shape, const double exact,
                const double allowed)
   {
