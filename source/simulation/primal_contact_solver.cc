@@ -21,9 +21,6 @@ namespace stiction
     // The duality gap needs a few digits of one more elastic solve only.
     constexpr double duality_gap_accuracy = 1e-6;
 
-    // Where another method can go on, it need not wait for more of these.
-    constexpr unsigned int max_fallbacks = 2;
-
     // An iterate with a larger residual is a worse start for it than none: a body that
     // contact alone holds may have left.
     constexpr double residual_of_start = 0.1;
@@ -55,12 +52,11 @@ namespace stiction
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
     options.other_method = other_method();
+    // flexible bodies that contact alone holds are solved by factors and no other way
     if (can_hand_over_)
-      {
-        options.max_fallbacks = max_fallbacks;
-        options.factorizes    = !parameters.contact_solver.is_automatic ||
-                             3 * setting_.surface.n_nodes() > medium_contact;
-      }
+      options.factorizes = !parameters.contact_solver.is_automatic ||
+                           3 * setting_.surface.n_nodes() > medium_contact ||
+                           setting_.elasticity.free_motions().n() > 0;
     try
       {
         newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
@@ -139,7 +135,8 @@ namespace stiction
       return "";
     if (setting_.surface.has_stiff_slaves())
       return "Method: newton, since forces of a pair are on its stiffer side";
-    if (setting_.elasticity.mesh().n_dofs() <= small_body &&
+    if (setting_.elasticity.free_motions().n() == 0 &&
+        setting_.elasticity.mesh().n_dofs() <= small_body &&
         3 * setting_.surface.n_nodes() <= small_contact)
       return "Method: newton, since the body is small";
     return "";

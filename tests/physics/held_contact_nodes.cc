@@ -164,7 +164,7 @@ int main(int argc, char *argv[])
             << std::endl;
     }
 
-  // Given friction by the method of multipliers alone, which is what Newton's
+  // Given friction by the interior point method alone, which is what Newton's
   // method in displacements falls back to.
   const Settings given = {"Friction/Law=given", "Friction/Slip stress=1e7; 4e6",
                           "Contact solver/Tolerance=1e-9"};
@@ -177,7 +177,7 @@ int main(int argc, char *argv[])
   const auto status =
     newton_multigrid.solve(state, 1e-9, 1000, [](const ContactStep &) {});
   const Eigen::VectorXd &lambda = dual.problem->state().lambda;
-  out() << "method of multipliers alone: converged " << yes(status.converged)
+  out() << "interior point method alone: converged " << yes(status.converged)
         << ", agrees to 1e-6 "
         << yes((state.lambda - lambda).norm() < 1e-6 * lambda.norm())
         << ", slips and sticks "

@@ -1,6 +1,6 @@
 // The number ρ of the Newton method in displacements and what it falls back to
-// are no part of the answer: over four decades of ρ, and by the method of
-// multipliers alone, the contact forces are the same to 1e-6. The extremes need
+// are no part of the answer: over four decades of ρ, and by the interior
+// point method alone, the contact forces are the same to 1e-6. The extremes need
 // the globalisation, which is seen to work.
 
 #include "tests.h"
@@ -58,8 +58,8 @@ int main(int argc, char *argv[])
         }
       LevelNewton::Options options;
       options.only_fallback = true;
-      run("method of multipliers alone", options);
+      run("interior point method alone", options);
     }
   out() << "rho was changed on the way: " << yes(has_changed_rho)
-        << ", the method of multipliers called: " << yes(has_fallen_back) << std::endl;
+        << ", the interior point method called: " << yes(has_fallen_back) << std::endl;
 }

@@ -333,7 +333,8 @@ namespace stiction
 
   NodalConstraint ContactLevel::support(const Eigen::Index node,
                                         const Eigen::Matrix3d &projection,
-                                        const Eigen::Matrix3d &spring) const
+                                        const Eigen::Matrix3d &spring,
+                                        const double part) const
   {
     const ContactFrame &frame     = B_.frames()[node];
     const Eigen::Matrix3d R       = frame.axes();
@@ -343,7 +344,7 @@ namespace stiction
     NodalConstraint support;
     support.projection = R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
     support.spring =
-      M.transpose() * spring * M + foundation_(node) * Eigen::Matrix3d::Identity();
+      M.transpose() * spring * M + part * foundation_(node) * Eigen::Matrix3d::Identity();
     return support;
   }
 

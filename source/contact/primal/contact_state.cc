@@ -24,6 +24,15 @@ namespace stiction
     w      = problem.penetration_and_slip(u, distances);
   }
 
+  void ContactState::go_back(const ContactState &before, const double part)
+  {
+    u.sadd(part, 1. - part, before.u);
+    R.sadd(part, 1. - part, before.R);
+    distances = part * distances + (1. - part) * before.distances;
+    lambda    = part * lambda + (1. - part) * before.lambda;
+    w         = part * w + (1. - part) * before.w;
+  }
+
   ContactResidual::ContactResidual(const ContactLevel &problem, const ContactState &state,
                                    const qp::SlipBound &slip_bound)
     : ContactResidual(problem, state, slip_bound,

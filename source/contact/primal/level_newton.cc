@@ -1,5 +1,6 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/level_newton.h>
+#include <stiction/contact/primal/primal_interior_point.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/contact_scales.h>
@@ -36,8 +37,7 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
-    constexpr unsigned int max_fallback_steps = 60;
-    constexpr unsigned int max_approximations = 4;
+    constexpr unsigned int max_interior_point_steps = 100;
   } // namespace
 
   LevelNewton::LevelNewton(const ContactLevel &problem, const unsigned int level,
@@ -77,7 +77,7 @@ namespace stiction
             if (residual.value() <= tolerance)
               return {};
           }
-        if (statistics_.newton_steps >= max_steps)
+        if (statistics_.n_steps() >= max_steps)
           return "the cap on Newton steps was met, " +
                  pace.advice(tolerance, options_.other_method);
         if (!options_.only_fallback)
@@ -87,7 +87,7 @@ namespace stiction
             lambda   = state.lambda;
             observer(statistics_, residual);
             history.push_back(residual.value());
-            pace.add(statistics_.newton_steps, residual.value());
+            pace.add(statistics_.n_steps(), residual.value());
           }
         stands_still_ = !std::isfinite(residual.value());
         if (stands_still_)
@@ -128,11 +128,9 @@ namespace stiction
           statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
         if (stands_still_)
           return why_no_closer();
-        fall_back(state, residual.value(), tolerance,
-                  max_steps - statistics_.newton_steps);
+        fall_back(state, tolerance, max_steps - statistics_.n_steps(), observer);
         residual = ContactResidual(problem_, state, problem_.slip_bound());
         lambda   = state.lambda;
-        observer(statistics_, residual);
       }
   }
 
@@ -154,13 +152,13 @@ namespace stiction
   bool LevelNewton::has_hard_systems() const
   {
     return system_.n_unfinished() > 0 && !preconditioner_.is_direct(level_) &&
-           2 * system_.n_unfinished() >= statistics_.newton_steps;
+           2 * system_.n_unfinished() >= statistics_.n_steps();
   }
 
   std::string LevelNewton::why_no_closer() const
   {
     if (!has_hard_systems())
-      return "neither Newton steps nor the method of multipliers come "
+      return "neither Newton steps nor the interior point method come "
              "closer, " +
              options_.other_method + advice_on_friction(problem_.slip_bound());
     return "most linear systems were not solved in " +
@@ -207,34 +205,23 @@ namespace stiction
   void LevelNewton::note_factorization()
   {
     if (system_.is_factorized() && statistics_.factorized_from == 0)
-      statistics_.factorized_from = statistics_.newton_steps + 1;
+      statistics_.factorized_from = statistics_.n_steps() + 1;
   }
 
-  void LevelNewton::fall_back(ContactState &state, double residual,
-                              const double tolerance, const unsigned int max_steps)
+  void LevelNewton::fall_back(ContactState &state, const double tolerance,
+                              const unsigned int max_steps, const Observer &observer)
   {
-    // one digit more each time, so that given friction gets there by this alone
     ++statistics_.fallbacks;
-    if (last_fallback_ && last_fallback_->residual < residual)
-      {
-        state    = last_fallback_->state;
-        residual = last_fallback_->residual;
-      }
-    const double target = std::max(0.5 * tolerance, 0.1 * residual);
-    MethodOfMultipliers multipliers(problem_, system_);
-    unsigned int steps = 0;
-    for (unsigned int k = 0; k < max_approximations && steps < max_steps; ++k)
-      {
-        const Eigen::VectorXd bound = problem_.slip_bound().at(state.lambda);
-        const auto effort           = multipliers.solve(
-                    state, bound, target, std::min(max_fallback_steps, max_steps - steps));
-        steps += effort.newton_steps;
-        statistics_.IterationCounts::operator+=(effort);
-        residual = ContactResidual(problem_, state, problem_.slip_bound()).value();
-        if (residual <= target)
-          break;
-      }
-    last_fallback_ = {state, residual};
-    note_factorization();
+    const Statistics before = statistics_;
+    PrimalInteriorPoint(problem_, system_)
+      .solve(state, 0.5 * tolerance, std::min(max_interior_point_steps, max_steps),
+             [&](const qp::IterationCounts &effort, const ContactResidual &residual) {
+               statistics_.interior_point_steps =
+                 before.interior_point_steps + effort.interior_point_steps;
+               statistics_.krylov_iterations =
+                 before.krylov_iterations + effort.krylov_iterations;
+               note_factorization();
+               observer(statistics_, residual);
+             });
   }
 } // namespace stiction

@@ -66,9 +66,10 @@ namespace stiction
         if (elasticity.free_motions().of(node.piece).second > 0)
           is_free(node.dofs[0]) = 1.;
       const Eigen::Index n = other.A.cols();
-      return other.dofs.restriction(is_free).head(n).cwiseProduct(
-        other.A.transpose() *
-        surface.stiffness().foundation(surface.areas(), elasticity.body().diameter()));
+      return ContactLevel::regularization *
+             other.dofs.restriction(is_free).head(n).cwiseProduct(
+               other.A.transpose() * surface.stiffness().foundation(
+                                       surface.areas(), elasticity.body().diameter()));
     }
 
     // Those of all levels.
@@ -91,7 +92,7 @@ namespace stiction
     // A start is not worth what an answer is.
     LevelNewton::Options for_start(LevelNewton::Options options)
     {
-      options.max_fallbacks = std::min(options.max_fallbacks, 1u);
+      options.max_fallbacks = 1;
       options.factorizes    = true;
       return options;
     }
@@ -156,7 +157,7 @@ namespace stiction
           row.residual     = residual.value();
           row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
           row.remark =
-            statistics.factorized_from == statistics.newton_steps + 1
+            statistics.factorized_from == statistics.n_steps() + 1
                       ? "Linear systems take too many iterations (are cells flat, is a "
                         "Poisson ratio near 0.5" +
                   std::string(problems_[l]->basis().is_identity()
@@ -182,7 +183,7 @@ namespace stiction
             status.interrupted = true;
           }
 
-        steps += statistics_[l].newton_steps - earlier[l].newton_steps;
+        steps += statistics_[l].n_steps() - earlier[l].n_steps();
       }
     solution.u = state_->u;
     multigrid_.basis(finest_level()).to_absolute(solution.u);

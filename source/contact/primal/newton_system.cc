@@ -99,12 +99,15 @@ namespace stiction
 
   void NewtonSystem::set_supports(const PrimalActiveSet &linearization)
   {
-    NodalSupports supports(linearization.nodes.size());
-    for (std::size_t i = 0; i < supports.size(); ++i)
+    const double part = preconditioner_.is_direct(level_)
+                          ? ContactLevel::regularization_of_factors
+                          : ContactLevel::regularization;
+    NodalSupports supports;
+    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
       {
-        const auto node = static_cast<Eigen::Index>(i);
-        supports[i]     = problem_.support(node, linearization.nodes[i].projection,
-                                           linearization.nodes[i].spring);
+        const PrimalActiveSet::Node &node = linearization.nodes[i];
+        supports.push_back(problem_.support(
+          i, node.projection, 0.5 * (node.spring + node.spring.transpose()), part));
       }
     preconditioner_.set_supports(level_, supports);
   }
@@ -154,8 +157,11 @@ namespace stiction
   {
     const bool moves_obstacles = !d.distances.isZero(0.);
     const std::size_t N        = step_.locally_owned_size();
-    for (std::size_t k = 0; k < N; ++k)
-      step_.begin()[k] = d.factor * d.z.begin()[k];
+    const auto take            = [&](const auto *const z) {
+      for (std::size_t k = 0; k < N; ++k)
+        step_.begin()[k] = d.factor * z[k];
+    };
+    d.is_exact ? take(d.solution.begin()) : take(d.z.begin());
     if (moves_obstacles)
       problem_.B().add_displacement(1., held_displacement(linearization, d.distances),
                                     step_);
@@ -171,14 +177,28 @@ namespace stiction
     problem_.B().set_transpose(d.contact_rows, d.v);
   }
 
+  void NewtonSystem::precondition(Direction &d, const LA::Vector &v, const double sign)
+  {
+    d.is_exact = preconditioner_.is_direct(level_);
+    if (d.is_exact)
+      {
+        d.solution.reinit(v, true);
+        preconditioner_.solve(level_, d.solution, v);
+        d.factor = sign;
+      }
+    else
+      d.factor = sign * preconditioner_.vmult(level_, d.z, v);
+  }
+
   void NewtonSystem::move_obstacle(const PrimalActiveSet &linearization,
                                    const Eigen::Index obstacle, Direction &d)
   {
     d.distances = Eigen::VectorXd::Unit(problem_.motion().n_pressed(), obstacle);
     d.z         = 0.F;
     d.factor    = 0.;
+    d.is_exact  = false;
     apply(linearization, d);
-    d.factor = -preconditioner_.vmult(level_, d.z, d.v);
+    precondition(d, d.v, -1.);
   }
 
   double NewtonSystem::orthogonalize(const unsigned int n, Eigen::MatrixXd &H,
@@ -256,7 +276,7 @@ namespace stiction
         else
           {
             d.distances = Eigen::VectorXd::Zero(obstacle_r.size());
-            d.factor    = preconditioner_.vmult(level_, d.z, r);
+            precondition(d, r, 1.);
           }
         apply(linearization, d);
 
@@ -317,10 +337,13 @@ namespace stiction
         const std::size_t end = std::min(b + block_size, size);
         for (Eigen::Index j = 0; j < y.size(); ++j)
           {
-            const float *const z = directions_[j]->z.begin();
-            const double a       = y(j) * directions_[j]->factor;
-            for (std::size_t k = b; k < end; ++k)
-              u[k] += a * z[k];
+            const Direction &d = *directions_[j];
+            const double a     = y(j) * d.factor;
+            const auto add     = [&](const auto *const z) {
+              for (std::size_t k = b; k < end; ++k)
+                u[k] += a * z[k];
+            };
+            d.is_exact ? add(d.solution.begin()) : add(d.z.begin());
           }
       }
 

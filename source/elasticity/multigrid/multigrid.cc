@@ -277,6 +277,14 @@ namespace stiction
     return scale / unit_;
   }
 
+  void Multigrid::solve(const unsigned int level, LA::Vector &dst, const LA::Vector &src)
+  {
+    Coarse &coarse = *coarse_[level];
+    copy(coarse.b, src);
+    coarse.solve();
+    copy(dst, coarse.x);
+  }
+
   void Multigrid::cycle(const unsigned int level)
   {
     Level &fine = *levels_[level];

@@ -248,6 +248,7 @@ namespace stiction
                                  level.krylov_iterations, level.factorized_from});
         solver.rho_changes += level.rho_changes;
         solver.fallbacks += level.fallbacks;
+        solver.interior_point_steps += level.interior_point_steps;
         if (l != newton.finest_level())
           solver.coarse_krylov_iterations += level.krylov_iterations;
       }

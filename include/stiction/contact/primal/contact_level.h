@@ -117,20 +117,27 @@ namespace stiction
     void bring_into_contact(ContactState &state, const Eigen::VectorXd &a) const;
 
     /// ContactStiffness::foundation() of a body that contact alone holds: it makes
-    /// singular systems regular, in a preconditioner or for a step. Zero where supports
-    /// hold the body.
+    /// singular systems regular, in a step (PrimalActiveSet::tether()) or, this part of
+    /// it, in the preconditioner. Zero where supports hold the body.
     const Eigen::VectorXd &foundation() const { return foundation_; }
+
+    /// A body may be softer against bending than against shortening by its
+    /// slenderness to the third power, and springs that are stiffer than the body
+    /// are no approximation of it; softer ones leave more to iterations, but not to a
+    /// factorisation.
+    static constexpr double regularization = 1e-4, regularization_of_factors = 1e-8;
 
     /// How the contact nodes move under the motions of the body that can be driven,
     /// 3m × any: all free ones but those that nothing ever resists.
     const Eigen::MatrixXd &driven_motions() const { return driven_; }
 
     /// A support given in contact variables: @p projection a diagonal one that
-    /// treats both tangents alike, @p spring of forces y for displacements w; with the
-    /// foundation.
+    /// treats both tangents alike, @p spring of forces y for displacements w; with this
+    /// @p part of the foundation.
     NodalConstraint support(
       Eigen::Index node, const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
-      const Eigen::Matrix3d &spring = Eigen::Matrix3d::Zero()) const;
+      const Eigen::Matrix3d &spring = Eigen::Matrix3d::Zero(),
+      double part = regularization) const;
 
     /// The scales of the certificate for a displacement u with R = f − Ku and
     /// λ = BR.

@@ -26,6 +26,9 @@ namespace stiction
 
     /// Sets R, λ and w from u and δ by a product with K. Collective.
     void update(const ContactLevel &problem);
+
+    /// Goes back to a part of the way to here from another state of this level.
+    void go_back(const ContactState &before, double part);
   };
 
   /// How far a state is from being the solution, in the figures and scales of

@@ -2,7 +2,6 @@
 #define stiction_contact_primal_level_newton_h
 
 #include <stiction/contact/primal/contact_state.h>
-#include <stiction/contact/primal/method_of_multipliers.h>
 #include <stiction/contact/primal/newton_system.h>
 #include <stiction/qp/solvers/solver_run.h>
 
@@ -10,7 +9,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace stiction
@@ -22,9 +20,9 @@ namespace stiction
   /// mesh, Coulomb's law or given friction.
   ///
   /// The residual of the certificate is what has to fall. When it does not, ρ
-  /// is changed, which no solution depends on; when that does not help, the
-  /// method of multipliers takes over with the slip bound held, which converges
-  /// from everywhere, and hands back a better state.
+  /// is changed, which no solution depends on; when that does not help, an interior
+  /// point method takes over, which knows no contact states that could be the wrong
+  /// ones.
   class LevelNewton
   {
   public:
@@ -34,7 +32,7 @@ namespace stiction
       /// ρ over E√A, at the start.
       double first_c = 0.1;
       /// How often it falls back before it counts as standing still.
-      unsigned int max_fallbacks = 8;
+      unsigned int max_fallbacks = 2;
       /// Whether systems that take too many iterations are factorised, not the end.
       bool factorizes = true;
       /// Whether to do without Newton steps for Coulomb's law or given friction
@@ -48,6 +46,9 @@ namespace stiction
     /// What was done so far.
     struct Statistics : qp::IterationCounts
     {
+      /// Of either method.
+      unsigned int n_steps() const { return newton_steps + interior_point_steps; }
+
       unsigned int rho_changes = 0;
       /// The step from which on its systems are solved by factorisation, 0 if
       /// none.
@@ -109,10 +110,9 @@ namespace stiction
     void step(ContactState &state, const Eigen::VectorXd &lambda,
               const ContactResidual &residual, double tolerance);
 
-    /// The method of multipliers, from this state on or from where it ended last if that
-    /// was better, for one digit more.
-    void fall_back(ContactState &state, double residual, double tolerance,
-                   unsigned int max_steps);
+    /// The interior point method, from this displacement on.
+    void fall_back(ContactState &state, double tolerance, unsigned int max_steps,
+                   const Observer &observer);
 
     const ContactLevel &problem_;
     const unsigned int level_;
@@ -121,13 +121,6 @@ namespace stiction
     NewtonSystem system_;
     double c_;
     bool stands_still_ = false;
-
-    struct Fallback
-    {
-      ContactState state;
-      double residual;
-    };
-    std::optional<Fallback> last_fallback_; ///< its end
 
     Statistics statistics_;
   };

@@ -86,7 +86,9 @@ namespace stiction
     struct Direction
     {
       LA::VectorOf<float> z;
-      double factor = 1.; ///< of z
+      double factor = 1.;    ///< of z
+      LA::Vector solution;   ///< in place of z where systems are factorised
+      bool is_exact = false; ///< whether it is
       LA::Vector v;
       double square = 0.;           ///< v·v
       Eigen::VectorXd distances;    ///< of the obstacles, beside z
@@ -98,6 +100,11 @@ namespace stiction
     };
 
     Direction &new_direction(unsigned int n);
+
+    /// Makes @p sign times the preconditioned v the vector of d. A factorisation is
+    /// worth double precision: a body that moves as a whole by far more than it is
+    /// strained is lost in single precision.
+    void precondition(Direction &d, const LA::Vector &v, double sign);
 
     /// Sets what d is mapped to, from its z and distances.
     void apply(const PrimalActiveSet &linearization, Direction &d);

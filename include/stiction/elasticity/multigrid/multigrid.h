@@ -83,6 +83,10 @@ namespace stiction
     /// the units are. Collective.
     double vmult(unsigned int level, LA::VectorOf<float> &dst, const LA::Vector &src);
 
+    /// dst is the inverse times src in double precision, on a level where is_direct().
+    /// Collective.
+    void solve(unsigned int level, LA::Vector &dst, const LA::Vector &src);
+
     /// Forgets which levels were factorised, and other supports, as if made anew.
     void forget();
 

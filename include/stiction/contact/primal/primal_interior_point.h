@@ -1,0 +1,56 @@
+#ifndef stiction_contact_primal_primal_interior_point_h
+#define stiction_contact_primal_primal_interior_point_h
+
+#include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/newton_system.h>
+#include <stiction/contact/primal/primal_active_set.h>
+#include <stiction/qp/sets/feasible_set.h>
+#include <stiction/qp/solvers/central_path.h>
+#include <stiction/qp/solvers/solver_run.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace stiction
+{
+  class ContactLevel;
+
+  /// An interior point method for contact with given or Coulomb friction in
+  /// displacements: the safe way when Newton steps do not get closer.
+  ///
+  /// Contact forces λ and their duals, gaps and slips, are a point of
+  /// qp::CentralPath. To first order the conditions of a node are D Δλ + Δ(gap, slip) =
+  /// c, which is a spring D⁻¹ on it: each step is a linear elastic problem on
+  /// springs at all contact nodes, with the solver of Newton's method. Nothing is
+  /// sorted into open and closed, so that the stiffness of a body against bending,
+  /// however far below that of its nodes, does not matter.
+  ///
+  /// Equilibrium with λ and the agreement of gaps with the displacement are reached
+  /// along with μ → 0 (an infeasible path); a system is solved the better, the smaller
+  /// μ is.
+  class PrimalInteriorPoint
+  {
+  public:
+    /// Told after each step.
+    using Observer =
+      std::function<void(const qp::IterationCounts &, const ContactResidual &)>;
+
+    /// @param system of this problem. All arguments must outlive the object.
+    PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system);
+
+    /// Replaces the state by one whose residual is at most the tolerance, or by the best
+    /// one found if that is better. Only the scales and the displacement are taken from
+    /// it. Collective.
+    qp::IterationCounts solve(ContactState &state, double tolerance,
+                              unsigned int max_steps, const Observer &observer);
+
+  private:
+    class Path;
+
+    const ContactLevel &problem_;
+    NewtonSystem &system_;
+  };
+} // namespace stiction
+
+#endif

@@ -1,0 +1,192 @@
+#include <stiction/contact/primal/contact_level.h>
+#include <stiction/contact/primal/primal_interior_point.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace
+  {
+    // Of the way to the boundary of the cones.
+    constexpr double part_of_way = 0.95;
+
+    // A linear system is solved until this part of what μ is, over its unit ...
+    constexpr double accuracy_of_mu = 0.1;
+
+    // ... or of the tolerance.
+    constexpr double accuracy_of_tolerance = 0.1;
+
+    // What a step makes of μ, by how far the last one went: a short one says that the
+    // point is far from the central path.
+    double reduction_after(const double length)
+    {
+      return length > 0.9 ? 0.05 : length > 0.5 ? 0.2 : 0.5;
+    }
+
+    // ... and after a system that was not solved as well as it should have been: μ must
+    // not fall ahead of the equilibrium.
+    constexpr double reduction_of_bad_steps = 1.;
+
+    // Steps in which μ hardly falls before giving up.
+    constexpr unsigned int max_idle_steps = 10;
+
+    // Steps in a row that gain nothing with systems solved badly: near the end springs
+    // become too stiff for that, and Newton steps may go on.
+    constexpr unsigned int max_lost_steps = 5;
+  } // namespace
+
+  // A point of the central path with the displacement.
+  class PrimalInteriorPoint::Path
+  {
+  public:
+    Path(const ContactLevel &problem, NewtonSystem &system, const ContactState &start,
+         double tolerance);
+
+    // Solves a linear system and goes as far as the cones allow; false if that is
+    // nowhere.
+    bool step();
+
+    // Whether the last system was solved as well as it should have been.
+    bool is_accurate() const { return is_accurate_; }
+
+    const ContactState &state() const { return state_; }
+    double mu() const { return path_.mean_product(); }
+    unsigned int krylov_iterations() const { return krylov_iterations_; }
+
+  private:
+    // The conditions of the nodes, D λ⁺ − w⁺ = c + (gap, slip) + D λ, as springs.
+    PrimalActiveSet linearize() const;
+
+    const ContactLevel &problem_;
+    NewtonSystem &system_;
+    ContactState state_;
+    const ContactResidual start_;
+    const double tolerance_;
+    qp::CentralPath path_;
+    double reduction_               = 0.1;
+    bool is_accurate_               = true;
+    unsigned int krylov_iterations_ = 0;
+  };
+
+  PrimalInteriorPoint::Path::Path(const ContactLevel &problem, NewtonSystem &system,
+                                  const ContactState &start, const double tolerance)
+    : problem_(problem)
+    , system_(system)
+    , state_(start)
+    , start_(problem, start, problem.slip_bound())
+    , tolerance_(tolerance)
+    , path_(problem.slip_bound(), start_.conditions.scaling())
+  {
+    path_.open_gaps(-start.w);
+  }
+
+  PrimalActiveSet PrimalInteriorPoint::Path::linearize() const
+  {
+    const Eigen::VectorXd c = path_.right_hand_side();
+    PrimalActiveSet result(problem_.n_nodes());
+    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
+      {
+        PrimalActiveSet::Node &node = result.nodes[i];
+        if (problem_.slip_bound().is_tied(i))
+          {
+            node.projection.setZero();
+            node.test.setZero();
+            node.shift = -at_node(state_.w, i);
+            continue;
+          }
+        // times the inverses of the normal and the tangential block of D
+        const Eigen::Matrix3d D = path_.compliance(i);
+        node.spring(0, 0)       = 1. / D(0, 0);
+        if (path_.has_friction(i))
+          {
+            const Eigen::Matrix2d inverse         = D.bottomRightCorner<2, 2>().inverse();
+            node.spring.bottomRightCorner<2, 2>() = inverse;
+            node.test.bottomLeftCorner<2, 1>()    = inverse * D.bottomLeftCorner<2, 1>();
+          }
+        node.load = node.spring * (at_node(c, i) + at_node(path_.w(), i)) +
+                    node.test * at_node(path_.lambda(), i);
+      }
+    return result;
+  }
+
+  bool PrimalInteriorPoint::Path::step()
+  {
+    path_.aim(reduction_ * path_.mean_product());
+    const PrimalActiveSet linearization = linearize();
+    const Eigen::VectorXd &force        = start_.conditions.scaling().force;
+    const double accuracy =
+      std::max(accuracy_of_mu * std::min(reduction_ * mu() / path_.unit(), 1.),
+               accuracy_of_tolerance * tolerance_);
+    const ContactState before = state_;
+    krylov_iterations_ +=
+      system_.solve(state_, linearization, [&](const NewtonSystem::Progress &now) {
+        is_accurate_ =
+          std::max(now.residual / start_.force_scale,
+                   largest_at_nodes(now.contact_residual, force)) <= accuracy;
+        return is_accurate_;
+      });
+
+    // W Δλ = S (c − Δ(gap, slip)), W being triangular
+    const Eigen::VectorXd w_change = -state_.w - path_.w();
+    const Eigen::VectorXd missing  = path_.right_hand_side() - w_change;
+    Eigen::VectorXd change(missing.size());
+    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
+      {
+        const PrimalActiveSet::Node &node = linearization.nodes[i];
+        set_at_node(change, i,
+                    node.test.triangularView<Eigen::UnitLower>().solve(
+                      node.spring * at_node(missing, i)));
+      }
+    path_.set_direction(change, w_change);
+    const double length = std::min(1., part_of_way * path_.largest_step());
+    if (!(length > 0.) || !change.allFinite())
+      return false;
+    path_.advance(length);
+    state_.go_back(before, length);
+    reduction_ = is_accurate_ ? reduction_after(length) : reduction_of_bad_steps;
+    return true;
+  }
+
+  PrimalInteriorPoint::PrimalInteriorPoint(const ContactLevel &problem,
+                                           NewtonSystem &system)
+    : problem_(problem)
+    , system_(system)
+  {
+  }
+
+  qp::IterationCounts PrimalInteriorPoint::solve(ContactState &state,
+                                                 const double tolerance,
+                                                 const unsigned int max_steps,
+                                                 const Observer &observer)
+  {
+    qp::IterationCounts effort;
+    double best       = ContactResidual(problem_, state, problem_.slip_bound()).value();
+    unsigned int lost = 0;
+    Path path(problem_, system_, state, tolerance);
+    for (unsigned int idle = 0; best > tolerance &&
+                                effort.interior_point_steps < max_steps &&
+                                idle < max_idle_steps && lost < max_lost_steps;)
+      {
+        const double mu = path.mu();
+        if (!path.step())
+          break;
+        ++effort.interior_point_steps;
+        effort.krylov_iterations = path.krylov_iterations();
+        const ContactResidual residual(problem_, path.state(), problem_.slip_bound());
+        observer(effort, residual);
+        if (residual.value() < best)
+          {
+            best  = residual.value();
+            state = path.state();
+            lost  = 0;
+          }
+        else
+          lost = path.is_accurate() ? 0 : lost + 1;
+        idle = path.mu() < 0.9 * mu ? 0 : idle + 1;
+      }
+    return effort;
+  }
+} // namespace stiction
