@@ -7,30 +7,32 @@ namespace stiction
   ContactSolverParameters::ContactSolverParameters()
     : ParameterAcceptor("Contact solver")
   {
-    add_parameter("Method", method,
-                  "automatic: newton multigrid, or newton where that is not taken, for "
-                  "a problem from a file, and beside 'Form = by solves', 'Type = "
-                  "mumps', 'Coulomb iteration = fixed point', 'Export directory' or "
-                  "'Measure factorizations', or where newton is known to be better: "
-                  "small bodies, forces of a pair on its stiffer side. newton: "
-                  "semismooth Newton on the dual "
-                  "problem, the fastest of the dual methods; where it stands still, as "
-                  "with bodies that are held "
-                  "weakly, its systems are solved directly, and an interior point "
-                  "method and successive approximations help. newton multigrid: "
-                  "semismooth Newton on the displacements, without Q, for about the "
-                  "price of two elastic solves; where its steps come no closer, newton "
-                  "goes on for bodies up to 100,000 unknowns. gauss "
-                  "seidel: the paper's ALGORITHM GS, alternating between the normal "
-                  "forces (half-lines) and the tangential forces (discs, ALGORITHM "
-                  "QPQ). mpgp: conjugate gradients with projections on half-lines "
-                  "times discs at once. admm: alternating directions with dense "
-                  "factorisations of Q. squares: the paper's predecessors ALG_2 and "
-                  "ALG_4, discs replaced by 'Squares' rotated squares; another "
-                  "problem, so never certified unless nothing slips.",
-                  prm,
-                  Patterns::Selection("automatic|newton|newton multigrid|gauss seidel|"
-                                      "mpgp|admm|squares"));
+    add_parameter(
+      "Method", method,
+      "automatic: newton multigrid, or newton where that is not taken, for "
+      "a problem from a file, and beside 'Form = by solves', 'Type = "
+      "mumps', 'Coulomb iteration = fixed point', 'Export directory' or "
+      "'Measure factorizations', or where newton is known to be better: "
+      "small bodies that supports hold, forces of a pair on its stiffer side. newton: "
+      "semismooth Newton on the dual "
+      "problem, the fastest of the dual methods; where it stands still, as "
+      "with bodies that are held "
+      "weakly, its systems are solved directly, and an interior point "
+      "method and successive approximations help. newton multigrid: "
+      "semismooth Newton on the displacements, without Q, for about the "
+      "price of two elastic solves; where its steps come no closer, an interior "
+      "point method takes over, and where that does not either, newton "
+      "goes on for bodies up to 100,000 unknowns. gauss "
+      "seidel: the paper's ALGORITHM GS, alternating between the normal "
+      "forces (half-lines) and the tangential forces (discs, ALGORITHM "
+      "QPQ). mpgp: conjugate gradients with projections on half-lines "
+      "times discs at once. admm: alternating directions with dense "
+      "factorisations of Q. squares: the paper's predecessors ALG_2 and "
+      "ALG_4, discs replaced by 'Squares' rotated squares; another "
+      "problem, so never certified unless nothing slips.",
+      prm,
+      Patterns::Selection("automatic|newton|newton multigrid|gauss seidel|"
+                          "mpgp|admm|squares"));
     add_parameter("Tolerance", tolerance,
                   "What every error figure of the certificate has to reach; "
                   "they are relative, so that no unit enters. All inner "

@@ -35,8 +35,7 @@ namespace stiction
                   "Figures of the certificate are then those of the ellipse "
                   "scaled to a disc, of radius F1 (slip_bound in "
                   "contact.pvtu). One axis may be up to 100 times the "
-                  "other; beyond 10 times, newton multigrid may have to hand over to "
-                  "newton.",
+                  "other.",
                   prm, Patterns::Anything());
     add_parameter("Slip stress", slip_stress,
                   "Slip stress >= 0 of given friction, which must be said with it, a "
