@@ -7,6 +7,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -106,8 +108,14 @@ namespace stiction
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
       {
         const PrimalActiveSet::Node &node = linearization.nodes[i];
+        // the part of the spring that is symmetric and pulls back
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+          0.5 * (node.spring + node.spring.transpose()));
         supports.push_back(problem_.support(
-          i, node.projection, 0.5 * (node.spring + node.spring.transpose()), part));
+          i, node.projection,
+          eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
+            eigen.eigenvectors().transpose(),
+          part));
       }
     preconditioner_.set_supports(level_, supports);
   }

@@ -121,11 +121,14 @@ namespace stiction
       std::max(accuracy_of_mu * std::min(reduction_ * mu() / path_.unit(), 1.),
                accuracy_of_tolerance * tolerance_);
     const ContactState before = state_;
+    is_accurate_              = false;
     krylov_iterations_ +=
       system_.solve(state_, linearization, [&](const NewtonSystem::Progress &now) {
-        is_accurate_ =
-          std::max(now.residual / start_.force_scale,
-                   largest_at_nodes(now.contact_residual, force)) <= accuracy;
+        const double error =
+          std::max({now.residual / start_.force_scale,
+                    largest_at_nodes(now.contact_residual, force),
+                    problem_.motion().force_error(now.lambda - now.contact_residual)});
+        is_accurate_ = error <= accuracy;
         return is_accurate_;
       });
 
