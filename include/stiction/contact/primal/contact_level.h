@@ -137,7 +137,7 @@ namespace stiction
     NodalConstraint support(
       Eigen::Index node, const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
       const Eigen::Matrix3d &spring = Eigen::Matrix3d::Zero(),
-      double part = regularization) const;
+      double part                   = regularization) const;
 
     /// The scales of the certificate for a displacement u with R = f − Ku and
     /// λ = BR.
