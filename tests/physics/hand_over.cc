@@ -11,8 +11,8 @@ namespace
   void check(const std::string &name, const Settings &settings)
   {
     const Settings all =
-      Settings{"Geometry/Table 1 level=0",       "Geometry/Lengths=4,4,1",
-               "Geometry/Subdivisions=24,24,6",  "Geometry/Global refinement=0",
+      Settings{"Geometry/Table 1 level=0",      "Geometry/Lengths=4,4,1",
+               "Geometry/Subdivisions=24,24,6", "Geometry/Global refinement=0",
                "Material/Poisson ratio=0.4999", "Contact solver/Tolerance=1e-8",
                "Output/Write solution=false"} +
       settings;
