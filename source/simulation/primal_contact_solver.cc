@@ -52,7 +52,8 @@ namespace stiction
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
     options.other_method = other_method();
-    // flexible bodies that contact alone holds are solved by factors and no other way
+    // a flexible body that contact alone holds is better off with factors than with
+    // 'newton'
     if (can_hand_over_)
       options.factorizes = !parameters.contact_solver.is_automatic ||
                            3 * setting_.surface.n_nodes() > medium_contact ||

@@ -212,14 +212,11 @@ namespace stiction
                               const unsigned int max_steps, const Observer &observer)
   {
     ++statistics_.fallbacks;
-    const Statistics before = statistics_;
     PrimalInteriorPoint(problem_, system_)
       .solve(state, 0.5 * tolerance, std::min(max_interior_point_steps, max_steps),
-             [&](const qp::IterationCounts &effort, const ContactResidual &residual) {
-               statistics_.interior_point_steps =
-                 before.interior_point_steps + effort.interior_point_steps;
-               statistics_.krylov_iterations =
-                 before.krylov_iterations + effort.krylov_iterations;
+             [&](const unsigned int iterations, const ContactResidual &residual) {
+               ++statistics_.interior_point_steps;
+               statistics_.krylov_iterations += iterations;
                note_factorization();
                observer(statistics_, residual);
              });

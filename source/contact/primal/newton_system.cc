@@ -80,6 +80,18 @@ namespace stiction
       return sums;
     }
 
+    // The part of a spring that is symmetric and pulls back; those of Newton steps are
+    // nothing else.
+    Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d &spring)
+    {
+      if (spring == spring.transpose())
+        return spring;
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+        0.5 * (spring + spring.transpose()));
+      return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
+             eigen.eigenvectors().transpose();
+    }
+
     void sum(std::vector<double> &values, MPI_Comm communicator)
     {
       dealii::Utilities::MPI::sum(
@@ -108,14 +120,8 @@ namespace stiction
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
       {
         const PrimalActiveSet::Node &node = linearization.nodes[i];
-        // the part of the spring that is symmetric and pulls back
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-          0.5 * (node.spring + node.spring.transpose()));
-        supports.push_back(problem_.support(
-          i, node.projection,
-          eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
-            eigen.eigenvectors().transpose(),
-          part));
+        supports.push_back(
+          problem_.support(i, node.projection, symmetric_part(node.spring), part));
       }
     preconditioner_.set_supports(level_, supports);
   }

@@ -1,6 +1,9 @@
 #include <stiction/contact/primal/contact_level.h>
+#include <stiction/contact/primal/newton_system.h>
+#include <stiction/contact/primal/primal_active_set.h>
 #include <stiction/contact/primal/primal_interior_point.h>
 #include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/solvers/central_path.h>
 
 #include <Eigen/Dense>
 
@@ -49,12 +52,13 @@ namespace stiction
     // nowhere.
     bool step();
 
-    // Whether the last system was solved as well as it should have been.
+    // Of the last system: its iterations, and whether it was solved as well as it
+    // should have been.
+    unsigned int krylov_iterations() const { return krylov_iterations_; }
     bool is_accurate() const { return is_accurate_; }
 
     const ContactState &state() const { return state_; }
     double mu() const { return path_.mean_product(); }
-    unsigned int krylov_iterations() const { return krylov_iterations_; }
 
   private:
     // The conditions of the nodes, D λ⁺ − w⁺ = c + (gap, slip) + D λ, as springs.
@@ -66,9 +70,9 @@ namespace stiction
     const ContactResidual start_;
     const double tolerance_;
     qp::CentralPath path_;
-    double reduction_               = 0.1;
-    bool is_accurate_               = true;
+    double reduction_               = 0.1; // of μ in the next step
     unsigned int krylov_iterations_ = 0;
+    bool is_accurate_               = false;
   };
 
   PrimalInteriorPoint::Path::Path(const ContactLevel &problem, NewtonSystem &system,
@@ -114,15 +118,15 @@ namespace stiction
 
   bool PrimalInteriorPoint::Path::step()
   {
-    path_.aim(reduction_ * path_.mean_product());
+    const double target = reduction_ * mu();
+    path_.aim(target);
     const PrimalActiveSet linearization = linearize();
     const Eigen::VectorXd &force        = start_.conditions.scaling().force;
-    const double accuracy =
-      std::max(accuracy_of_mu * std::min(reduction_ * mu() / path_.unit(), 1.),
-               accuracy_of_tolerance * tolerance_);
+    const double accuracy = std::max(accuracy_of_mu * std::min(target / path_.unit(), 1.),
+                                     accuracy_of_tolerance * tolerance_);
     const ContactState before = state_;
     is_accurate_              = false;
-    krylov_iterations_ +=
+    krylov_iterations_ =
       system_.solve(state_, linearization, [&](const NewtonSystem::Progress &now) {
         const double error =
           std::max({now.residual / start_.force_scale,
@@ -160,26 +164,21 @@ namespace stiction
   {
   }
 
-  qp::IterationCounts PrimalInteriorPoint::solve(ContactState &state,
-                                                 const double tolerance,
-                                                 const unsigned int max_steps,
-                                                 const Observer &observer)
+  void PrimalInteriorPoint::solve(ContactState &state, const double tolerance,
+                                  const unsigned int max_steps, const Observer &observer)
   {
-    qp::IterationCounts effort;
-    double best       = ContactResidual(problem_, state, problem_.slip_bound()).value();
-    unsigned int lost = 0;
+    double best        = ContactResidual(problem_, state, problem_.slip_bound()).value();
+    unsigned int steps = 0, idle = 0, lost = 0;
     Path path(problem_, system_, state, tolerance);
-    for (unsigned int idle = 0; best > tolerance &&
-                                effort.interior_point_steps < max_steps &&
-                                idle < max_idle_steps && lost < max_lost_steps;)
+    while (best > tolerance && steps < max_steps && idle < max_idle_steps &&
+           lost < max_lost_steps)
       {
         const double mu = path.mu();
         if (!path.step())
           break;
-        ++effort.interior_point_steps;
-        effort.krylov_iterations = path.krylov_iterations();
+        ++steps;
         const ContactResidual residual(problem_, path.state(), problem_.slip_bound());
-        observer(effort, residual);
+        observer(path.krylov_iterations(), residual);
         if (residual.value() < best)
           {
             best  = residual.value();
@@ -190,6 +189,5 @@ namespace stiction
           lost = path.is_accurate() ? 0 : lost + 1;
         idle = path.mu() < 0.9 * mu ? 0 : idle + 1;
       }
-    return effort;
   }
 } // namespace stiction

@@ -93,12 +93,7 @@ namespace stiction::qp
     return {force.normal * dual.normal, product_with(force.cone) * dual.cone};
   }
 
-  double CentralPath::mean_product() const
-  {
-    return mean_product_after(0.);
-  }
-
-  double CentralPath::mean_product_after(const double length) const
+  double CentralPath::mean_product(const double length) const
   {
     double sum = 0., n = 0.;
     for (const Eigen::Index i : bounded_)

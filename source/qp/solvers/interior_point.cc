@@ -23,7 +23,6 @@ namespace stiction::qp
 
     // Steps without a new smallest residual before giving up.
     constexpr unsigned int max_steps_without_progress = 10;
-
   } // namespace
 
   // The iterate, a point of the central path, with its gradient Qx − h.
@@ -52,7 +51,6 @@ namespace stiction::qp
     const Eigen::MatrixXd &Q_;
     CentralPath path_;
     VectorXd gradient_;
-    double scale_; // of μ
     VectorXd d_, Qd_;
     VectorXd unit_; // of each unknown, for the factors
     Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
@@ -64,7 +62,6 @@ namespace stiction::qp
     : Q_(Q)
     , path_(slip_bound, scaling)
     , gradient_(gradient + Q * (path_.lambda() - x))
-    , scale_(path_.unit())
     , unit_(x.size())
   {
     path_.open_gaps(gradient_);
@@ -78,12 +75,12 @@ namespace stiction::qp
     find_direction();
 
     // what is missing to first order, and to where the prediction says
-    const double predicted = path_.mean_product_after(std::min(1., path_.largest_step()));
+    const double predicted = path_.mean_product(std::min(1., path_.largest_step()));
     const double centre = mu > 0. ? mu * std::pow(std::max(predicted / mu, 0.), 3) : 0.;
     path_.aim_with_correction(centre);
     find_direction();
 
-    const double part   = std::max(shortest_part, 1. - mu / scale_);
+    const double part   = std::max(shortest_part, 1. - mu / path_.unit());
     const double length = std::min(1., part * path_.largest_step());
     if (!(length > 0.) || !d_.allFinite())
       return false;

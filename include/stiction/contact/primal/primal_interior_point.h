@@ -2,19 +2,13 @@
 #define stiction_contact_primal_primal_interior_point_h
 
 #include <stiction/contact/primal/contact_state.h>
-#include <stiction/contact/primal/newton_system.h>
-#include <stiction/contact/primal/primal_active_set.h>
-#include <stiction/qp/sets/feasible_set.h>
-#include <stiction/qp/solvers/central_path.h>
-#include <stiction/qp/solvers/solver_run.h>
-
-#include <Eigen/Core>
 
 #include <functional>
 
 namespace stiction
 {
   class ContactLevel;
+  class NewtonSystem;
 
   /// An interior point method for contact with given or Coulomb friction in
   /// displacements: the safe way when Newton steps do not get closer.
@@ -32,9 +26,9 @@ namespace stiction
   class PrimalInteriorPoint
   {
   public:
-    /// Told after each step.
+    /// Told after each step how many Krylov iterations it took, and where it led.
     using Observer =
-      std::function<void(const qp::IterationCounts &, const ContactResidual &)>;
+      std::function<void(unsigned int iterations, const ContactResidual &)>;
 
     /// @param system of this problem. All arguments must outlive the object.
     PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system);
@@ -42,8 +36,8 @@ namespace stiction
     /// Replaces the state by one whose residual is at most the tolerance, or by the best
     /// one found if that is better. Only the scales and the displacement are taken from
     /// it. Collective.
-    qp::IterationCounts solve(ContactState &state, double tolerance,
-                              unsigned int max_steps, const Observer &observer);
+    void solve(ContactState &state, double tolerance, unsigned int max_steps,
+               const Observer &observer);
 
   private:
     class Path;

@@ -46,8 +46,9 @@ namespace stiction::qp
     /// there is slip: what they approach from inside.
     Eigen::VectorXd lambda_on_boundary() const;
 
-    /// The mean μ of all products, 0 if there are none. Unit: J.
-    double mean_product() const;
+    /// The mean μ of all products after a step of this length in the direction, 0 if
+    /// there are none. Unit: J.
+    double mean_product(double length = 0.) const;
 
     /// Where the next direction leads to first order: to products of @p mu.
     void aim(double mu);
@@ -67,9 +68,6 @@ namespace stiction::qp
 
     /// The length at which it leaves the cones.
     double largest_step() const;
-
-    /// The mean product that a step of this length leads to.
-    double mean_product_after(double length) const;
 
     void advance(double length);
 
