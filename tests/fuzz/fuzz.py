@@ -1,28 +1,33 @@
 #!/usr/bin/python3
 """Give the program inputs that are almost right and see that it ends as it should.
 
-Call:   tests/fuzz/fuzz.py PROGRAM [--count N] [--seed S] [--keep DIRECTORY]
+Call:   tests/fuzz/fuzz.py PROGRAM FORK_SERVER [--count N] [--seed S] [--jobs J]
+                           [--keep DIRECTORY]
 
 Takes the shipped parameter files, meshes and surfaces and some that the script makes
 itself, changes a few characters, numbers, lines or entries of one, and runs it on a
 small mesh. A run has to end within its time with status 0, 1, 2 or 3; with 1 it has to
 say one sentence, from "stiction: " to a full stop, and with 0 CERTIFIED or that the input
 is valid. Inputs that break this are kept, with what was said. Exit status 1 if there are
-any. The same seed makes the same inputs.
+any. The same seed makes the same inputs. FORK_SERVER is what tests/fuzz/fork_server.cc
+compiles to; with it a hundred thousand inputs take hours, not days.
 """
 
 import argparse
+import collections
+import concurrent.futures
 import glob
 import os
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SECONDS = 60  # of a run: the largest meshes that a change makes are refused by their size
+SECONDS = 60  # of the processor, for a run: the largest meshes that a change makes are refused by their size
 NUMBERS = ("0", "-1", "1", "1e-300", "1e300", "nan", "inf", "-0", "0.5", "1e-12", "3",
            "1e10", "-1e5", "2147483648", "99999999999999999999", "1/0", "0x10", "1,5")
 WORDS = ("", "|", ";", ":", "free", "x", "t", "end", "subsection A", "set", "é", "\0",
@@ -39,14 +44,18 @@ def corpus():
     names += glob.glob(os.path.join(ROOT, "tests", "errors", "*.prm"))
     texts = []
     for name in sorted(names):
-        with open(name, encoding="utf-8") as file:
-            texts.append((file.read(), os.path.dirname(name)))
+        texts.append((read(name), os.path.dirname(name)))
     for case in sorted(glob.glob(os.path.join(ROOT, "tests", "errors", "*.case"))):
-        with open(case, encoding="utf-8", errors="replace") as file:
-            whole = file.read()
+        whole = read(case)
         if "\nprm alone:\n" in whole:
             texts.append((whole.partition("\nprm alone:\n")[2], os.path.dirname(case)))
     return texts
+
+
+def read(name):
+    """The text of a file, whatever is in it."""
+    with open(name, encoding="utf-8", errors="replace") as file:
+        return file.read()
 
 
 def with_small_mesh(text):
@@ -97,8 +106,7 @@ def make_input(rng, texts, directory):
         if os.path.exists(path) and os.path.getsize(path) < 300000:
             target = os.path.join(directory, name)
             os.makedirs(os.path.dirname(target), exist_ok=True)
-            with open(path, encoding="utf-8", errors="replace") as file:
-                data = file.read()
+            data = read(path)
             if rng.random() < 0.7:
                 for _ in range(rng.randint(1, 3)):
                     data = change(data, rng)
@@ -120,13 +128,13 @@ def make_input(rng, texts, directory):
     return arguments
 
 
-def wrong(end):
-    """What is wrong with the way a run ended, or nothing."""
-    said = end.stderr.decode(errors="replace")
-    told = end.stdout.decode(errors="replace")
-    if end.returncode not in (0, 1, 2, 3):
-        return f"status {end.returncode}"
-    if end.returncode == 1:
+def wrong(status, told, said):
+    """What is wrong with the way a run ended, by what it wrote; or nothing."""
+    if status in (-signal.SIGXCPU, -signal.SIGALRM):
+        return "no end"
+    if status not in (0, 1, 2, 3):
+        return f"status {status}"
+    if status == 1:
         last = said.strip().splitlines()
         sentences = [line for line in last if line.startswith("stiction: ")]
         if len(sentences) != 1 and not said.startswith(("--", "The following")):
@@ -135,11 +143,42 @@ def wrong(end):
             return "a very long sentence"
         if "exception" in said.lower() or "assert" in said.lower():
             return "an exception of somebody else's"
-    if end.returncode == 0 and not ("CERTIFIED" in told or "The input is valid" in told):
+    elif said:
+        return "something on the error output"
+    if status == 0 and not ("CERTIFIED" in told or "The input is valid" in told):
         return "status 0 without CERTIFIED"
-    if end.returncode == 0 and re.search(r"(?<![\w.])-?nan(?![\w.])", told):
+    if status == 0 and re.search(r"(?<![\w.])-?nan(?![\w.])", told):
         return "a certified NaN"
     return ""
+
+
+def run_inputs(options, texts, numbers):
+    """Runs the inputs with these numbers; returns how often each status was met."""
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
+                   "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1",
+                   "LD_PRELOAD": os.path.abspath(options.fork_server),
+                   "LD_BIND_NOW": "1", "FORK_SERVER_SECONDS": str(SECONDS)}
+    statuses = collections.Counter()
+    with subprocess.Popen([os.path.abspath(options.program)], env=environment, text=True,
+                          stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
+        for number in numbers:
+            rng = random.Random(f"{options.seed} {number}")
+            with tempfile.TemporaryDirectory() as directory:
+                arguments = make_input(rng, texts, directory)
+                server.stdin.write("\t".join([directory, *arguments]) + "\n")
+                server.stdin.flush()
+                status = int(server.stdout.readline())
+                outputs = [os.path.join(directory, name) for name in ("stdout", "stderr")]
+                told, said = (read(name) for name in outputs)
+                reason = wrong(status, told, said)
+                statuses["bad" if reason else status] += 1
+                if reason:
+                    kept = os.path.join(options.keep, f"{options.seed}_{number}")
+                    shutil.rmtree(kept, ignore_errors=True)
+                    shutil.copytree(directory, kept)
+                    print(f"{reason}: {kept}, stiction {' '.join(arguments)!r}", flush=True)
+        server.stdin.close()
+    return statuses
 
 
 def main():
@@ -147,36 +186,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
+    parser.add_argument("fork_server")
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--keep", default="fuzz")
     options = parser.parse_args()
-    program, texts, bad, statuses = os.path.abspath(options.program), corpus(), 0, {}
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
-                   "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1"}
-    for number in range(options.count):
-        rng = random.Random(f"{options.seed} {number}")
-        with tempfile.TemporaryDirectory() as directory:
-            arguments = make_input(rng, texts, directory)
-            try:
-                end = subprocess.run([program, *arguments], cwd=directory,
-                                     stdin=subprocess.DEVNULL, capture_output=True,
-                                     env=environment, timeout=SECONDS, check=False)
-                reason, said = wrong(end), end.stderr + end.stdout[-2000:]
-                statuses[end.returncode] = statuses.get(end.returncode, 0) + 1
-            except subprocess.TimeoutExpired as over:
-                reason, said = "no end", (over.stdout or b"")[-2000:]
-            if reason:
-                bad += 1
-                kept = os.path.join(options.keep, f"{options.seed}_{number}")
-                shutil.rmtree(kept, ignore_errors=True)
-                shutil.copytree(directory, kept)
-                with open(os.path.join(kept, "said"), "wb") as file:
-                    file.write(said)
-                print(f"{reason}: {kept}, stiction {' '.join(arguments)!r}", flush=True)
-    print(f"{options.count} inputs, {bad} bad; status: "
-          + ", ".join(f"{status}: {n}" for status, n in sorted(statuses.items())))
-    return 1 if bad else 0
+    texts = corpus()
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        runs = [pool.submit(run_inputs, options, texts,
+                            range(job, options.count, options.jobs))
+                for job in range(options.jobs)]
+        statuses = sum((run.result() for run in runs), collections.Counter())
+    print(f"{options.count} inputs, {statuses['bad']} bad; status: "
+          + ", ".join(f"{status}: {statuses[status]}" for status in range(4)))
+    return 1 if statuses["bad"] else 0
 
 
 if __name__ == "__main__":
