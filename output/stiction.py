@@ -6,7 +6,7 @@
     run = stiction.run("parameters/brick.prm", {"Friction/Coefficient": 0.2})
     print(run.certified, run.summary["contact"]["force_on_body"])
     print(run.history["force_z"])        # columns of history.csv, of runs with steps
-    nodes = run.contact()                # of the contact boundaries, once each
+    nodes = run.contact()                # where contact forces act, once each
     print(nodes["points"][nodes["pressure"].argmax()])
 
 'read(DIRECTORY)' is the same for a run that was made before. Whether a run is certified
@@ -59,9 +59,18 @@ class Run:
         self.convergence = read_table(os.path.join(directory, "convergence.csv"))
         self.energy = read_table(os.path.join(directory, "energy.csv"))
 
-    def contact(self, step=None):
-        """The fields at the nodes of the contact boundaries: of a step, or at the end."""
-        return once_each(self._fields("contact", step))
+    def contact(self, step=None, both_sides=False):
+        """The fields at the nodes of the contact boundaries: of a step, or at the end.
+
+        both_sides: with those opposite in pairs, whose pressures follow from the others,
+        with which 'max_pressure' of the summary agrees.
+        """
+        fields = once_each(self._fields("contact", step))
+        known = [part["id"] for part in self.summary["contact"].get("boundaries", ())]
+        shown = np.isin(fields["boundary"], known)
+        if both_sides or not shown.any():
+            return fields
+        return {key: values[shown] for key, values in fields.items()}
 
     def solution(self, step=None):
         """Points, cells (rows of corners) and fields of the body: of a step, or at the

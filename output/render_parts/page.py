@@ -213,8 +213,9 @@ def draw_header(page, run):
     if run.time is not None:
         page.text(LEFT, 0.53, f"t = {number(run.time)}")
         return
-    contact = run.summary["contact"]
+    contact, steps = run.summary["contact"], run.summary.get("steps")
     page.text(LEFT, 0.53, "   ".join([
+        *([f"t = {number(steps[-1]['t'])}"] if steps and run.certified else []),
         "largest pressure "
         + quantity(run.units["stress"], contact["max_pressure"]),
         contact_force(run, contact),

@@ -138,7 +138,7 @@ def read(directory, tag="", time=None):
         time=time, certified=certified, scale=SimpleNamespace(
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
-            pressure=panels.shown_pressure(contact, certified).max()),
+            pressure=panels.shown_pressure(contact, certified)[contact.cells].max()),
         units=words.units_of(summary),
         body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),

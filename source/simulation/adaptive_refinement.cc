@@ -160,6 +160,13 @@ namespace stiction
     return roots;
   }
 
+  bool AdaptiveRefinement::has_raised_error() const
+  {
+    return !meshes_.empty() && meshes_.front().error >= 0. &&
+           meshes_.back().error >= 0. &&
+           meshes_.back().relative_error > meshes_.front().relative_error;
+  }
+
   nlohmann::json AdaptiveRefinement::to_json() const
   {
     using nlohmann::json;

@@ -177,6 +177,9 @@ namespace stiction
     assemble_system();
     make_contact_surface();
     require_writable_output(parameters_.output, parameters_.source, communicator_);
+    if (parameters_.time.has_steps())
+      log_->line(format("Of the times the first, t = %.6g:",
+                        discretization_->elasticity->time()));
     print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
     print_overview(*log_, *discretization_->elasticity, *discretization_->surface,
                    Units::named(parameters_.output.units));

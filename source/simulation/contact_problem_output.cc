@@ -45,6 +45,10 @@ namespace stiction
 
     // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
     constexpr double much_beyond_edge = 1. / 3.;
+
+    // Of the pressure where something lies opposite: edges of punches make two or three
+    // times that, by the mesh.
+    constexpr double high_beyond_edge = 10.;
   } // namespace
 
   std::vector<NodeStatus> ContactProblem::node_statuses() const
@@ -209,10 +213,17 @@ namespace stiction
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
     for (const ContactBoundary &pair : surface.boundaries())
-      if (const double share = status_.converged && pair.is_pair() && !pair.is_tied()
-                                 ? surface.share_beyond_edge(pair, state_.lambda)
-                                 : 0.;
-          share > much_beyond_edge)
+      if (!status_.converged || !pair.is_pair() || pair.is_tied())
+        continue;
+      else if (const double peak = surface.peak_beyond_edge(pair, state_.lambda);
+               peak > high_beyond_edge)
+        warnings.push_back(format(
+          "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at nodes "
+          "of '%s' beyond the edge of what lies opposite, and is not to be trusted; "
+          "let the other side bear the forces ('Slave side'), or make cells finer there.",
+          pair.name().c_str(), pair.partner_name().c_str(), peak, pair.name().c_str()));
+      else if (const double share = surface.share_beyond_edge(pair, state_.lambda);
+               share > much_beyond_edge)
         warnings.push_back(format(
           "%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' beyond the "
           "edge of what lies opposite, by up to a cell: a body tips late, and pressures "
@@ -331,6 +342,9 @@ namespace stiction
                  parameters_.stiffness_solver.type == "multigrid" &&
                      parameters_.geometry.element_degree == 2
                    ? "'Geometry/Global refinement' lowers it"
+                 : refinement_ && refinement_->has_raised_error()
+                   ? "refining has not lowered it, look where it is large "
+                     "(error_indicator in the files) and where the pressure is"
                  : parameters_.refinement.adaptive_steps > 0
                    ? "more 'Refinement/Adaptive steps' lower it"
                    : "'Refinement/Adaptive steps' lowers it");

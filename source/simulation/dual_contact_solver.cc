@@ -124,9 +124,13 @@ namespace stiction
     const qp::SlipBound &slip_bound       = setting_.surface.slip_bound();
     if (!method_)
       method_ = create_dual_method(chosen, Q, slip_bound.is_coulomb());
-    return certified_solve(*method_, Q, slip_bound, verifier, tolerance,
-                           chosen.maximum_iterations, other_method(tried_), observer,
-                           lambda);
+    const bool friction_holds =
+      setting_.elasticity.free_motions().n() > 0 && slip_bound.largest_coefficient() > 0.;
+    return certified_solve(
+      *method_, Q, slip_bound, verifier, tolerance, chosen.maximum_iterations,
+      (friction_holds ? "see whether the loads ask for more than friction bears, or " : "") +
+        other_method(tried_),
+      observer, lambda);
   }
 
   void DualContactSolver::forget_method()

@@ -56,6 +56,9 @@ namespace stiction
     /// certified, otherwise empty.
     dealii::Vector<double> indicators() const;
 
+    /// Whether the last mesh has a larger relative error than the first one.
+    bool has_raised_error() const;
+
     /// The section "refinement" of summary.json: an entry for each mesh.
     nlohmann::json to_json() const;
 

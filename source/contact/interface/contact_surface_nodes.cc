@@ -181,9 +181,11 @@ namespace stiction
         e.tail<2>() += seen_from(node, node.turning).tail<2>();
         if (e(0) < -boundary.body_size())
           throw InputError(
-            boundary.source().describe("Boundary conditions/Obstacle displacement") +
-            ", moves the obstacle of boundary '" + boundary.name() +
-            "' into the body by more than the body is large, must be small "
+            boundary.source().describe(boundary.displacement().norm() > 0.
+                                         ? "Boundary conditions/Obstacle displacement"
+                                         : "Boundary conditions/Initial gap") +
+            ", has the obstacle of boundary '" + boundary.name() +
+            "' inside of the body by more than the body is large, must be small "
             "like the displacements of the body.");
 
         set_at_node(offset, i, e);

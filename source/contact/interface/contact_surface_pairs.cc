@@ -115,7 +115,7 @@ namespace stiction
     void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
                               const Body &body)
     {
-      if (!pair.keeps_mesh_gap() || mortar.slaves.empty())
+      if (mortar.slaves.empty())
         return;
       const double overlap = -mortar.gaps.minCoeff(), thickness = thinnest(body, pair);
       if (overlap >= thickness)
@@ -267,6 +267,19 @@ namespace stiction
             beyond += force;
         }
     return all > 0. ? beyond / all : 0.;
+  }
+
+  double ContactSurface::peak_beyond_edge(const ContactBoundary &pair,
+                                          const Eigen::VectorXd &lambda) const
+  {
+    double beyond = 0., opposite = 0.;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (boundaries_[nodes_[i].boundary].id() == pair.id())
+        {
+          double &largest = nodes_[i].cover < covered ? beyond : opposite;
+          largest         = std::max(largest, lambda(i) / areas_(i));
+        }
+    return opposite > 0. ? std::max(1., beyond / opposite) : 1.;
   }
 
   ContactOperator::OtherSide ContactSurface::other_side(

@@ -193,6 +193,11 @@ namespace stiction
     double share_beyond_edge(const ContactBoundary &pair,
                              const Eigen::VectorXd &lambda) const;
 
+    /// How many times the largest pressure of a contact boundary that is a pair is that of
+    /// nodes which something does lie opposite to; 1 if that is the largest.
+    double peak_beyond_edge(const ContactBoundary &pair,
+                            const Eigen::VectorXd &lambda) const;
+
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }
 

@@ -120,6 +120,8 @@ namespace stiction
             else
               surfaces_.push_back({options_["NAME"], {}});
           }
+        else if (keyword_ == "*PART")
+          ++n_parts_;
         else if (keyword_ == "*SOLID SECTION")
           sections_.push_back({options_["ELSET"], options_["MATERIAL"]});
         else if (keyword_ == "*INCLUDE" ||
@@ -168,8 +170,12 @@ namespace stiction
         if (items.size() < 4 || std::count(items.begin() + 1, items.begin() + 4, "") > 0)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
+        const std::int64_t number = text_.to_integer(items[0]);
+        if (n_parts_ > 1 && mesh_.has_node(number))
+          text_.refuse("node " + items[0] + " stands in two parts, each '*PART' must be a "
+                       "file of its own; sections 'Body' join them");
         mesh_.add_node(
-          text_.to_integer(items[0]),
+          number,
           {text_.to_real(items[1]), text_.to_real(items[2]), text_.to_real(items[3])});
       }
 
@@ -334,6 +340,7 @@ namespace stiction
       // by their numbers, where they are in the mesh
       std::unordered_map<std::int64_t, std::size_t> cells_;
 
+      unsigned int n_parts_ = 0;
       std::string keyword_, unfinished_;
       std::map<std::string, std::string> options_;
 
