@@ -178,8 +178,8 @@ namespace stiction
     make_contact_surface();
     require_writable_output(parameters_.output, parameters_.source, communicator_);
     if (parameters_.time.has_steps())
-      log_->line(format("Of the times the first, t = %.6g:",
-                        discretization_->elasticity->time()));
+      log_->line(
+        format("Of the times the first, t = %.6g:", discretization_->elasticity->time()));
     print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
     print_overview(*log_, *discretization_->elasticity, *discretization_->surface,
                    Units::named(parameters_.output.units));

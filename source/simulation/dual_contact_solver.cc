@@ -128,7 +128,8 @@ namespace stiction
       setting_.elasticity.free_motions().n() > 0 && slip_bound.largest_coefficient() > 0.;
     return certified_solve(
       *method_, Q, slip_bound, verifier, tolerance, chosen.maximum_iterations,
-      (friction_holds ? "see whether the loads ask for more than friction bears, or " : "") +
+      (friction_holds ? "see whether the loads ask for more than friction bears, or "
+                      : "") +
         other_method(tried_),
       observer, lambda);
   }

@@ -1,11 +1,12 @@
 // Runs a program again and again without loading it each time, which for deal.II's two
-// hundred libraries takes longer than most runs. Loaded before the program (LD_PRELOAD), it
-// takes the place of the program's start and reads from the standard input, a line a run:
+// hundred libraries takes longer than most runs. Loaded before the program (LD_PRELOAD),
+// it takes the place of the program's start and reads from the standard input, a line a
+// run:
 //
 //   DIRECTORY<tab>ARGUMENT<tab>ARGUMENT...
 //
-// The program's main() runs in a copy of the process, in that directory, with its outputs in
-// the files 'stdout' and 'stderr' there. A line of the standard output tells the exit
+// The program's main() runs in a copy of the process, in that directory, with its outputs
+// in the files 'stdout' and 'stderr' there. A line of the standard output tells the exit
 // status, or minus the signal that ended it; SIGXCPU if it used more than the processor
 // time that FORK_SERVER_SECONDS gives, SIGALRM if it took ten times as long.
 #include <dlfcn.h>
@@ -38,8 +39,8 @@ namespace
 
     if (chdir(arguments.at(0).c_str()) != 0)
       _exit(127);
-    const int modes[] = {O_RDONLY, O_WRONLY | O_CREAT | O_TRUNC,
-                         O_WRONLY | O_CREAT | O_TRUNC};
+    const int modes[]         = {O_RDONLY, O_WRONLY | O_CREAT | O_TRUNC,
+                                 O_WRONLY | O_CREAT | O_TRUNC};
     const char *const files[] = {"/dev/null", "stdout", "stderr"};
     for (int descriptor = 0; descriptor < 3; ++descriptor)
       if (dup2(open(files[descriptor], modes[descriptor], 0666), descriptor) < 0)
@@ -72,9 +73,8 @@ namespace
 extern "C" int __libc_start_main(Main main, int argc, char **argv, void (*init)(),
                                  void (*fini)(), void (*rtld_fini)(), void *stack_end)
 {
-  program = main;
-  using Start =
-    int (*)(Main, int, char **, void (*)(), void (*)(), void (*)(), void *);
+  program     = main;
+  using Start = int (*)(Main, int, char **, void (*)(), void (*)(), void (*)(), void *);
   const auto start = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"));
   return start(serve, argc, argv, init, fini, rtld_fini, stack_end);
 }

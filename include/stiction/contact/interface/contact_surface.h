@@ -193,8 +193,8 @@ namespace stiction
     double share_beyond_edge(const ContactBoundary &pair,
                              const Eigen::VectorXd &lambda) const;
 
-    /// How many times the largest pressure of a contact boundary that is a pair is that of
-    /// nodes which something does lie opposite to; 1 if that is the largest.
+    /// How many times the largest pressure of a contact boundary that is a pair is that
+    /// of nodes which something does lie opposite to; 1 if that is the largest.
     double peak_beyond_edge(const ContactBoundary &pair,
                             const Eigen::VectorXd &lambda) const;
 

@@ -172,11 +172,11 @@ namespace stiction
                        "stand here");
         const std::int64_t number = text_.to_integer(items[0]);
         if (n_parts_ > 1 && mesh_.has_node(number))
-          text_.refuse("node " + items[0] + " stands in two parts, each '*PART' must be a "
+          text_.refuse("node " + items[0] +
+                       " stands in two parts, each '*PART' must be a "
                        "file of its own; sections 'Body' join them");
-        mesh_.add_node(
-          number,
-          {text_.to_real(items[1]), text_.to_real(items[2]), text_.to_real(items[3])});
+        mesh_.add_node(number, {text_.to_real(items[1]), text_.to_real(items[2]),
+                                text_.to_real(items[3])});
       }
 
       void read_element(const std::vector<std::string> &items)
