@@ -159,8 +159,12 @@ def run_inputs(options, texts, numbers):
                    "LD_PRELOAD": os.path.abspath(options.fork_server),
                    "LD_BIND_NOW": "1", "FORK_SERVER_SECONDS": str(SECONDS)}
     statuses = collections.Counter()
-    with subprocess.Popen([os.path.abspath(options.program)], env=environment, text=True,
-                          stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
+    # what Open MPI makes and removes there for each run, other programs are using
+    sessions = tempfile.TemporaryDirectory()
+    environment["OMPI_MCA_orte_tmpdir_base"] = sessions.name
+    with sessions, subprocess.Popen([os.path.abspath(options.program)], env=environment,
+                                    text=True, stdin=subprocess.PIPE,
+                                    stdout=subprocess.PIPE) as server:
         for number in numbers:
             rng = random.Random(f"{options.seed} {number}")
             with tempfile.TemporaryDirectory() as directory:
