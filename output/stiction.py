@@ -60,10 +60,10 @@ class Run:
         self.energy = read_table(os.path.join(directory, "energy.csv"))
 
     def contact(self, step=None, both_sides=False):
-        """The fields at the nodes of the contact boundaries: of a step, or at the end.
+        """The fields at the nodes where contact forces act, of which the summary speaks:
+        of a step, or at the end.
 
-        both_sides: with those opposite in pairs, whose pressures follow from the others,
-        with which 'max_pressure' of the summary agrees.
+        both_sides: with the nodes opposite in pairs, whose pressures follow from these.
         """
         fields = once_each(self._fields("contact", step))
         known = [part["id"] for part in self.summary["contact"].get("boundaries", ())]

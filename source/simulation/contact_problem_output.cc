@@ -213,24 +213,30 @@ namespace stiction
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
     for (const ContactBoundary &pair : surface.boundaries())
-      if (!status_.converged || !pair.is_pair() || pair.is_tied())
-        continue;
-      else if (const double peak = surface.peak_beyond_edge(pair, state_.lambda);
-               peak > high_beyond_edge)
-        warnings.push_back(format(
-          "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at nodes "
-          "of '%s' beyond the edge of what lies opposite, and is not to be trusted; "
-          "let the other side bear the forces ('Slave side'), or make cells finer there.",
-          pair.name().c_str(), pair.partner_name().c_str(), peak, pair.name().c_str()));
-      else if (const double share = surface.share_beyond_edge(pair, state_.lambda);
-               share > much_beyond_edge)
-        warnings.push_back(format(
-          "%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' beyond the "
-          "edge of what lies opposite, by up to a cell: a body tips late, and pressures "
-          "at such an edge are too large; "
-          "let the other side bear the forces ('Slave side'), or make cells finer there.",
-          100. * share, pair.name().c_str(), pair.partner_name().c_str(),
-          pair.name().c_str()));
+      {
+        if (!status_.converged || !pair.is_pair() || pair.is_tied())
+          continue;
+        const auto [share, peak] = surface.beyond_edge(pair, state_.lambda);
+        const std::string remedy =
+          "let the other side bear the forces ('Slave side'), or make cells finer there.";
+        if (peak > high_beyond_edge)
+          warnings.push_back(
+            format(
+              "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
+              "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
+              "trusted; ",
+              pair.name().c_str(), pair.partner_name().c_str(), peak,
+              pair.name().c_str()) +
+            remedy);
+        else if (share > much_beyond_edge)
+          warnings.push_back(
+            format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
+                   "beyond the edge of what lies opposite, by up to a cell: a body tips "
+                   "late, and pressures at such an edge are too large; ",
+                   100. * share, pair.name().c_str(), pair.partner_name().c_str(),
+                   pair.name().c_str()) +
+            remedy);
+      }
     Deformation deformation = largest_deformation_;
     if (status_.converged)
       deformation.include(largest_deformation(*body_, state_.u));

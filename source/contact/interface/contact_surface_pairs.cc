@@ -254,32 +254,27 @@ namespace stiction
     return true;
   }
 
-  double ContactSurface::share_beyond_edge(const ContactBoundary &pair,
-                                           const Eigen::VectorXd &lambda) const
+  ContactSurface::BeyondEdge ContactSurface::beyond_edge(
+    const ContactBoundary &pair, const Eigen::VectorXd &lambda) const
   {
-    double beyond = 0., all = 0.;
+    struct
+    {
+      double force = 0., pressure = 0.;
+    } beyond, opposite;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       if (boundaries_[nodes_[i].boundary].id() == pair.id())
         {
+          auto &there        = nodes_[i].cover < covered ? beyond : opposite;
           const double force = std::max(lambda(i), 0.);
-          all += force;
-          if (nodes_[i].cover < covered)
-            beyond += force;
+          there.force += force;
+          there.pressure = std::max(there.pressure, force / areas_(i));
         }
-    return all > 0. ? beyond / all : 0.;
-  }
-
-  double ContactSurface::peak_beyond_edge(const ContactBoundary &pair,
-                                          const Eigen::VectorXd &lambda) const
-  {
-    double beyond = 0., opposite = 0.;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (boundaries_[nodes_[i].boundary].id() == pair.id())
-        {
-          double &largest = nodes_[i].cover < covered ? beyond : opposite;
-          largest         = std::max(largest, lambda(i) / areas_(i));
-        }
-    return opposite > 0. ? std::max(1., beyond / opposite) : 1.;
+    BeyondEdge result;
+    if (beyond.force > 0.)
+      result.share = beyond.force / (beyond.force + opposite.force);
+    if (opposite.pressure > 0.)
+      result.peak = std::max(1., beyond.pressure / opposite.pressure);
+    return result;
   }
 
   ContactOperator::OtherSide ContactSurface::other_side(

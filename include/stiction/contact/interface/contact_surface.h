@@ -188,15 +188,16 @@ namespace stiction
     /// Whether the forces of a pair are on a side that is much stiffer.
     bool has_stiff_slaves() const { return has_stiff_slaves_; }
 
-    /// Of the normal force of a contact boundary that is a pair, how much acts at nodes
-    /// beyond the edge of what lies opposite.
-    double share_beyond_edge(const ContactBoundary &pair,
-                             const Eigen::VectorXd &lambda) const;
-
-    /// How many times the largest pressure of a contact boundary that is a pair is that
-    /// of nodes which something does lie opposite to; 1 if that is the largest.
-    double peak_beyond_edge(const ContactBoundary &pair,
-                            const Eigen::VectorXd &lambda) const;
+    /// What nodes of a contact boundary that is a pair bear beyond the edge of what lies
+    /// opposite.
+    struct BeyondEdge
+    {
+      double share = 0.; ///< of the normal force
+      /// The largest pressure there, over the largest of the other nodes, at least 1.
+      double peak = 1.;
+    };
+    BeyondEdge beyond_edge(const ContactBoundary &pair,
+                           const Eigen::VectorXd &lambda) const;
 
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }

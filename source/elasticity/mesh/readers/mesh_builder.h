@@ -35,8 +35,9 @@ namespace stiction
     /// are not of first or second order.
     const Kind &element_kind(std::int64_t type) const;
 
-    /// Throws InputError if there is a node of this number already.
     bool has_node(std::int64_t number) const { return positions_.count(number) != 0; }
+
+    /// Throws InputError if there is a node of this number already.
     void add_node(std::int64_t number, const dealii::Point<3> &point);
 
     /// Of elements that are no use it notes how many there are.
