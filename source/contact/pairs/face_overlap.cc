@@ -68,6 +68,23 @@ namespace stiction
     }
   } // namespace
 
+  bool FaceOverlap::are_apart(const Projected &first, const Projected &second)
+  {
+    const auto range = [](const Projected &face, const unsigned int d) {
+      const auto ends = std::minmax_element(
+        face.nodes.begin(), face.nodes.begin() + face.n_nodes(),
+        [d](const Point2 &p, const Point2 &q) { return p[d] < q[d]; });
+      return std::make_pair((*ends.first)[d], (*ends.second)[d]);
+    };
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        const auto one = range(first, d), other = range(second, d);
+        if (one.second < other.first || other.second < one.first)
+          return true;
+      }
+    return false;
+  }
+
   FaceOverlap::FaceOverlap(const SurfaceFace &first)
     : first_(first)
     , centre_(first.centre())
@@ -122,7 +139,7 @@ namespace stiction
       {
         const FaceShape shape(face.degree, at);
         double r[2] = {p[0], p[1]}, J[2][2] = {{0., 0.}, {0., 0.}};
-        for (unsigned int i = 0; i < (face.degree + 1) * (face.degree + 1); ++i)
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
           for (unsigned int c = 0; c < 2; ++c)
             {
               r[c] -= shape.value[i] * face.nodes[i][c];
@@ -145,7 +162,9 @@ namespace stiction
     std::vector<OverlapPoint> points;
     if (-(second.normal() * normal_) < facing_cosine)
       return points;
-    const Projected other   = project(second);
+    const Projected other = project(second);
+    if (are_apart(on_plane_, other))
+      return points;
     const auto &quadrature  = rule(first_.degree);
     const auto add_triangle = [&](const Point2 &a, const Point2 &b, const Point2 &c) {
       for (unsigned int q = 0; q < quadrature.size(); ++q)

@@ -76,39 +76,93 @@ namespace stiction
       return ends.first.distance(ends.second);
     }
 
+    // A point of a slave face that has another face opposite.
+    struct CoveredPoint
+    {
+      OverlapPoint at;
+      const SurfaceFace *master;
+    };
+
+    // The master faces, found by where they are.
+    class MasterSurface
+    {
+    public:
+      explicit MasterSurface(const std::vector<SurfaceFace> &faces)
+        : faces_(faces)
+        , boxes_(boxes_of(faces))
+        , tree_(pack_rtree_of_indices(boxes_))
+      {
+      }
+
+      MasterSurface(const MasterSurface &) = delete; // the tree refers to the boxes
+
+      // The points of a face with the nearest sheet of this surface opposite, along its
+      // normal within the reach.
+      std::vector<CoveredPoint> opposite(const SurfaceFace &slave,
+                                         const double reach) const
+      {
+        const FaceOverlap overlap(slave);
+        const double steep = steepest * slave.diameter();
+        double sight = std::min(reach, 2. * steep), farthest = reach;
+        std::vector<CoveredPoint> points;
+        while (true) // what is far is looked for only where nothing is near
+          {
+            points.clear();
+            double nearest = reach;
+            for (const SurfaceFace *const master : within(box_of_sight(slave, sight)))
+              for (const OverlapPoint &point : overlap.with(*master))
+                {
+                  points.push_back({point, master});
+                  nearest = std::min(nearest, std::abs(point.gap));
+                }
+            farthest = std::min(reach, nearest + steep);
+            if (farthest <= sight)
+              break;
+            sight = std::min(reach, 2. * sight);
+          }
+        points.erase(std::remove_if(points.begin(), points.end(),
+                                    [&](const CoveredPoint &point) {
+                                      return std::abs(point.at.gap) > farthest;
+                                    }),
+                     points.end());
+        return points;
+      }
+
+    private:
+      static std::vector<BoundingBox<3>> boxes_of(const std::vector<SurfaceFace> &faces)
+      {
+        std::vector<BoundingBox<3>> boxes;
+        for (const SurfaceFace &face : faces)
+          boxes.push_back(box_of(face));
+        return boxes;
+      }
+
+      std::vector<const SurfaceFace *> within(const BoundingBox<3> &box) const
+      {
+        std::vector<std::size_t> numbers;
+        tree_.query(boost::geometry::index::intersects(box), std::back_inserter(numbers));
+        std::sort(numbers.begin(), numbers.end());
+        std::vector<const SurfaceFace *> found;
+        for (const std::size_t k : numbers)
+          found.push_back(&faces_[k]);
+        return found;
+      }
+
+      const std::vector<SurfaceFace> &faces_;
+      const std::vector<BoundingBox<3>> boxes_;
+      const decltype(pack_rtree_of_indices(boxes_)) tree_;
+    };
+
     // D, M and the gaps of one face.
-    void add_face(const SurfaceFace &slave,
-                  const std::vector<const SurfaceFace *> &masters, const double reach,
+    void add_face(const SurfaceFace &slave, const std::vector<CoveredPoint> &points,
                   std::vector<Share> &shares)
     {
-      const FaceOverlap overlap(slave);
-      struct Point
-      {
-        OverlapPoint at;
-        const SurfaceFace *master;
-      };
-      std::vector<Point> points;
-      double nearest = reach;
-      for (const SurfaceFace *const master : masters)
-        for (const OverlapPoint &point : overlap.with(*master))
-          {
-            points.push_back({point, master});
-            nearest = std::min(nearest, std::abs(point.gap));
-          }
-      // not those on a farther sheet of the same surface
-      const double farthest = std::min(reach, nearest + steepest * slave.diameter());
-      points.erase(std::remove_if(points.begin(), points.end(),
-                                  [&](const Point &point) {
-                                    return std::abs(point.at.gap) > farthest;
-                                  }),
-                   points.end());
-
       const Eigen::Index n = slave.n_nodes();
       Eigen::MatrixXd m    = Eigen::MatrixXd::Zero(n, n);
       Eigen::VectorXd d    = Eigen::VectorXd::Zero(n);
       double smallest = std::numeric_limits<double>::max(), largest = -smallest,
              modulus = 0.;
-      for (const Point &point : points)
+      for (const CoveredPoint &point : points)
         {
           const FaceShape shape(slave.degree, point.at.first);
           const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
@@ -123,7 +177,7 @@ namespace stiction
       const Eigen::MatrixXd to_dual = d.asDiagonal() * m.fullPivLu().inverse();
       Eigen::VectorXd gap           = Eigen::VectorXd::Zero(n);
       std::map<Dof, Eigen::VectorXd> M;
-      for (const Point &point : points)
+      for (const CoveredPoint &point : points)
         {
           const FaceShape shape(slave.degree, point.at.first);
           const FaceShape other(point.master->degree, point.at.second);
@@ -212,10 +266,7 @@ namespace stiction
                                  const std::vector<SurfaceFace> &master_faces,
                                  const double reach)
     {
-      std::vector<BoundingBox<3>> boxes;
-      for (const SurfaceFace &face : master_faces)
-        boxes.push_back(box_of(face));
-      const auto tree = pack_rtree_of_indices(boxes);
+      const MasterSurface masters(master_faces);
 
       // each rank takes its share of the list
       MPI_Comm communicator      = elasticity.body().communicator();
@@ -224,17 +275,7 @@ namespace stiction
       const std::size_t n        = slave_faces.size();
       std::vector<Share> shares;
       for (std::size_t f = n * rank / n_ranks; f < n * (rank + 1) / n_ranks; ++f)
-        {
-          std::vector<std::size_t> near;
-          tree.query(
-            boost::geometry::index::intersects(box_of_sight(slave_faces[f], reach)),
-            std::back_inserter(near));
-          std::sort(near.begin(), near.end());
-          std::vector<const SurfaceFace *> masters;
-          for (const std::size_t k : near)
-            masters.push_back(&master_faces[k]);
-          add_face(slave_faces[f], masters, reach, shares);
-        }
+        add_face(slave_faces[f], masters.opposite(slave_faces[f], reach), shares);
       return all_gather(shares, communicator);
     }
   } // namespace

@@ -39,9 +39,14 @@ namespace stiction
       unsigned int degree;
       std::array<Point2, 9> nodes;
       std::array<double, 9> heights;
+
+      unsigned int n_nodes() const { return (degree + 1) * (degree + 1); }
     };
 
     Projected project(const SurfaceFace &face) const;
+
+    /// Whether the boxes around them on the plane do not meet.
+    static bool are_apart(const Projected &first, const Projected &second);
 
     /// Convex ones that together are the face.
     static std::vector<std::vector<Point2>> polygons(const Projected &face);
