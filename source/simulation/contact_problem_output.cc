@@ -224,9 +224,9 @@ namespace stiction
             format(
               "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
               "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
-              "trusted; ",
-              pair.name().c_str(), pair.partner_name().c_str(), peak,
-              pair.name().c_str()) +
+              "trusted; %.0f %% of the force acts there; ",
+              pair.name().c_str(), pair.partner_name().c_str(), peak, pair.name().c_str(),
+              100. * share) +
             remedy);
         else if (share > much_beyond_edge)
           warnings.push_back(

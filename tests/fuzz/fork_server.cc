@@ -48,7 +48,7 @@ namespace
     const unsigned int seconds = std::atoi(std::getenv("FORK_SERVER_SECONDS"));
     const rlimit limit         = {seconds, seconds + 5};
     setrlimit(RLIMIT_CPU, &limit);
-    alarm(10 * seconds);
+    alarm(5 * seconds);
     std::exit(program(static_cast<int>(arguments.size()), pointers.data(), environment));
   }
 

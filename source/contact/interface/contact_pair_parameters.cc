@@ -87,7 +87,8 @@ namespace stiction
     add_parameter("Mesh gap", mesh_gap,
                   "Of a contact pair, kept: the distance between both sides as they are "
                   "meshed, negative where they overlap, to which 'Initial gap' is added. "
-                  "removed: 'Initial gap' alone, whatever the distance; for round "
+                  "removed: 'Initial gap' alone, whatever the distance, though not with "
+                  "sides that overlap by more than a body is thick; for round "
                   "surfaces, which facets keep apart or let overlap by more than the "
                   "bodies give way, and for overlaps that the drawing has and the bodies "
                   "have not. A fit with interference is then a negative 'Initial gap'.",

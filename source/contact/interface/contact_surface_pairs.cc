@@ -35,6 +35,9 @@ namespace stiction
     // a smaller one.
     constexpr double all_of_it = 0.999, smaller = 0.99;
 
+    // Of the largest area of a node: less is a sliver, whose gap may be anything.
+    constexpr double sliver = 1e-3;
+
     // Of a cosine: normals within it are those of a flat surface, whose area stays what
     // it is when the mesh is refined.
     constexpr double flat = 0.99;
@@ -117,7 +120,10 @@ namespace stiction
     {
       if (mortar.slaves.empty())
         return;
-      const double overlap = -mortar.gaps.minCoeff(), thickness = thinnest(body, pair);
+      const double thickness = thinnest(body, pair),
+                   least     = sliver * mortar.areas.maxCoeff();
+      const double overlap =
+        -(mortar.areas.array() < least).select(0., mortar.gaps).minCoeff();
       if (overlap >= thickness)
         throw InputError(pair.source().describe("Boundary conditions/Obstacle") +
                          ", boundary '" + pair.name() + "' is " +
