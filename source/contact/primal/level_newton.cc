@@ -29,8 +29,19 @@ namespace stiction
     constexpr double first_reduction = 0.1;
 
     // ρ is changed if the residual falls by less than this in so many steps.
-    constexpr double required_fall     = 0.7;
-    constexpr std::size_t fall_horizon = 3;
+    constexpr double required_fall           = 0.7;
+    constexpr std::size_t later_fall_horizon = 3;
+
+    // ... at first in so many, while linear systems are easy and the residual is above
+    // one: a contact set that starts from nothing grows by a few rows of cells a step,
+    // and the residual falls only when it is complete. Without friction hardly anything
+    // else can keep it up.
+    constexpr std::size_t first_fall_horizon = 8, frictionless_fall_horizon = 20;
+    constexpr double no_contact_set = 1.;
+
+    // What the interior point method brings the residual down to, and by, before Newton
+    // steps are tried again: near the solution they need fewer and easier systems.
+    constexpr double interior_point_part = 0.1;
 
     // The factors on the first ρ that are tried in turn: mostly it was too
     // large, cycling, rarely too small.
@@ -39,6 +50,17 @@ namespace stiction
 
     constexpr unsigned int max_interior_point_steps = 100;
   } // namespace
+
+  std::size_t LevelNewton::fall_horizon(const unsigned int stalls,
+                                        const double residual) const
+  {
+    if (stalls > 0 || !system_.is_easy() || residual <= no_contact_set)
+      return later_fall_horizon;
+    const qp::SlipBound &bound = problem_.slip_bound();
+    return bound.largest_coefficient() == 0. && bound.constant().isZero(0.)
+             ? frictionless_fall_horizon
+             : first_fall_horizon;
+  }
 
   LevelNewton::LevelNewton(const ContactLevel &problem, const unsigned int level,
                            Multigrid &preconditioner, const Options &options)
@@ -66,16 +88,9 @@ namespace stiction
       {
         if (has_stepped && residual.value() <= tolerance)
           {
-            // what the linear solver carried along is made anew
-            state.update(problem_);
-            residual = ContactResidual(problem_, state, problem_.slip_bound());
             if (carries_rounding_only(residual, problem_.rounding_of_forces(state.u)))
-              {
-                drop_contact_forces(state);
-                return {};
-              }
-            if (residual.value() <= tolerance)
-              return {};
+              drop_contact_forces(state);
+            return {};
           }
         if (statistics_.n_steps() >= max_steps)
           return "the cap on Newton steps was met, " +
@@ -83,7 +98,7 @@ namespace stiction
         if (!options_.only_fallback)
           {
             step(state, lambda, residual, tolerance);
-            residual = ContactResidual(problem_, state, problem_.slip_bound());
+            residual = measure(state, tolerance);
             lambda   = state.lambda;
             observer(statistics_, residual);
             history.push_back(residual.value());
@@ -97,9 +112,10 @@ namespace stiction
             stands_still_ = true;
             return why_no_closer();
           }
+        const std::size_t horizon = fall_horizon(stalls, residual.value());
         const bool falls =
-          history.size() <= fall_horizon ||
-          history.back() <= required_fall * history[history.size() - 1 - fall_horizon];
+          history.size() <= horizon ||
+          history.back() <= required_fall * history[history.size() - 1 - horizon];
         if (falls && !options_.only_fallback)
           continue;
 
@@ -117,21 +133,31 @@ namespace stiction
                    "solver/Tolerance' above that";
           }
 
-        // change ρ, and every second time fall back as well
+        // change ρ, and every second time fall back as well, or go on with that where
+        // Newton steps do not finish what it began
         history.clear();
         ++stalls;
         c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
         ++statistics_.rho_changes;
-        if (stalls % 2 == 1 && !options_.only_fallback)
+        if (!path_ && stalls % 2 == 1 && !options_.only_fallback)
           continue;
-        stands_still_ =
-          statistics_.fallbacks == options_.max_fallbacks || has_hard_systems();
+        stands_still_ = !path_ && (statistics_.fallbacks == options_.max_fallbacks ||
+                                   has_hard_systems());
         if (stands_still_)
           return why_no_closer();
         fall_back(state, tolerance, max_steps - statistics_.n_steps(), observer);
-        residual = ContactResidual(problem_, state, problem_.slip_bound());
+        residual = measure(state, tolerance);
         lambda   = state.lambda;
       }
+  }
+
+  ContactResidual LevelNewton::measure(ContactState &state, const double tolerance) const
+  {
+    const ContactResidual residual(problem_, state, problem_.slip_bound());
+    if (residual.value() > tolerance)
+      return residual;
+    state.update(problem_);
+    return {problem_, state, problem_.slip_bound()};
   }
 
   bool LevelNewton::carries_rounding_only(const ContactResidual &residual,
@@ -211,14 +237,24 @@ namespace stiction
   void LevelNewton::fall_back(ContactState &state, const double tolerance,
                               const unsigned int max_steps, const Observer &observer)
   {
-    ++statistics_.fallbacks;
-    PrimalInteriorPoint(problem_, system_)
-      .solve(state, 0.5 * tolerance, std::min(max_interior_point_steps, max_steps),
-             [&](const unsigned int iterations, const ContactResidual &residual) {
-               ++statistics_.interior_point_steps;
-               statistics_.krylov_iterations += iterations;
-               note_factorization();
-               observer(statistics_, residual);
-             });
+    if (!path_)
+      {
+        path_ = std::make_unique<PrimalInteriorPoint>(problem_, system_, state,
+                                                      0.5 * tolerance);
+        ++statistics_.fallbacks;
+      }
+    const double target =
+      options_.only_fallback ? 0. : interior_point_part * std::min(1., path_->residual());
+    path_->solve(std::max(0.5 * tolerance, target),
+                 std::min(max_interior_point_steps, max_steps),
+                 [&](const unsigned int iterations, const ContactResidual &residual) {
+                   ++statistics_.interior_point_steps;
+                   statistics_.krylov_iterations += iterations;
+                   note_factorization();
+                   observer(statistics_, residual);
+                 });
+    state = path_->best();
+    if (path_->is_at_end())
+      path_.reset();
   }
 } // namespace stiction

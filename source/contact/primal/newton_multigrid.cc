@@ -89,6 +89,17 @@ namespace stiction
       return bases;
     }
 
+    std::string why_factorized(const ContactLevel &problem, const unsigned long unknowns)
+    {
+      return std::string("Linear systems take too many iterations (are cells flat, is a "
+                         "Poisson ratio near 0.5") +
+             (problem.basis().is_identity()
+                ? ""
+                : ", are the forces of a pair on its stiffer side") +
+             "?): with " + std::to_string(unknowns) +
+             " unknowns they are factorised from here on.";
+    }
+
     // A start is not worth what an answer is.
     LevelNewton::Options for_start(LevelNewton::Options options)
     {
@@ -144,9 +155,10 @@ namespace stiction
           continue; // the iterate is wanted on the finest level
         const bool is_finest = l == finest_level();
 
-        const unsigned int iterations = row.iterations;
-        row.residual                  = 0.; // that of another problem
-        const auto after_step         = [&](const LevelNewton::Statistics &statistics,
+        const unsigned int iterations     = row.iterations;
+        unsigned int interior_point_steps = 0;
+        row.residual                      = 0.; // that of another problem
+        const auto after_step             = [&](const LevelNewton::Statistics &statistics,
                                     const ContactResidual &residual) {
           statistics_[l] = earlier[l];
           statistics_[l] += statistics;
@@ -156,16 +168,14 @@ namespace stiction
           row.contraction  = row.residual > 0. ? residual.value() / row.residual : 0.;
           row.residual     = residual.value();
           row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
-          row.remark =
-            statistics.factorized_from == statistics.n_steps() + 1
-                      ? "Linear systems take too many iterations (are cells flat, is a "
-                        "Poisson ratio near 0.5" +
-                  std::string(problems_[l]->basis().is_identity()
-                                        ? ""
-                                        : ", are the forces of a pair on its stiffer side") +
-                  "?): with " + std::to_string(row.unknowns) +
-                  " unknowns they are factorised from here on."
-                      : "";
+          row.remark       = "";
+          if (statistics.factorized_from == statistics.n_steps() + 1)
+            row.remark = why_factorized(*problems_[l], row.unknowns);
+          else if (interior_point_steps == 0 && statistics.interior_point_steps > 0)
+            row.remark = "Newton steps come no closer: from step " +
+                         std::to_string(row.step) +
+                         " on they take turns with an interior point method.";
+          interior_point_steps = statistics.interior_point_steps;
           observer(row);
         };
         try

@@ -41,53 +41,23 @@ namespace stiction
     constexpr unsigned int max_lost_steps = 5;
   } // namespace
 
-  // A point of the central path with the displacement.
-  class PrimalInteriorPoint::Path
-  {
-  public:
-    Path(const ContactLevel &problem, NewtonSystem &system, const ContactState &start,
-         double tolerance);
-
-    // Solves a linear system and goes as far as the cones allow; false if that is
-    // nowhere.
-    bool step();
-
-    // Of the last system: its iterations, and whether it was solved as well as it
-    // should have been.
-    unsigned int krylov_iterations() const { return krylov_iterations_; }
-    bool is_accurate() const { return is_accurate_; }
-
-    const ContactState &state() const { return state_; }
-    double mu() const { return path_.mean_product(); }
-
-  private:
-    // The conditions of the nodes, D λ⁺ − w⁺ = c + (gap, slip) + D λ, as springs.
-    PrimalActiveSet linearize() const;
-
-    const ContactLevel &problem_;
-    NewtonSystem &system_;
-    ContactState state_;
-    const ContactResidual start_;
-    const double tolerance_;
-    qp::CentralPath path_;
-    double reduction_               = 0.1; // of μ in the next step
-    unsigned int krylov_iterations_ = 0;
-    bool is_accurate_               = false;
-  };
-
-  PrimalInteriorPoint::Path::Path(const ContactLevel &problem, NewtonSystem &system,
-                                  const ContactState &start, const double tolerance)
+  PrimalInteriorPoint::PrimalInteriorPoint(const ContactLevel &problem,
+                                           NewtonSystem &system,
+                                           const ContactState &start,
+                                           const double tolerance)
     : problem_(problem)
     , system_(system)
     , state_(start)
+    , best_(start)
     , start_(problem, start, problem.slip_bound())
+    , best_residual_(start_.value())
     , tolerance_(tolerance)
     , path_(problem.slip_bound(), start_.conditions.scaling())
   {
     path_.open_gaps(-start.w);
   }
 
-  PrimalActiveSet PrimalInteriorPoint::Path::linearize() const
+  PrimalActiveSet PrimalInteriorPoint::linearize() const
   {
     const Eigen::VectorXd c = path_.right_hand_side();
     PrimalActiveSet result(problem_.n_nodes());
@@ -116,9 +86,9 @@ namespace stiction
     return result;
   }
 
-  bool PrimalInteriorPoint::Path::step()
+  bool PrimalInteriorPoint::step()
   {
-    const double target = reduction_ * mu();
+    const double target = reduction_ * path_.mean_product();
     path_.aim(target);
     const PrimalActiveSet linearization = linearize();
     const Eigen::VectorXd &force        = start_.conditions.scaling().force;
@@ -157,37 +127,32 @@ namespace stiction
     return true;
   }
 
-  PrimalInteriorPoint::PrimalInteriorPoint(const ContactLevel &problem,
-                                           NewtonSystem &system)
-    : problem_(problem)
-    , system_(system)
+  bool PrimalInteriorPoint::is_at_end() const
   {
+    return best_residual_ <= tolerance_ || is_blocked_ || idle_ == max_idle_steps ||
+           lost_ == max_lost_steps;
   }
 
-  void PrimalInteriorPoint::solve(ContactState &state, const double tolerance,
-                                  const unsigned int max_steps, const Observer &observer)
+  void PrimalInteriorPoint::solve(const double residual, const unsigned int max_steps,
+                                  const Observer &observer)
   {
-    double best        = ContactResidual(problem_, state, problem_.slip_bound()).value();
-    unsigned int steps = 0, idle = 0, lost = 0;
-    Path path(problem_, system_, state, tolerance);
-    while (best > tolerance && steps < max_steps && idle < max_idle_steps &&
-           lost < max_lost_steps)
+    for (unsigned int steps = 0;
+         best_residual_ > residual && steps < max_steps && !is_at_end(); ++steps)
       {
-        const double mu = path.mu();
-        if (!path.step())
+        const double mu = path_.mean_product();
+        is_blocked_     = !step();
+        if (is_blocked_)
           break;
-        ++steps;
-        const ContactResidual residual(problem_, path.state(), problem_.slip_bound());
-        observer(path.krylov_iterations(), residual);
-        if (residual.value() < best)
+        const ContactResidual now(problem_, state_, problem_.slip_bound());
+        observer(krylov_iterations_, now);
+        lost_ = is_accurate_ ? 0 : lost_ + 1;
+        if (now.value() < best_residual_)
           {
-            best  = residual.value();
-            state = path.state();
-            lost  = 0;
+            best_residual_ = now.value();
+            best_          = state_;
+            lost_          = 0;
           }
-        else
-          lost = path.is_accurate() ? 0 : lost + 1;
-        idle = path.mu() < 0.9 * mu ? 0 : idle + 1;
+        idle_ = path_.mean_product() < 0.9 * mu ? 0 : idle_ + 1;
       }
   }
 } // namespace stiction

@@ -3,10 +3,12 @@
 
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/newton_system.h>
+#include <stiction/contact/primal/primal_interior_point.h>
 #include <stiction/qp/solvers/solver_run.h>
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -92,6 +94,14 @@ namespace stiction
     /// Enters into the statistics that systems are factorised from now on.
     void note_factorization();
 
+    /// The number of steps in which the residual has to fall, after so many times in
+    /// which it did not.
+    std::size_t fall_horizon(unsigned int stalls, double residual) const;
+
+    /// The residual; where it is small enough, of a state made anew from u, without what
+    /// the linear solver carried along.
+    ContactResidual measure(ContactState &state, double tolerance) const;
+
     /// Whether the body is only moved and touches nothing, so that all forces
     /// are the rounding of K u. @param rounding that of all nodes, N.
     bool carries_rounding_only(const ContactResidual &residual, double rounding) const;
@@ -120,6 +130,7 @@ namespace stiction
     const Options options_;
     NewtonSystem system_;
     double c_;
+    std::unique_ptr<PrimalInteriorPoint> path_; // while it can be followed on
     bool stands_still_ = false;
 
     Statistics statistics_;

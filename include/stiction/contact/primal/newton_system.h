@@ -76,6 +76,9 @@ namespace stiction
     /// Whether that was done.
     bool is_factorized() const { return is_factorized_; }
 
+    /// Whether all systems so far were solved without that.
+    bool is_easy() const { return !is_factorized_ && n_unfinished_ == 0; }
+
     /// Whether it would ask, but is not to.
     bool is_too_hard() const { return !factorizes_ && n_unfinished_ >= max_unfinished; }
 

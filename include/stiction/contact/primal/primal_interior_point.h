@@ -2,6 +2,8 @@
 #define stiction_contact_primal_primal_interior_point_h
 
 #include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/primal_active_set.h>
+#include <stiction/qp/solvers/central_path.h>
 
 #include <functional>
 
@@ -30,20 +32,49 @@ namespace stiction
     using Observer =
       std::function<void(unsigned int iterations, const ContactResidual &)>;
 
-    /// @param system of this problem. All arguments must outlive the object.
-    PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system);
+    /// @param system of this problem. It and the problem must outlive the object.
+    /// @param start only its scales and the displacement are taken.
+    /// @param tolerance of the residual, beyond which no system is solved.
+    PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system,
+                        const ContactState &start, double tolerance);
 
-    /// Replaces the state by one whose residual is at most the tolerance, or by the best
-    /// one found if that is better. Only the scales and the displacement are taken from
-    /// it. Collective.
-    void solve(ContactState &state, double tolerance, unsigned int max_steps,
-               const Observer &observer);
+    /// Follows the path from where it is until the residual of the best state is at most
+    /// this one, or the end of the path is reached. Collective.
+    void solve(double residual, unsigned int max_steps, const Observer &observer);
+
+    /// The state of the path with the smallest residual, the start among them.
+    const ContactState &best() const { return best_; }
+    double residual() const { return best_residual_; }
+
+    /// Whether further steps gain nothing.
+    bool is_at_end() const;
 
   private:
-    class Path;
+    // Solves a linear system and goes as far as the cones allow; false if that is
+    // nowhere.
+    bool step();
+
+    // The conditions of the nodes, D λ⁺ − w⁺ = c + (gap, slip) + D λ, as springs.
+    PrimalActiveSet linearize() const;
 
     const ContactLevel &problem_;
     NewtonSystem &system_;
+    ContactState state_, best_;
+    const ContactResidual start_;
+    double best_residual_;
+    const double tolerance_;
+    qp::CentralPath path_;
+    double reduction_ = 0.1; // of μ in the next step
+
+    // Of the last system: its iterations, and whether it was solved as well as it
+    // should have been.
+    unsigned int krylov_iterations_ = 0;
+    bool is_accurate_               = false;
+
+    // Steps in a row in which μ hardly fell, and that gained nothing with systems solved
+    // badly.
+    unsigned int idle_ = 0, lost_ = 0;
+    bool is_blocked_ = false; // the boundary of the cones is reached
   };
 } // namespace stiction
 
