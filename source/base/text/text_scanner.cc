@@ -143,6 +143,13 @@ namespace stiction
     return value;
   }
 
+  void TextScanner::go_to(const Place &place)
+  {
+    in_.clear();
+    in_.seekg(place.position);
+    line_number_ = place.line_number;
+  }
+
   std::string TextScanner::place() const
   {
     return location_ + ", line " + std::to_string(line_number_);

@@ -1,12 +1,14 @@
 // What mesh files may hold beside nodes and cells, and what is refused: two cubes in
-// Abaqus' format and in VTK's, sets in every way that sets are written, data that is
-// of no use here.
+// Abaqus' format and in VTK's, sets in every way that sets are written, assemblies of
+// instances, data that is of no use here.
 
 #include "tests.h"
 
 #include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 using namespace stiction;
@@ -45,6 +47,26 @@ namespace
       {
         out() << error.what();
       }
+    out() << std::endl;
+  }
+
+  // Of the mesh that was read last.
+  void read_box()
+  {
+    dealii::Point<3> low(1e9, 1e9, 1e9), high = -1. * low;
+    for (const auto &vertex : read_mesh_file("mesh.inp", "The mesh").vertices)
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          low[d]  = std::min(low[d], vertex[d]);
+          high[d] = std::max(high[d], vertex[d]);
+        }
+    const auto rounded = [](const double x) { return std::round(1e9 * x) / 1e9 + 0.; };
+    out() << "  from";
+    for (unsigned int d = 0; d < 3; ++d)
+      out() << ' ' << rounded(low[d]);
+    out() << " to";
+    for (unsigned int d = 0; d < 3; ++d)
+      out() << ' ' << rounded(high[d]);
     out() << std::endl;
   }
 
@@ -94,8 +116,8 @@ namespace
     refused("no face", "all, S1", "all, S7");
     refused("no set", "all, S1", "none, S1");
     refused("no element", "all, S1", "7, S1");
-    read("an instance that is moved", "inp",
-         abaqus + "*INSTANCE, NAME=a, PART=b\n1., 0., 0.\n");
+    read("a set that is written wrong", "inp",
+         abaqus + "*SURFACE, NAME=a\nal, S1\n" + surface);
     read("a set without name", "inp", abaqus + "*ELSET\n1\n");
     read("a set of one number", "inp", abaqus + "*ELSET, ELSET=a, GENERATE\n1\n");
     read("a set that falls", "inp", abaqus + "*ELSET, ELSET=a, GENERATE\n1, 9, -1\n");
@@ -106,6 +128,46 @@ namespace
     read("a face that a tetrahedron lacks", "inp",
          nodes + "*ELEMENT, TYPE=C3D4, ELSET=all\n1, 1, 2, 4, 7\n*SURFACE, NAME=a\n"
                  "all, S5\n");
+  }
+
+  // The box of all vertices, too: a part twice, moved by 5 along x and turned by 90
+  // degrees about the axis along z through (5, 0, 0); numbers of elements in the
+  // assembly, sets in a part; the mesh in the instance; parts without instances.
+  void abaqus_assemblies()
+  {
+    const std::string surface_of_part = "*SURFACE, NAME=floor\nall, S1\n";
+    const auto part                   = [&](const std::string &name) {
+      return "*PART, NAME=" + name + "\n" + nodes + elements + surface_of_part +
+             "*END PART\n";
+    };
+    const auto instance = [](const std::string &name, const std::string &lines = "",
+                             const std::string &of = "p") {
+      return "*INSTANCE, NAME=" + name + ", PART=" + of + "\n" + lines +
+             "*END INSTANCE\n";
+    };
+    const std::string moved = "5., 0., 0.\n", turned = "5, 0, 0, 5, 0, 2, 90\n";
+    read("an instance", "inp", part("p") + instance("one"));
+    read_box();
+    read("an instance that is moved", "inp", part("p") + instance("one", moved));
+    read_box();
+    read("two instances", "inp",
+         part("p") + instance("one") + instance("two", moved + turned) +
+           "*ELSET, ELSET=end, INSTANCE=two\n2,\n*SURFACE, NAME=ceiling\nend, S2\n"
+           "one.all, S2\n");
+    read_box();
+    read("a mesh in the instance", "inp",
+         "*PART, NAME=p\n*END PART\n" + instance("one", nodes + elements) +
+           instance("two", moved + nodes + elements));
+    read_box();
+    read("two parts", "inp", part("p") + with(part("q"), "1, 0, 0, 0", "1, -1, 0, 0"));
+    read("no part", "inp", part("p") + instance("one", moved, "q"));
+    read("no instance", "inp",
+         part("p") + instance("one") + instance("two", moved) +
+           "*ELSET, ELSET=end, INSTANCE=three\n2,\n");
+    read("an instance twice", "inp", part("p") + instance("one") + instance("one"));
+    read("a part twice", "inp", part("p") + part("p"));
+    read("four numbers", "inp", part("p") + instance("one", "1, 2, 3, 4\n"));
+    read("no axis", "inp", part("p") + instance("one", moved + "1, 1, 1, 1, 1, 1, 90\n"));
   }
 
   const std::string points    = "# vtk DataFile Version 3.0\ntwo cubes\nASCII\n"
@@ -169,6 +231,8 @@ int main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   out() << "Abaqus" << std::endl;
   abaqus_files();
+  out() << "Abaqus, parts and instances" << std::endl;
+  abaqus_assemblies();
   out() << "VTK" << std::endl;
   vtk_files();
 }

@@ -66,6 +66,19 @@ namespace stiction
     /// A word as a number of at most 1e30. Throws InputError if it is none.
     double to_real(const std::string &word) const;
 
+    /// A beginning of a line.
+    struct Place
+    {
+      std::streampos position;
+      std::size_t line_number;
+    };
+
+    /// That of the next line; only after next_line() or at the beginning of the file.
+    Place here() { return {in_.tellg(), line_number_}; }
+
+    /// Goes on there, from the end of the file as well.
+    void go_to(const Place &place);
+
     /// Of the line, from 1.
     std::size_t line_number() const { return line_number_; }
 

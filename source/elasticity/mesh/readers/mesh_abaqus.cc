@@ -1,76 +1,80 @@
+#include "abaqus_elements.h"
+#include "abaqus_parts.h"
 #include "mesh_builder.h"
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace stiction
 {
   namespace
   {
     using dealii::Utilities::split_string_list;
-    using dealii::Utilities::trim;
-
-    bool begins_with_any(const std::string &text,
-                         const std::vector<std::string> &beginnings)
-    {
-      return std::any_of(
-        beginnings.begin(), beginnings.end(),
-        [&](const std::string &beginning) { return text.rfind(beginning, 0) == 0; });
-    }
-
-    // The type that Gmsh has for it and how many nodes it has, which is what
-    // its name says; 0 if it is none. Other letters, as for reduced integration,
-    // say nothing of the shape.
-    std::pair<std::int64_t, unsigned int> type_of_cell(const std::string &type)
-    {
-      static const std::map<unsigned int, std::int64_t> types = {
-        {4, 4}, {6, 6}, {8, 5}, {10, 11}, {15, 18}, {20, 17}, {27, 12}};
-      for (const auto &[n_nodes, gmsh_type] : types)
-        {
-          const std::string name = "C3D" + std::to_string(n_nodes);
-          if (type == name ||
-              begins_with_any(type, {name + 'R', name + 'I', name + 'H', name + 'M'}))
-            return {gmsh_type, n_nodes};
-        }
-      return {0, 0};
-    }
-
-    const std::string understood = "tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or "
-                                   "hexahedra (C3D8, C3D20, C3D27)";
-
-    // The faces S1, S2, ... of Abaqus' manual, by the numbers of deal.II's vertices.
-    const std::vector<std::vector<unsigned int>> &faces_of(const std::size_t n_vertices)
-    {
-      static const std::map<std::size_t, std::vector<std::vector<unsigned int>>> faces = {
-        {4, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}},
-        {6, {{0, 1, 2}, {3, 5, 4}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
-        {8,
-         {{0, 1, 5, 4},
-          {2, 6, 7, 3},
-          {0, 2, 3, 1},
-          {1, 3, 7, 5},
-          {5, 7, 6, 4},
-          {4, 6, 2, 0}}}};
-      return faces.at(n_vertices);
-    }
 
     // deal.II's GridIn takes ids from the digits in names, element n to be the
     // n-th, and nine digits of coordinates.
-    // What it takes from an input file: *NODE, *ELEMENT, *ELSET, *SURFACE and
-    // *SOLID SECTION; other keywords are passed over. Words are not case
-    // sensitive; names appear as they are written first.
+    // What it takes from an input file: *NODE, *ELEMENT, *ELSET, *SURFACE,
+    // *SOLID SECTION, *PART and *INSTANCE; other keywords are passed over. Words are not
+    // case sensitive; names appear as they are written first.
     class AbaqusReader
     {
     public:
       explicit AbaqusReader(TextScanner &text)
         : text_(text)
         , mesh_(text)
+        , parts_(text)
+        , cells_(1)
       {
       }
 
       MeshData read()
+      {
+        read_until("");
+        end_of_data();
+        const TextScanner::Place end = text_.here();
+        if (mesh_.is_of_cells())
+          {
+            add_surfaces();
+            name_materials();
+          }
+        text_.go_to(end);
+        return mesh_.finish();
+      }
+
+    private:
+      // Numbers and names of an instance count within it, or in the whole file.
+      struct Scope
+      {
+        std::size_t number = 0; // in cells_
+        std::string prefix;     // of names
+      };
+
+      // An element by its number in a scope.
+      struct Element
+      {
+        std::size_t scope;
+        std::int64_t number;
+      };
+
+      // An element or a set as it is written somewhere.
+      struct Reference
+      {
+        std::string what;
+        Scope scope;
+        TextScanner::Place place; // behind it
+      };
+
+      struct Surface
+      {
+        std::string name;
+        std::vector<std::pair<Reference, unsigned int>> parts; // with the face of each
+      };
+
+      // Reads up to a keyword, or the end of the file.
+      void read_until(const std::string &last)
       {
         std::string line;
         while (text_.next_line(line))
@@ -78,62 +82,87 @@ namespace stiction
             if (line.empty() || line.rfind("**", 0) == 0)
               continue;
             if (line[0] == '*')
-              read_keyword(line);
-            else if (keyword_.empty())
+              {
+                read_keyword(line);
+                if (keyword_.name == last)
+                  return;
+              }
+            else if (keyword_.name.empty())
               text_.refuse("is not an Abaqus input file, which begins with a "
                            "keyword such as '*HEADING'");
             else
               read_data(line);
           }
-        end_of_data();
-        if (mesh_.is_of_cells())
-          {
-            add_surfaces();
-            name_materials();
-          }
-        return mesh_.finish();
       }
 
-    private:
       void read_keyword(const std::string &line)
       {
         end_of_data();
-        keyword_ = "";
-        options_.clear();
-        for (const std::string &item : split_string_list(line))
-          if (keyword_.empty())
-            keyword_ = upper(item);
-          else
-            {
-              const std::size_t equals = item.find('=');
-              std::string value =
-                equals == std::string::npos ? "" : trim(item.substr(equals + 1));
-              if (value.size() > 1 && value.front() == '"' && value.back() == '"')
-                value = value.substr(1, value.size() - 2);
-              options_[upper(trim(item.substr(0, equals)))] = value;
-            }
-        if (keyword_ == "*SURFACE")
+        keyword_ = AbaqusKeyword(line);
+        if (keyword_.name == "*SURFACE")
           {
-            const std::string type = upper(options_["TYPE"]);
+            const std::string type = upper(keyword_.value("TYPE"));
             if (!type.empty() && type != "ELEMENT")
-              keyword_ = "*IGNORED";
+              keyword_.name = "*IGNORED";
             else
-              surfaces_.push_back({options_["NAME"], {}});
+              surfaces_.push_back({scope_.prefix + keyword_.value("NAME"), {}});
           }
-        else if (keyword_ == "*PART")
-          ++n_parts_;
-        else if (keyword_ == "*SOLID SECTION")
-          sections_.push_back({options_["ELSET"], options_["MATERIAL"]});
-        else if (keyword_ == "*INCLUDE" ||
-                 (keyword_ == "*NODE" && options_.count("INPUT") != 0) ||
-                 (keyword_ == "*ELEMENT" && options_.count("INPUT") != 0))
+        else if (keyword_.name == "*INSTANCE")
+          {
+            begin_instance(keyword_.value("NAME"));
+            part_ = keyword_.value("PART");
+          }
+        else if (keyword_.name == "*PART" && parts_.have_instances())
+          skip_part();
+        else if (keyword_.name == "*PART")
+          begin_instance(keyword_.value("NAME"));
+        else if (keyword_.name == "*END INSTANCE" ||
+                 (keyword_.name == "*END PART" && !parts_.have_instances()))
+          begin({});
+        else if (keyword_.name == "*SOLID SECTION")
+          sections_.emplace_back(refer_to(keyword_.value("ELSET"), scope_),
+                                 keyword_.value("MATERIAL"));
+        else if (keyword_.name == "*INCLUDE" ||
+                 (keyword_.name == "*NODE" && keyword_.has("INPUT")) ||
+                 (keyword_.name == "*ELEMENT" && keyword_.has("INPUT")))
           text_.refuse("another file is included, must be one file");
+      }
+
+      void begin_instance(const std::string &name)
+      {
+        Scope scope;
+        if (parts_.are_several())
+          {
+            scope = {cells_.size(), name + "."};
+            cells_.emplace_back();
+          }
+        if (!scopes_.emplace(upper(name), scope).second)
+          text_.refuse("instance '" + name +
+                       "' stands twice, must have a name of its own");
+        begin(scope);
+      }
+
+      void begin(const Scope &scope)
+      {
+        scope_     = scope;
+        placement_ = {};
+        if (parts_.are_several())
+          mesh_.forget_numbers();
+      }
+
+      // Instances read it.
+      void skip_part()
+      {
+        std::string line;
+        while (text_.next_line(line))
+          if (line.rfind("*", 0) == 0 && AbaqusKeyword(line).name == "*END PART")
+            return;
       }
 
       void read_data(const std::string &line)
       {
         // an element may go on after a ',' at the end of a line
-        if (keyword_ == "*ELEMENT")
+        if (keyword_.name == "*ELEMENT")
           {
             unfinished_ += line;
             if (line.back() == ',')
@@ -143,26 +172,35 @@ namespace stiction
             return;
           }
         const std::vector<std::string> items = split_string_list(line);
-        if (keyword_ == "*NODE")
+        if (keyword_.name == "*NODE")
           read_node(items);
-        else if (keyword_ == "*ELSET")
+        else if (keyword_.name == "*ELSET")
           read_set(items);
-        else if (keyword_ == "*SURFACE")
+        else if (keyword_.name == "*SURFACE")
           {
             if (items.size() != 2)
               text_.refuse("'" + line.substr(0, 40) +
                            "' is no part of a surface, must be an element or "
                            "a set and a face from S1 to S6");
-            surfaces_.back().parts.push_back({items[0], face_number(items[1])});
+            surfaces_.back().parts.emplace_back(refer_to(items[0], scope_),
+                                                face_number(items[1]));
           }
-        else if (keyword_ == "*INSTANCE")
-          text_.refuse("the instance is moved, must stand where its part does");
+        else if (keyword_.name == "*INSTANCE")
+          placement_.add_line(items, text_);
       }
 
       void end_of_data()
       {
         if (!unfinished_.empty())
           text_.refuse("an element is not complete before this line");
+        if (part_.empty())
+          return;
+        // the lines that say where the instance stands are read
+        const TextScanner::Place here = text_.here();
+        text_.go_to(parts_.begin(std::exchange(part_, "")));
+        keyword_.name = "*PART";
+        read_until("*END PART");
+        text_.go_to(here);
       }
 
       void read_node(const std::vector<std::string> &items)
@@ -170,27 +208,24 @@ namespace stiction
         if (items.size() < 4 || std::count(items.begin() + 1, items.begin() + 4, "") > 0)
           text_.refuse("a node with its number and three coordinates should "
                        "stand here");
-        const std::int64_t number = text_.to_integer(items[0]);
-        if (n_parts_ > 1 && mesh_.has_node(number))
-          text_.refuse("node " + items[0] +
-                       " stands in two parts, each '*PART' must be a "
-                       "file of its own; sections 'Body' join them");
-        mesh_.add_node(number, {text_.to_real(items[1]), text_.to_real(items[2]),
-                                text_.to_real(items[3])});
+        mesh_.add_node(text_.to_integer(items[0]),
+                       placement_({text_.to_real(items[1]), text_.to_real(items[2]),
+                                   text_.to_real(items[3])}));
       }
 
       void read_element(const std::vector<std::string> &items)
       {
-        const std::string type = upper(options_["TYPE"]);
-        if (const auto [gmsh_type, n_nodes] = type_of_cell(type); n_nodes > 0)
+        const std::string type = upper(keyword_.value("TYPE"));
+        if (const auto [gmsh_type, n_nodes] = abaqus::type_of_cell(type); n_nodes > 0)
           {
             if (items.size() != n_nodes + 1)
-              text_.refuse(
-                "an element with its number and " + std::to_string(n_nodes) +
-                " nodes should stand here, not " + std::to_string(items.size() - 1) +
-                " nodes, as it is of type " + type + "; understood are " + understood);
+              text_.refuse("an element with its number and " + std::to_string(n_nodes) +
+                           " nodes should stand here, not " +
+                           std::to_string(items.size() - 1) +
+                           " nodes, as it is of type " + type + "; understood are " +
+                           abaqus::understood_elements);
             const std::int64_t number = text_.to_integer(items[0]);
-            if (!cells_.emplace(number, mesh_.mesh.cells.size()).second)
+            if (!cells_[scope_.number].emplace(number, mesh_.mesh.cells.size()).second)
               text_.refuse("element " + items[0] + " stands twice, must stand once");
             MeshBuilder::Nodes nodes;
             for (unsigned int i = 1; i <= n_nodes; ++i)
@@ -198,33 +233,48 @@ namespace stiction
             // nodes inside of a hexahedron: the centre, then faces S1 to S6
             mesh_.add_element(gmsh_type, 0,
                               in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
-            add_to_set(options_["ELSET"], number);
-            if (!options_["ELSET"].empty())
-              element_sets_.insert(upper(options_["ELSET"]));
+            if (const std::string set = keyword_.value("ELSET"); !set.empty())
+              {
+                add_to_set(set, {scope_.number, number});
+                element_sets_.insert(upper(scope_.prefix + set));
+              }
           }
-        else if (begins_with_any(type, {"C3D5", "C3D13"}))
+        else if (abaqus::begins_with_any(type, {"C3D5", "C3D13"}))
           ++mesh_.mesh.other_elements["pyramids"];
-        else if (begins_with_any(type, {"C3D"}))
-          text_.refuse("has elements of type " + type + ", must be " + understood);
-        else if (!begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
+        else if (abaqus::begins_with_any(type, {"C3D"}))
+          text_.refuse("has elements of type " + type + ", must be " +
+                       abaqus::understood_elements);
+        else if (!abaqus::begins_with_any(type, {"T3D", "B3", "SPRING", "MASS"}))
           // those are no part of a body, written for its edges
           ++mesh_.mesh.other_elements["elements of type " + type];
       }
 
-      void add_to_set(const std::string &set, const std::int64_t element)
+      void add_to_set(const std::string &set, const Element &element)
       {
-        if (set.empty())
-          return;
-        names_.emplace(upper(set), set);
-        sets_[upper(set)].push_back(element);
+        const std::string name = scope_.prefix + set;
+        names_.emplace(upper(name), name);
+        sets_[upper(name)].push_back(element);
+      }
+
+      // Whose numbers the data below the keyword are.
+      Scope scope_of_data() const
+      {
+        const std::string instance = keyword_.value("INSTANCE");
+        if (instance.empty())
+          return scope_;
+        const auto found = scopes_.find(upper(instance));
+        if (found == scopes_.end())
+          text_.refuse("there is no instance '" + instance + "' above");
+        return found->second;
       }
 
       void read_set(const std::vector<std::string> &items)
       {
-        const std::string &set = options_["ELSET"];
+        const std::string set = keyword_.value("ELSET");
         if (set.empty())
           text_.refuse("a set without a name, must be '*ELSET, ELSET=name'");
-        if (options_.count("GENERATE") != 0)
+        const Scope scope = scope_of_data();
+        if (keyword_.has("GENERATE"))
           {
             if (items.size() < 2)
               text_.refuse("the first and the last element should stand here");
@@ -240,17 +290,17 @@ namespace stiction
                            " in steps of " + std::to_string(step) +
                            " are too many, or no set, must be at most 20000000");
             for (std::int64_t e = first; e <= last; e += step)
-              add_to_set(set, e);
+              add_to_set(set, {scope.number, e});
             return;
           }
         for (const std::string &item : items)
           if (item.empty())
             continue;
-          else if (sets_.count(upper(item)) != 0)
-            for (const std::int64_t e : std::vector<std::int64_t>(sets_.at(upper(item))))
-              add_to_set(set, e);
+          else if (const std::vector<Element> *const members = find_set(item, scope))
+            for (const Element &element : std::vector<Element>(*members))
+              add_to_set(set, element);
           else
-            add_to_set(set, text_.to_integer(item));
+            add_to_set(set, {scope.number, text_.to_integer(item)});
       }
 
       unsigned int face_number(const std::string &face) const
@@ -269,12 +319,12 @@ namespace stiction
           {
             mesh_.add_name(surface.name, ++id, mesh_.mesh.boundary_names);
             for (const auto &part : surface.parts)
-              for (const std::int64_t element : elements(part.first))
+              for (const Element &element : elements(part.first))
                 {
                   const auto &of_cell = cell(element).vertices;
-                  const auto &faces   = faces_of(of_cell.size());
+                  const auto &faces   = abaqus::faces_of(of_cell.size());
                   if (part.second >= faces.size())
-                    text_.refuse("element " + std::to_string(element) + " is a " +
+                    text_.refuse("element " + std::to_string(element.number) + " is a " +
                                  kind_of_cell(of_cell.size()) + " and has no face S" +
                                  std::to_string(part.second + 1) +
                                  ", must be from S1 to S" + std::to_string(faces.size()));
@@ -290,7 +340,7 @@ namespace stiction
       {
         if (sections_.empty())
           for (const std::string &set : element_sets_)
-            sections_.push_back({set, names_.at(set)});
+            sections_.emplace_back(refer_to(set, {}), names_.at(set));
         unsigned int last = 0;
         std::map<std::string, unsigned int> ids;
         for (const auto &section : sections_)
@@ -298,55 +348,71 @@ namespace stiction
             const auto id = ids.emplace(upper(section.second), last + 1);
             if (id.second)
               mesh_.add_name(section.second, ++last, mesh_.mesh.material_names);
-            for (const std::int64_t element : elements(section.first))
+            for (const Element &element : elements(section.first))
               {
                 unsigned int &material = cell(element).material_id;
                 if (material != 0 && material != id.first->second)
-                  text_.refuse("element " + std::to_string(element) +
+                  text_.refuse("element " + std::to_string(element.number) +
                                " has two materials, must have one");
                 material = id.first->second;
               }
           }
       }
 
-      // Of a set, or the one with the number.
-      std::vector<std::int64_t> elements(const std::string &what) const
+      // What stands on the line that was read last.
+      Reference refer_to(const std::string &what, const Scope &scope)
       {
-        const auto set = sets_.find(upper(what));
-        if (set != sets_.end())
-          return set->second;
-        if (what.empty() || what.find_first_not_of("0123456789") != std::string::npos)
-          text_.refuse("there is no set of elements '" + what.substr(0, 40) + "'");
-        return {text_.to_integer(what)};
+        return {what, scope, text_.here()};
       }
 
-      dealii::CellData<3> &cell(const std::int64_t element)
+      const std::vector<Element> *find_set(const std::string &name,
+                                           const Scope &scope) const
       {
-        const auto found = cells_.find(element);
-        if (found == cells_.end())
-          text_.refuse("there is no element " + std::to_string(element));
+        for (const std::string &prefix : {scope.prefix, std::string()})
+          if (const auto set = sets_.find(upper(prefix + name)); set != sets_.end())
+            return &set->second;
+        return nullptr;
+      }
+
+      // Of a set, or the one with the number; whatever is wrong with them is so where
+      // they are referred to.
+      std::vector<Element> elements(const Reference &reference)
+      {
+        const auto &[what, scope, place] = reference;
+        text_.go_to(place);
+        if (const std::vector<Element> *const set = find_set(what, scope))
+          return *set;
+        if (what.empty() || what.find_first_not_of("0123456789") != std::string::npos)
+          text_.refuse("there is no set of elements '" + what.substr(0, 40) + "'");
+        return {{scope.number, text_.to_integer(what)}};
+      }
+
+      dealii::CellData<3> &cell(const Element &element)
+      {
+        const auto &cells = cells_[element.scope];
+        const auto found  = cells.find(element.number);
+        if (found == cells.end())
+          text_.refuse("there is no element " + std::to_string(element.number));
         return mesh_.mesh.cells[found->second];
       }
 
-      struct Surface
-      {
-        std::string name;
-        // elements or sets, and the face of each
-        std::vector<std::pair<std::string, unsigned int>> parts;
-      };
-
       TextScanner &text_;
       MeshBuilder mesh_;
-      // by their numbers, where they are in the mesh
-      std::unordered_map<std::int64_t, std::size_t> cells_;
+      const AbaqusParts parts_;
+      // where they are in the mesh, by their numbers in each scope
+      std::vector<std::unordered_map<std::int64_t, std::size_t>> cells_;
 
-      unsigned int n_parts_ = 0;
-      std::string keyword_, unfinished_;
-      std::map<std::string, std::string> options_;
+      std::map<std::string, Scope> scopes_; // of instances
+      Scope scope_;                         // the present one
+      AbaqusPlacement placement_;
+      std::string part_; // to be read when it is known where the instance stands
+
+      AbaqusKeyword keyword_;
+      std::string unfinished_;
 
       std::vector<Surface> surfaces_;
-      std::vector<std::pair<std::string, std::string>> sections_;
-      std::map<std::string, std::vector<std::int64_t>> sets_;
+      std::vector<std::pair<Reference, std::string>> sections_; // with the material
+      std::map<std::string, std::vector<Element>> sets_;
       std::map<std::string, std::string> names_; // of sets, as written
       std::set<std::string> element_sets_;       // those of *ELEMENT
     };

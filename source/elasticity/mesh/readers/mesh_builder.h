@@ -35,7 +35,8 @@ namespace stiction
     /// are not of first or second order.
     const Kind &element_kind(std::int64_t type) const;
 
-    bool has_node(std::int64_t number) const { return positions_.count(number) != 0; }
+    /// Numbers of nodes begin anew: what follows belongs to another part.
+    void forget_numbers() { positions_.clear(); }
 
     /// Throws InputError if there is a node of this number already.
     void add_node(std::int64_t number, const dealii::Point<3> &point);
