@@ -62,9 +62,8 @@ namespace stiction
                   Patch &patch = add_patch(face, true); // it may be curved
                   for (unsigned int p = 0; p < order.size(); ++p)
                     {
-                      const auto dof = dofs[3 * order[p]];
-                      const Values values =
-                        values_at(dof, surface.is_other_side(face->boundary_id()));
+                      const auto dof      = dofs[3 * order[p]];
+                      const Values values = values_at(dof, face->boundary_id());
                       for (unsigned int k = 0; k < values.size(); ++k)
                         set(patch, k, p, values[k]);
                       set(patch, boundary_, p, face->boundary_id());
@@ -81,13 +80,18 @@ namespace stiction
       using Values = std::vector<double>; // of all rows
 
       // At a node of the boundary, interpolated if it hangs; its status is
-      // then that of the first node it follows.
+      // then that of the first node it follows. A boundary may bear the forces of one
+      // contact and lie opposite in another.
       Values values_at(const types::global_dof_index first_dof,
-                       const bool is_other_side) const
+                       const types::boundary_id boundary) const
       {
-        const auto at = [&](const types::global_dof_index dof) {
-          return is_other_side ? values_opposite(surface_.opposite_node_of(dof))
-                               : values_at_node(surface_.node_of(dof));
+        const bool is_contact  = surface_.is_contact_boundary(boundary),
+                   is_opposite = surface_.is_other_side(boundary);
+        const auto at          = [&](const types::global_dof_index dof) {
+          const Eigen::Index node = surface_.node_of(dof);
+          return is_opposite && !(is_contact && node >= 0)
+                            ? values_opposite(surface_.opposite_node_of(dof))
+                            : values_at_node(node);
         };
         if (!body_.is_hanging(first_dof))
           return at(first_dof);

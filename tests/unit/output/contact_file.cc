@@ -2,18 +2,66 @@
 // summed over the nodes and compared with the certificate. Open nodes slip
 // too; the slip bound is that of the law; clamped nodes are marked.
 
-#include "tests.h"
+#include "physics/several_bodies.h"
 #include "vtu_file.h"
 
 #include <deal.II/base/utilities.h>
 
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
-#include <array>
-
 using namespace stiction;
+
+namespace
+{
+  // The nodes of a boundary that bears the forces of one pair and lies opposite in
+  // another: in the files the forces that it bears are there.
+  void bear_and_lie_opposite()
+  {
+    const std::string prm =
+      file("both.prm",
+           brick("plate", "3,1,0.5", "12,4,1", "0;0;0") +
+             brick("one", "1,1,1", "2,2,2", "0;0;0.5") +
+             brick("two", "1,1,1", "3,3,2", "2;0;0.5") +
+             section("Boundary conditions",
+                     {"Pressure = one.top : 1 | two.top : 2",
+                      "Prescribed displacement = plate.bottom : 0; 0; 0"}) +
+             section("Contact pair one",
+                     {"Boundary = plate.top", "Obstacle = boundary : one.bottom",
+                      "Slave side = obstacle", "Law = coulomb", "Coefficient = 0.3"}) +
+             section("Contact pair two",
+                     {"Boundary = plate.top", "Obstacle = boundary : two.bottom",
+                      "Slave side = boundary", "Law = coulomb", "Coefficient = 0.3"}));
+    const Run run(prm, {});
+    MPI_Barrier(MPI_COMM_WORLD); // the files of the others
+    std::map<float, double> forces;
+    // a node is in the file once a face
+    std::set<std::tuple<float, float, float, float>> seen;
+    for (unsigned int r = 0; r < dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+         ++r)
+      {
+        auto a =
+          read_vtu("results/contact." + dealii::Utilities::int_to_string(r, 4) + ".vtu");
+        for (std::size_t i = 0; i < a["boundary"].size(); ++i)
+          {
+            const float boundary = a["boundary"][i], *const x = &a["points"][3 * i];
+            if (seen.emplace(boundary, x[0], x[1], x[2]).second)
+              forces[boundary] += a["area"][i] * a["pressure"][i];
+          }
+      }
+    std::vector<double> of_contacts;
+    for (const auto &part : run.summary()["contact"]["boundaries"])
+      of_contacts.push_back(forces[part["id"].get<float>()]);
+    out() << "a side that bears one pair and lies opposite in another: certified "
+          << yes(run.converged) << ", forces in the files 1 and 2 "
+          << yes(of_contacts.size() == 2 && std::abs(of_contacts[0] - 1.) < 1e-5 &&
+                 std::abs(of_contacts[1] - 2.) < 1e-5)
+          << std::endl;
+  }
+} // namespace
 
 int main(int argc, char *argv[])
 {
@@ -111,4 +159,5 @@ int main(int argc, char *argv[])
             << ", displaced to the gap " << yes(moved_error < 1e-5) << ", area " << area
             << std::endl;
     }
+  bear_and_lie_opposite();
 }
