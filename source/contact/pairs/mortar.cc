@@ -120,6 +120,7 @@ namespace stiction
               break;
             sight = std::min(reach, 2. * sight);
           }
+        // not those on a farther sheet of the same surface
         points.erase(std::remove_if(points.begin(), points.end(),
                                     [&](const CoveredPoint &point) {
                                       return std::abs(point.at.gap) > farthest;

@@ -245,8 +245,7 @@ namespace stiction
       }
     const double target =
       options_.only_fallback ? 0. : interior_point_part * std::min(1., path_->residual());
-    path_->solve(std::max(0.5 * tolerance, target),
-                 std::min(max_interior_point_steps, max_steps),
+    path_->solve(target, std::min(max_interior_point_steps, max_steps),
                  [&](const unsigned int iterations, const ContactResidual &residual) {
                    ++statistics_.interior_point_steps;
                    statistics_.krylov_iterations += iterations;

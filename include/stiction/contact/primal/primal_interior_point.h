@@ -34,7 +34,7 @@ namespace stiction
 
     /// @param system of this problem. It and the problem must outlive the object.
     /// @param start only its scales and the displacement are taken.
-    /// @param tolerance of the residual, beyond which no system is solved.
+    /// @param tolerance of the residual, at which the path ends.
     PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system,
                         const ContactState &start, double tolerance);
 
@@ -46,7 +46,7 @@ namespace stiction
     const ContactState &best() const { return best_; }
     double residual() const { return best_residual_; }
 
-    /// Whether further steps gain nothing.
+    /// Whether the best state is good enough, or further steps gain nothing.
     bool is_at_end() const;
 
   private:
