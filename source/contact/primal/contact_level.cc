@@ -179,11 +179,11 @@ namespace stiction
     basis_.to_relative(u);
   }
 
-  bool ContactLevel::can_be_balanced() const
+  bool ContactLevel::can_be_balanced(const qp::SlipBound &slip_bound) const
   {
     // the same on all ranks, also those that own no node of this level
     return elasticity_.free_motions().n() == 0 ||
-           qp::unbalanced_load(balance_, slip_bound_).is_balanced();
+           qp::unbalanced_load(balance_, slip_bound).is_balanced();
   }
 
   void ContactLevel::take_conditions_of_body()
@@ -304,14 +304,15 @@ namespace stiction
     return B_.apply(u) - motion_.offset(distances);
   }
 
-  void ContactLevel::bring_into_contact(ContactState &state,
-                                        const Eigen::VectorXd &a) const
+  void ContactLevel::bring_into_contact(ContactState &state, const Eigen::VectorXd &a,
+                                        const double part) const
   {
     if (balance_.e.size() == 0 || n_nodes() == 0)
       return;
+    const Eigen::VectorXd pressed = (a.array() > 0.).select(areas_, 0.);
     if (elasticity_.free_motions().n() > 0)
       {
-        if (slip_bound_.has_tied() || (a.head(n_nodes()).array() > 0.).any())
+        if (slip_bound_.has_tied() || pressed.sum() > part * areas_.sum())
           return;
         const Eigen::VectorXd ways =
           qp::rigid_place(balance_, -state.w, nodal_stiffness(), slip_bound_).alpha;
@@ -324,10 +325,12 @@ namespace stiction
       ways_to_press(motion_, -state.w.head(n_nodes()), areas_,
                     stiffness_of_cells_.youngs_moduli.maxCoeff());
     for (Eigen::Index j = 0; j < ways.size(); ++j)
-      if (!(motion_.directions().col(j).head(n_nodes()).array() < -least_approach &&
-            a.head(n_nodes()).array() > 0.)
-             .any())
-        state.distances(j) += ways(j);
+      {
+        const auto faces =
+          motion_.directions().col(j).head(n_nodes()).array() < -least_approach;
+        if (faces.select(pressed, 0.).sum() <= part * faces.select(areas_, 0.).sum())
+          state.distances(j) += ways(j);
+      }
     state.w = penetration_and_slip(state.u, state.distances);
   }
 

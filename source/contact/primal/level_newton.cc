@@ -28,6 +28,15 @@ namespace stiction
     // Where there are no scales yet, the reduction of the first system.
     constexpr double first_reduction = 0.1;
 
+    // What is so much nearer than a cell is large touches. Where no forces are known
+    // it is pressed together, by next to nothing, so that the first step holds it: parts
+    // that lie on each other move together before anything slides or opens.
+    constexpr double touching = 1e-6;
+
+    // A body or an obstacle of which more than this part touches is not brought nearer,
+    // one that stands on an edge or a point is.
+    constexpr double lies_on = 0.1;
+
     // ρ is changed if the residual falls by less than this in so many steps.
     constexpr double required_fall           = 0.7;
     constexpr std::size_t later_fall_horizon = 3;
@@ -48,7 +57,9 @@ namespace stiction
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
 
-    constexpr unsigned int max_interior_point_steps = 100;
+    // Pressures are those of the answer, but for friction, if gaps and pressures
+    // exclude each other up to this.
+    constexpr double settled = 1e-2;
   } // namespace
 
   std::size_t LevelNewton::fall_horizon(const unsigned int stalls,
@@ -80,7 +91,7 @@ namespace stiction
     ContactResidual residual(problem_, state, problem_.slip_bound());
     std::deque<double> history;
     Pace pace;
-    unsigned int stalls = 0;
+    unsigned int stalls = 0, stalls_without_path = 0;
 
     // Never less than a step: without contact forces there may be no scales,
     // and then anything is small.
@@ -139,15 +150,19 @@ namespace stiction
         ++stalls;
         c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
         ++statistics_.rho_changes;
-        if (!path_ && stalls % 2 == 1 && !options_.only_fallback)
+        if (!path_ && ++stalls_without_path % 2 == 1 && !options_.only_fallback)
           continue;
+        if (slides(residual.conditions))
+          return "friction does not hold the body at these pressures";
         stands_still_ = !path_ && (statistics_.fallbacks == options_.max_fallbacks ||
                                    has_hard_systems());
         if (stands_still_)
           return why_no_closer();
-        fall_back(state, tolerance, max_steps - statistics_.n_steps(), observer);
+        fall_back(state, residual.value(), tolerance, max_steps - statistics_.n_steps(),
+                  observer);
         residual = measure(state, tolerance);
         lambda   = state.lambda;
+        history.push_back(residual.value());
       }
   }
 
@@ -175,6 +190,14 @@ namespace stiction
     state.lambda.setZero();
   }
 
+  bool LevelNewton::slides(const ContactConditions &conditions) const
+  {
+    const auto &figures = conditions.contact_figures();
+    return problem_.driven_motions().cols() > 0 &&
+           std::max(figures.penetration, figures.complementarity) <= settled &&
+           !problem_.can_be_balanced(qp::SlipBound::given(conditions.slip_bound()));
+  }
+
   bool LevelNewton::has_hard_systems() const
   {
     return system_.n_unfinished() > 0 && !preconditioner_.is_direct(level_) &&
@@ -198,12 +221,16 @@ namespace stiction
            options_.other_method;
   }
 
-  void LevelNewton::step(ContactState &state, const Eigen::VectorXd &lambda,
+  void LevelNewton::step(ContactState &state, Eigen::VectorXd lambda,
                          const ContactResidual &residual, const double tolerance)
   {
     const Eigen::VectorXd rho = c_ * problem_.nodal_stiffness();
-    problem_.bring_into_contact(state, lambda.head(rho.size()) +
-                                         rho.cwiseProduct(state.w.head(rho.size())));
+    const bool is_first       = lambda.isZero(0.);
+    if (is_first)
+      lambda.head(rho.size()) = touching * rho.cwiseProduct(problem_.areas().cwiseSqrt());
+    problem_.bring_into_contact(
+      state, lambda.head(rho.size()) + rho.cwiseProduct(state.w.head(rho.size())),
+      is_first ? lies_on : 0.);
     PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
     linearization.tether(problem_.driven_motions(), problem_.foundation(), state.w);
     const double force_scale  = residual.force_scale;
@@ -234,8 +261,9 @@ namespace stiction
       statistics_.factorized_from = statistics_.n_steps() + 1;
   }
 
-  void LevelNewton::fall_back(ContactState &state, const double tolerance,
-                              const unsigned int max_steps, const Observer &observer)
+  void LevelNewton::fall_back(ContactState &state, const double residual,
+                              const double tolerance, const unsigned int max_steps,
+                              const Observer &observer)
   {
     if (!path_)
       {
@@ -244,15 +272,22 @@ namespace stiction
         ++statistics_.fallbacks;
       }
     const double target =
-      options_.only_fallback ? 0. : interior_point_part * std::min(1., path_->residual());
-    path_->solve(target, std::min(max_interior_point_steps, max_steps),
-                 [&](const unsigned int iterations, const ContactResidual &residual) {
+      options_.only_fallback
+        ? 0.
+        : interior_point_part * std::min({1., residual, path_->residual()});
+    const auto take_the_better = [&]() {
+      if (path_->residual() < residual)
+        state = path_->best();
+    };
+    take_the_better();
+    path_->solve(target, max_steps,
+                 [&](const unsigned int iterations, const ContactResidual &now) {
                    ++statistics_.interior_point_steps;
                    statistics_.krylov_iterations += iterations;
                    note_factorization();
-                   observer(statistics_, residual);
+                   take_the_better(); // an interrupt leaves from the observer
+                   observer(statistics_, now);
                  });
-    state = path_->best();
     if (path_->is_at_end())
       path_.reset();
   }

@@ -163,18 +163,20 @@ namespace stiction
           statistics_[l] = earlier[l];
           statistics_[l] += statistics;
           ++row.step;
-          row.unknowns     = hierarchy_.level(l).n_dofs();
-          row.iterations   = iterations + statistics.krylov_iterations;
-          row.contraction  = row.residual > 0. ? residual.value() / row.residual : 0.;
-          row.residual     = residual.value();
-          row.normal_force = state_->lambda.head(problems_[l]->n_nodes()).sum();
-          row.remark       = "";
-          if (statistics.factorized_from == statistics.n_steps() + 1)
-            row.remark = why_factorized(*problems_[l], row.unknowns);
-          else if (interior_point_steps == 0 && statistics.interior_point_steps > 0)
+          row.unknowns    = hierarchy_.level(l).n_dofs();
+          row.iterations  = iterations + statistics.krylov_iterations;
+          row.contraction = row.residual > 0. ? residual.value() / row.residual : 0.;
+          row.residual    = residual.value();
+          row.normal_force =
+            residual.conditions.lambda().head(problems_[l]->n_nodes()).sum();
+          row.remark = "";
+          if (interior_point_steps == 0 && statistics.interior_point_steps > 0)
             row.remark = "Newton steps come no closer: from step " +
                          std::to_string(row.step) +
                          " on they take turns with an interior point method.";
+          if (statistics.factorized_from == statistics.n_steps() + 1)
+            row.remark += (row.remark.empty() ? "" : " ") +
+                          why_factorized(*problems_[l], row.unknowns);
           interior_point_steps = statistics.interior_point_steps;
           observer(row);
         };
@@ -206,7 +208,8 @@ namespace stiction
   unsigned int NewtonMultigrid::first_level(const State &known)
   {
     unsigned int coarsest = 0;
-    while (coarsest < finest_level() && !problems_[coarsest]->can_be_balanced())
+    while (coarsest < finest_level() &&
+           !problems_[coarsest]->can_be_balanced(problems_[coarsest]->slip_bound()))
       ++coarsest;
     if (known.u.size() != n_dofs(finest_level()))
       return coarsest;

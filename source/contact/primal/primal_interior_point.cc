@@ -33,6 +33,8 @@ namespace stiction
     // not fall ahead of the equilibrium.
     constexpr double reduction_of_bad_steps = 1.;
 
+    constexpr unsigned int longest_path = 100; // steps
+
     // Steps in which μ hardly falls before giving up.
     constexpr unsigned int max_idle_steps = 10;
 
@@ -130,7 +132,7 @@ namespace stiction
   bool PrimalInteriorPoint::is_at_end() const
   {
     return best_residual_ <= tolerance_ || is_blocked_ || idle_ == max_idle_steps ||
-           lost_ == max_lost_steps;
+           lost_ == max_lost_steps || n_steps_ == longest_path;
   }
 
   void PrimalInteriorPoint::solve(const double residual, const unsigned int max_steps,
@@ -143,8 +145,8 @@ namespace stiction
         is_blocked_     = !step();
         if (is_blocked_)
           break;
+        ++n_steps_;
         const ContactResidual now(problem_, state_, problem_.slip_bound());
-        observer(krylov_iterations_, now);
         lost_ = is_accurate_ ? 0 : lost_ + 1;
         if (now.value() < best_residual_)
           {
@@ -153,6 +155,7 @@ namespace stiction
             lost_          = 0;
           }
         idle_ = path_.mean_product() < 0.9 * mu ? 0 : idle_ + 1;
+        observer(krylov_iterations_, now);
       }
   }
 } // namespace stiction

@@ -74,7 +74,11 @@ namespace stiction
     };
 
     /// That of the next line; only after next_line() or at the beginning of the file.
-    Place here() { return {in_.tellg(), line_number_}; }
+    Place here()
+    {
+      in_.clear(); // behind a last line that does not end
+      return {in_.tellg(), line_number_};
+    }
 
     /// Goes on there, from the end of the file as well.
     void go_to(const Place &place);

@@ -105,16 +105,18 @@ namespace stiction
     Eigen::VectorXd penetration_and_slip(const LA::Vector &u,
                                          const Eigen::VectorXd &distances) const;
 
-    /// Whether contact forces within the slip bound can balance the loads: a patch of
+    /// Whether contact forces within a slip bound can balance the loads: a patch of
     /// contact may be a single node of a coarse level.
-    bool can_be_balanced() const;
+    bool can_be_balanced(const qp::SlipBound &slip_bound) const;
 
     /// Moves pressed obstacles that meet no node onto the body, see
     /// ways_to_press(). A body that contact alone holds is moved as well, if nothing
     /// touches, see qp::rigid_place().
     ///
-    /// @param a λ + ρw, or its normal part: above zero where they meet.
-    void bring_into_contact(ContactState &state, const Eigen::VectorXd &a) const;
+    /// @param a the normal part of λ + ρw: above zero where they meet.
+    /// @param part of the area: if no more than that meets, they are moved as well.
+    void bring_into_contact(ContactState &state, const Eigen::VectorXd &a,
+                            double part) const;
 
     /// ContactStiffness::foundation() of a body that contact alone holds: it makes
     /// singular systems regular, in a step (PrimalActiveSet::tether()) or, this part of

@@ -22,9 +22,9 @@ namespace stiction
   /// mesh, Coulomb's law or given friction.
   ///
   /// The residual of the certificate is what has to fall. When it does not, ρ
-  /// is changed, which no solution depends on; when that does not help, an interior
-  /// point method takes over, which knows no contact states that could be the wrong
-  /// ones.
+  /// is changed, which no solution depends on; when that does not help, it takes turns
+  /// with an interior point method, which knows no contact states that could be the
+  /// wrong ones.
   class LevelNewton
   {
   public:
@@ -109,6 +109,10 @@ namespace stiction
     /// Then there are no contact forces; the verifier has the last word.
     void drop_contact_forces(ContactState &state) const;
 
+    /// Whether pressures have settled at which friction does not bear the loads of a body
+    /// that contact alone holds: it slides, and no step changes that. Collective.
+    bool slides(const ContactConditions &conditions) const;
+
     /// Whether most linear systems take more iterations than they are given.
     bool has_hard_systems() const;
 
@@ -116,13 +120,14 @@ namespace stiction
     /// help.
     std::string why_no_closer() const;
 
-    /// One Newton step with the present ρ.
-    void step(ContactState &state, const Eigen::VectorXd &lambda,
+    /// One Newton step with the present ρ, from the states that λ sorts nodes into.
+    void step(ContactState &state, Eigen::VectorXd lambda,
               const ContactResidual &residual, double tolerance);
 
-    /// The interior point method, from this displacement on.
-    void fall_back(ContactState &state, double tolerance, unsigned int max_steps,
-                   const Observer &observer);
+    /// The interior point method, from this displacement on or where it was left. Leaves
+    /// its best state if that has a smaller residual than the one that is given.
+    void fall_back(ContactState &state, double residual, double tolerance,
+                   unsigned int max_steps, const Observer &observer);
 
     const ContactLevel &problem_;
     const unsigned int level_;

@@ -38,6 +38,9 @@ namespace stiction
     PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system,
                         const ContactState &start, double tolerance);
 
+    PrimalInteriorPoint(const PrimalInteriorPoint &)            = delete;
+    PrimalInteriorPoint &operator=(const PrimalInteriorPoint &) = delete;
+
     /// Follows the path from where it is until the residual of the best state is at most
     /// this one, or the end of the path is reached. Collective.
     void solve(double residual, unsigned int max_steps, const Observer &observer);
@@ -74,7 +77,8 @@ namespace stiction
     // Steps in a row in which μ hardly fell, and that gained nothing with systems solved
     // badly.
     unsigned int idle_ = 0, lost_ = 0;
-    bool is_blocked_ = false; // the boundary of the cones is reached
+    unsigned int n_steps_ = 0;
+    bool is_blocked_      = false; // the boundary of the cones is reached
   };
 } // namespace stiction
 

@@ -18,15 +18,15 @@ namespace stiction
 
     // What is cut off at a vertex of a factor, the image of a segment, a square or a
     // cube: its corners are in the middle of the vertices that are bits of a number.
-    struct Piece
+    struct PartOfElement
     {
       unsigned int vertex;
       std::vector<unsigned int> corners;
     };
 
-    std::vector<Piece> pieces(const unsigned int n_vertices)
+    std::vector<PartOfElement> pieces(const unsigned int n_vertices)
     {
-      std::vector<Piece> pieces;
+      std::vector<PartOfElement> pieces;
       for (unsigned int v = 0; v < n_vertices; ++v)
         {
           pieces.push_back({v, {1U << v}});
@@ -115,19 +115,21 @@ namespace stiction
       }
 
       // All choices of a piece of each factor.
-      std::vector<std::vector<Piece>> pieces_of(const ProductCell &cell)
+      std::vector<std::vector<PartOfElement>> pieces_of(const ProductCell &cell)
       {
-        std::vector<std::vector<Piece>> of_factors;
+        std::vector<std::vector<PartOfElement>> of_factors;
         for (unsigned int f = 0; f < cell.factors().size(); ++f)
-          of_factors.push_back(is_halved(cell, f) ? pieces(cell.factors()[f])
-                                                  : std::vector<Piece>{{0, {1, 2}}});
+          of_factors.push_back(is_halved(cell, f)
+                                 ? pieces(cell.factors()[f])
+                                 : std::vector<PartOfElement>{{0, {1, 2}}});
         return product(of_factors);
       }
 
-      static std::vector<ProductCell::Part> corners_of(const std::vector<Piece> &piece)
+      static std::vector<ProductCell::Part> corners_of(
+        const std::vector<PartOfElement> &piece)
       {
         std::vector<std::vector<unsigned int>> corners;
-        for (const Piece &of_factor : piece)
+        for (const PartOfElement &of_factor : piece)
           corners.push_back(of_factor.corners);
         return product(corners);
       }
@@ -136,7 +138,7 @@ namespace stiction
       {
         ProductCell cell(element);
         cell.find_nodes(mesh_);
-        for (const std::vector<Piece> &piece : pieces_of(cell))
+        for (const std::vector<PartOfElement> &piece : pieces_of(cell))
           {
             std::vector<Coordinates> corners;
             mesh_.cells.push_back(element);
@@ -153,7 +155,7 @@ namespace stiction
             // vertex with an even number, that is positive, and not from the others.
             // All edges go from vertices to middles, whichever of them is first.
             unsigned int sign = 0;
-            for (const Piece &of_factor : piece)
+            for (const PartOfElement &of_factor : piece)
               sign += of_factor.vertex;
             if (sign % 2 == 1)
               {
@@ -166,7 +168,7 @@ namespace stiction
       void cut(const dealii::CellData<2> &element)
       {
         const ProductCell face(element);
-        for (const std::vector<Piece> &piece : pieces_of(face))
+        for (const std::vector<PartOfElement> &piece : pieces_of(face))
           {
             mesh_.faces.boundary_quads.push_back(element);
             Vertices &vertices = mesh_.faces.boundary_quads.back().vertices;

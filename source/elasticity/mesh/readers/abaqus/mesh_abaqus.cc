@@ -1,19 +1,20 @@
+#include "../mesh_builder.h"
 #include "abaqus_elements.h"
+#include "abaqus_keyword.h"
 #include "abaqus_parts.h"
-#include "mesh_builder.h"
-
-#include <deal.II/base/utilities.h>
+#include "abaqus_sets.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
+#include <string>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace stiction
 {
   namespace
   {
-    using dealii::Utilities::split_string_list;
-
     // deal.II's GridIn takes ids from the digits in names, element n to be the
     // n-th, and nine digits of coordinates.
     // What it takes from an input file: *NODE, *ELEMENT, *ELSET, *SURFACE,
@@ -26,6 +27,7 @@ namespace stiction
         : text_(text)
         , mesh_(text)
         , parts_(text)
+        , sets_(text)
         , cells_(1)
       {
       }
@@ -45,31 +47,19 @@ namespace stiction
       }
 
     private:
-      // Numbers and names of an instance count within it, or in the whole file.
-      struct Scope
-      {
-        std::size_t number = 0; // in cells_
-        std::string prefix;     // of names
-      };
-
-      // An element by its number in a scope.
-      struct Element
-      {
-        std::size_t scope;
-        std::int64_t number;
-      };
-
-      // An element or a set as it is written somewhere.
+      // Elements as they are referred to somewhere.
       struct Reference
       {
         std::string what;
-        Scope scope;
+        AbaqusScope scope;
         TextScanner::Place place; // behind it
       };
 
       struct Surface
       {
         std::string name;
+        AbaqusScope scope;
+        TextScanner::Place place;
         std::vector<std::pair<Reference, unsigned int>> parts; // with the face of each
       };
 
@@ -98,56 +88,63 @@ namespace stiction
       void read_keyword(const std::string &line)
       {
         end_of_data();
-        keyword_ = AbaqusKeyword(line);
-        if (keyword_.name == "*SURFACE")
-          {
-            const std::string type = upper(keyword_.value("TYPE"));
-            if (!type.empty() && type != "ELEMENT")
-              keyword_.name = "*IGNORED";
-            else
-              surfaces_.push_back({scope_.prefix + keyword_.value("NAME"), {}});
-          }
-        else if (keyword_.name == "*INSTANCE")
-          {
-            begin_instance(keyword_.value("NAME"));
-            part_ = keyword_.value("PART");
-          }
-        else if (keyword_.name == "*PART" && parts_.have_instances())
+        keyword_                = AbaqusKeyword(line, text_);
+        const std::string &name = keyword_.name;
+        if (name == "*SURFACE" && is_of_elements())
+          surfaces_.push_back({keyword_.value("NAME"), scope_, text_.here(), {}});
+        else if (name == "*SURFACE")
+          keyword_.name = "*IGNORED";
+        else if (name == "*INSTANCE")
+          begin_instance();
+        else if (name == "*PART" && parts_.have_instances())
           skip_part();
-        else if (keyword_.name == "*PART")
-          begin_instance(keyword_.value("NAME"));
-        else if (keyword_.name == "*END INSTANCE" ||
-                 (keyword_.name == "*END PART" && !parts_.have_instances()))
+        else if (name == "*PART")
+          begin(sets_.add_scope(keyword_.value("NAME")));
+        else if (name == "*ENDINSTANCE" ||
+                 (name == "*ENDPART" && !parts_.have_instances()))
           begin({});
-        else if (keyword_.name == "*SOLID SECTION")
-          sections_.emplace_back(refer_to(keyword_.value("ELSET"), scope_),
+        else if (name == "*SOLIDSECTION")
+          sections_.emplace_back(refer_to(keyword_.value("ELSET")),
                                  keyword_.value("MATERIAL"));
-        else if (keyword_.name == "*INCLUDE" ||
-                 (keyword_.name == "*NODE" && keyword_.has("INPUT")) ||
-                 (keyword_.name == "*ELEMENT" && keyword_.has("INPUT")))
-          text_.refuse("another file is included, must be one file");
+        else
+          refuse_what_is_elsewhere();
       }
 
-      void begin_instance(const std::string &name)
+      bool is_of_elements() const
       {
-        Scope scope;
-        if (parts_.are_several())
-          {
-            scope = {cells_.size(), name + "."};
-            cells_.emplace_back();
-          }
-        if (!scopes_.emplace(upper(name), scope).second)
-          text_.refuse("instance '" + name +
-                       "' stands twice, must have a name of its own");
-        begin(scope);
+        const std::string type = upper(keyword_.value("TYPE"));
+        return type.empty() || type == "ELEMENT";
       }
 
-      void begin(const Scope &scope)
+      // Without these lines the mesh would be another one.
+      void refuse_what_is_elsewhere() const
+      {
+        const std::string &name = keyword_.name;
+        if (name == "*INCLUDE" ||
+            ((name == "*NODE" || name == "*ELEMENT") && keyword_.has("INPUT")))
+          text_.refuse("another file is included, must be one file");
+        if (name == "*SYSTEM" || (name == "*NODE" && keyword_.has("SYSTEM")))
+          text_.refuse("coordinates are in another system, must be Cartesian ones");
+        if (name == "*NGEN" || name == "*NFILL" || name == "*NCOPY" || name == "*NMAP" ||
+            name == "*ELGEN" || name == "*ELCOPY")
+          text_.refuse("nodes or elements are made by " + name +
+                       ", must be written one by one");
+      }
+
+      void begin_instance()
+      {
+        if (keyword_.has("LIBRARY") || keyword_.has("INSTANCE"))
+          text_.refuse("an instance is that of another analysis, must be one of a part");
+        part_ = keyword_.value("PART");
+        begin(sets_.add_scope(keyword_.value("NAME")));
+      }
+
+      void begin(const AbaqusScope &scope)
       {
         scope_     = scope;
         placement_ = {};
-        if (parts_.are_several())
-          mesh_.forget_numbers();
+        cells_.resize(std::max(cells_.size(), scope.number + 1));
+        mesh_.forget_numbers();
       }
 
       // Instances read it.
@@ -155,7 +152,7 @@ namespace stiction
       {
         std::string line;
         while (text_.next_line(line))
-          if (line.rfind("*", 0) == 0 && AbaqusKeyword(line).name == "*END PART")
+          if (line.rfind("*", 0) == 0 && AbaqusKeyword(line, text_).name == "*ENDPART")
             return;
       }
 
@@ -167,11 +164,11 @@ namespace stiction
             unfinished_ += line;
             if (line.back() == ',')
               return;
-            read_element(split_string_list(unfinished_));
+            read_element(abaqus_items(unfinished_));
             unfinished_.clear();
             return;
           }
-        const std::vector<std::string> items = split_string_list(line);
+        const std::vector<std::string> items = abaqus_items(line);
         if (keyword_.name == "*NODE")
           read_node(items);
         else if (keyword_.name == "*ELSET")
@@ -182,7 +179,7 @@ namespace stiction
               text_.refuse("'" + line.substr(0, 40) +
                            "' is no part of a surface, must be an element or "
                            "a set and a face from S1 to S6");
-            surfaces_.back().parts.emplace_back(refer_to(items[0], scope_),
+            surfaces_.back().parts.emplace_back(refer_to(items[0]),
                                                 face_number(items[1]));
           }
         else if (keyword_.name == "*INSTANCE")
@@ -199,7 +196,7 @@ namespace stiction
         const TextScanner::Place here = text_.here();
         text_.go_to(parts_.begin(std::exchange(part_, "")));
         keyword_.name = "*PART";
-        read_until("*END PART");
+        read_until("*ENDPART");
         text_.go_to(here);
       }
 
@@ -235,8 +232,8 @@ namespace stiction
                               in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
             if (const std::string set = keyword_.value("ELSET"); !set.empty())
               {
-                add_to_set(set, {scope_.number, number});
-                element_sets_.insert(upper(scope_.prefix + set));
+                sets_.add(scope_, set, {scope_.number, number});
+                element_sets_.try_emplace(upper(scope_.prefix + set), refer_to(set));
               }
           }
         else if (abaqus::begins_with_any(type, {"C3D5", "C3D13"}))
@@ -249,31 +246,14 @@ namespace stiction
           ++mesh_.mesh.other_elements["elements of type " + type];
       }
 
-      void add_to_set(const std::string &set, const Element &element)
-      {
-        const std::string name = scope_.prefix + set;
-        names_.emplace(upper(name), name);
-        sets_[upper(name)].push_back(element);
-      }
-
-      // Whose numbers the data below the keyword are.
-      Scope scope_of_data() const
-      {
-        const std::string instance = keyword_.value("INSTANCE");
-        if (instance.empty())
-          return scope_;
-        const auto found = scopes_.find(upper(instance));
-        if (found == scopes_.end())
-          text_.refuse("there is no instance '" + instance + "' above");
-        return found->second;
-      }
-
       void read_set(const std::vector<std::string> &items)
       {
         const std::string set = keyword_.value("ELSET");
         if (set.empty())
           text_.refuse("a set without a name, must be '*ELSET, ELSET=name'");
-        const Scope scope = scope_of_data();
+        // whose numbers the data below the keyword are
+        const std::string instance = keyword_.value("INSTANCE");
+        const AbaqusScope scope    = instance.empty() ? scope_ : sets_.scope_of(instance);
         if (keyword_.has("GENERATE"))
           {
             if (items.size() < 2)
@@ -290,17 +270,13 @@ namespace stiction
                            " in steps of " + std::to_string(step) +
                            " are too many, or no set, must be at most 20000000");
             for (std::int64_t e = first; e <= last; e += step)
-              add_to_set(set, {scope.number, e});
+              sets_.add(scope_, set, {scope.number, e});
             return;
           }
         for (const std::string &item : items)
-          if (item.empty())
-            continue;
-          else if (const std::vector<Element> *const members = find_set(item, scope))
-            for (const Element &element : std::vector<Element>(*members))
-              add_to_set(set, element);
-          else
-            add_to_set(set, {scope.number, text_.to_integer(item)});
+          if (!item.empty())
+            for (const AbaqusElement &element : sets_.elements(scope, item))
+              sets_.add(scope_, set, element);
       }
 
       unsigned int face_number(const std::string &face) const
@@ -317,9 +293,10 @@ namespace stiction
         unsigned int id = 0;
         for (const Surface &surface : surfaces_)
           {
-            mesh_.add_name(surface.name, ++id, mesh_.mesh.boundary_names);
+            text_.go_to(surface.place);
+            mesh_.add_name(name_of(surface), ++id, mesh_.mesh.boundary_names);
             for (const auto &part : surface.parts)
-              for (const Element &element : elements(part.first))
+              for (const AbaqusElement &element : elements(part.first))
                 {
                   const auto &of_cell = cell(element).vertices;
                   const auto &faces   = abaqus::faces_of(of_cell.size());
@@ -336,19 +313,31 @@ namespace stiction
           }
       }
 
+      // With that of its instance where there are several, or others of this name.
+      std::string name_of(const Surface &surface) const
+      {
+        const auto n =
+          std::count_if(surfaces_.begin(), surfaces_.end(), [&](const Surface &other) {
+            return upper(other.name) == upper(surface.name);
+          });
+        return (parts_.are_several() || n > 1 ? surface.scope.prefix : "") + surface.name;
+      }
+
       void name_materials()
       {
         if (sections_.empty())
-          for (const std::string &set : element_sets_)
-            sections_.emplace_back(refer_to(set, {}), names_.at(set));
+          for (const auto &[key, set] : element_sets_)
+            sections_.emplace_back(set, (parts_.are_several() ? set.scope.prefix : "") +
+                                          set.what);
         unsigned int last = 0;
         std::map<std::string, unsigned int> ids;
         for (const auto &section : sections_)
           {
+            text_.go_to(section.first.place);
             const auto id = ids.emplace(upper(section.second), last + 1);
             if (id.second)
               mesh_.add_name(section.second, ++last, mesh_.mesh.material_names);
-            for (const Element &element : elements(section.first))
+            for (const AbaqusElement &element : elements(section.first))
               {
                 unsigned int &material = cell(element).material_id;
                 if (material != 0 && material != id.first->second)
@@ -360,50 +349,36 @@ namespace stiction
       }
 
       // What stands on the line that was read last.
-      Reference refer_to(const std::string &what, const Scope &scope)
+      Reference refer_to(const std::string &what) { return {what, scope_, text_.here()}; }
+
+      // Whatever is wrong with them is so where they are referred to.
+      std::vector<AbaqusElement> elements(const Reference &reference)
       {
-        return {what, scope, text_.here()};
+        text_.go_to(reference.place);
+        return sets_.elements(reference.scope, reference.what);
       }
 
-      const std::vector<Element> *find_set(const std::string &name,
-                                           const Scope &scope) const
+      dealii::CellData<3> &cell(const AbaqusElement &element)
       {
-        for (const std::string &prefix : {scope.prefix, std::string()})
-          if (const auto set = sets_.find(upper(prefix + name)); set != sets_.end())
-            return &set->second;
-        return nullptr;
-      }
-
-      // Of a set, or the one with the number; whatever is wrong with them is so where
-      // they are referred to.
-      std::vector<Element> elements(const Reference &reference)
-      {
-        const auto &[what, scope, place] = reference;
-        text_.go_to(place);
-        if (const std::vector<Element> *const set = find_set(what, scope))
-          return *set;
-        if (what.empty() || what.find_first_not_of("0123456789") != std::string::npos)
-          text_.refuse("there is no set of elements '" + what.substr(0, 40) + "'");
-        return {{scope.number, text_.to_integer(what)}};
-      }
-
-      dealii::CellData<3> &cell(const Element &element)
-      {
-        const auto &cells = cells_[element.scope];
-        const auto found  = cells.find(element.number);
-        if (found == cells.end())
-          text_.refuse("there is no element " + std::to_string(element.number));
-        return mesh_.mesh.cells[found->second];
+        // outside of the only instance its numbers count as well
+        for (std::size_t scope = element.scope;
+             scope == element.scope ||
+             (element.scope == 0 && scope + 1 == cells_.size() && cells_.size() == 2);
+             ++scope)
+          if (const auto found = cells_[scope].find(element.number);
+              found != cells_[scope].end())
+            return mesh_.mesh.cells[found->second];
+        text_.refuse("there is no element " + std::to_string(element.number));
       }
 
       TextScanner &text_;
       MeshBuilder mesh_;
       const AbaqusParts parts_;
+      AbaqusSets sets_;
       // where they are in the mesh, by their numbers in each scope
       std::vector<std::unordered_map<std::int64_t, std::size_t>> cells_;
 
-      std::map<std::string, Scope> scopes_; // of instances
-      Scope scope_;                         // the present one
+      AbaqusScope scope_; // the present one
       AbaqusPlacement placement_;
       std::string part_; // to be read when it is known where the instance stands
 
@@ -412,9 +387,7 @@ namespace stiction
 
       std::vector<Surface> surfaces_;
       std::vector<std::pair<Reference, std::string>> sections_; // with the material
-      std::map<std::string, std::vector<Element>> sets_;
-      std::map<std::string, std::string> names_; // of sets, as written
-      std::set<std::string> element_sets_;       // those of *ELEMENT
+      std::map<std::string, Reference> element_sets_;           // those of *ELEMENT
     };
   } // namespace
 

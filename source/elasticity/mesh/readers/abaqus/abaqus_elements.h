@@ -1,5 +1,5 @@
-#ifndef stiction_source_elasticity_mesh_readers_abaqus_elements_h
-#define stiction_source_elasticity_mesh_readers_abaqus_elements_h
+#ifndef stiction_source_elasticity_mesh_readers_abaqus_abaqus_elements_h
+#define stiction_source_elasticity_mesh_readers_abaqus_abaqus_elements_h
 
 #include <cstddef>
 #include <cstdint>

@@ -1,49 +1,47 @@
+#include "abaqus_keyword.h"
 #include "abaqus_parts.h"
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/utilities.h>
 
 namespace stiction
 {
-  AbaqusKeyword::AbaqusKeyword(const std::string &line)
+  namespace
   {
-    using dealii::Utilities::trim;
-    for (const std::string &item : dealii::Utilities::split_string_list(line))
-      if (name.empty())
-        name = upper(item);
-      else
-        {
-          const std::size_t equals = item.find('=');
-          std::string value =
-            equals == std::string::npos ? "" : trim(item.substr(equals + 1));
-          if (value.size() > 1 && value.front() == '"' && value.back() == '"')
-            value = value.substr(1, value.size() - 2);
-          options[upper(trim(item.substr(0, equals)))] = value;
-        }
-  }
-
-  std::string AbaqusKeyword::value(const std::string &option) const
-  {
-    const auto found = options.find(option);
-    return found == options.end() ? "" : found->second;
-  }
+    // Of an axis: its points must be farther apart, in its unit of length.
+    constexpr double same_point = 1e-100;
+  } // namespace
 
   AbaqusParts::AbaqusParts(TextScanner &text)
     : text_(text)
   {
     const TextScanner::Place beginning = text.here();
-    std::string line;
+    std::string line, open;
+    const auto require_no_open_part = [&]() {
+      if (!open.empty())
+        text.refuse("part '" + open + "' has not ended before, must do with '*END PART'");
+    };
     while (text.next_line(line))
       {
         if (line.empty() || line[0] != '*' || line.rfind("**", 0) == 0)
           continue;
-        const AbaqusKeyword keyword(line);
+        const AbaqusKeyword keyword(line, text);
+        if (keyword.name == "*ENDPART")
+          open.clear();
+        if (keyword.name != "*INSTANCE" && keyword.name != "*PART")
+          continue;
+        require_no_open_part();
         if (keyword.name == "*INSTANCE")
           ++n_instances_;
-        else if (keyword.name == "*PART" &&
-                 !places_.emplace(upper(keyword.value("NAME")), text.here()).second)
-          text.refuse("part '" + keyword.value("NAME") + "' stands twice");
+        else
+          {
+            open = keyword.value("NAME");
+            if (open.empty())
+              text.refuse("a part without a name, must be '*PART, NAME=name'");
+            if (!places_.emplace(upper(open), text.here()).second)
+              text.refuse("part '" + open + "' stands twice");
+          }
       }
+    require_no_open_part();
     text.go_to(beginning);
   }
 
@@ -61,22 +59,27 @@ namespace stiction
     std::vector<double> numbers;
     for (const std::string &item : items)
       if (!item.empty() || &item != &items.back()) // a line may end with a comma
-        numbers.push_back(text.to_real(item));
-    if (numbers.size() == 3)
-      motion_.pretranslate(Eigen::Vector3d(numbers[0], numbers[1], numbers[2]));
-    else if (numbers.size() == 7)
+        numbers.push_back(item.empty() ? 0. : text.to_real(item));
+    ++n_lines_;
+    if (n_lines_ == 1 && numbers.size() <= 3)
+      {
+        numbers.resize(3, 0.);
+        motion_.pretranslate(Eigen::Vector3d(numbers[0], numbers[1], numbers[2]));
+      }
+    else if (n_lines_ == 2 && numbers.size() == 7)
       {
         const Eigen::Vector3d from(numbers[0], numbers[1], numbers[2]),
           to(numbers[3], numbers[4], numbers[5]);
-        if (from == to)
+        if ((to - from).stableNorm() < same_point)
           text.refuse("the points of an axis are the same, must be two");
         const Eigen::AngleAxisd turn(numbers[6] * dealii::numbers::PI / 180.,
-                                     (to - from).normalized());
+                                     (to - from).stableNormalized());
         motion_ =
           Eigen::Translation3d(from) * turn * Eigen::Translation3d(-from) * motion_;
       }
     else
-      text.refuse("an instance has " + std::to_string(numbers.size()) +
+      text.refuse("line " + std::to_string(n_lines_) + " of an instance has " +
+                  std::to_string(numbers.size()) +
                   " numbers, must have the three of a translation, and below them the "
                   "seven of a rotation");
   }

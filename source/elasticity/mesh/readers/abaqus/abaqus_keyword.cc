@@ -1,0 +1,52 @@
+#include "abaqus_keyword.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace stiction
+{
+  namespace
+  {
+    std::string without_quotes(const std::string &text)
+    {
+      return text.size() > 1 && text.front() == '"' && text.back() == '"'
+               ? text.substr(1, text.size() - 2)
+               : text;
+    }
+  } // namespace
+
+  std::vector<std::string> abaqus_items(const std::string &line)
+  {
+    std::vector<std::string> items = dealii::Utilities::split_string_list(line);
+    std::transform(items.begin(), items.end(), items.begin(), without_quotes);
+    return items;
+  }
+
+  AbaqusKeyword::AbaqusKeyword(std::string line, TextScanner &text)
+  {
+    using dealii::Utilities::trim;
+    std::string more;
+    while (line.back() == ',' && text.next_line(more))
+      line += more;
+    for (const std::string &item : dealii::Utilities::split_string_list(line))
+      if (name.empty())
+        {
+          name = upper(item);
+          name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+        }
+      else
+        {
+          const std::size_t equals = item.find('=');
+          options[upper(trim(item.substr(0, equals)))] =
+            equals == std::string::npos ? ""
+                                        : without_quotes(trim(item.substr(equals + 1)));
+        }
+  }
+
+  std::string AbaqusKeyword::value(const std::string &option) const
+  {
+    const auto found = options.find(option);
+    return found == options.end() ? "" : found->second;
+  }
+} // namespace stiction

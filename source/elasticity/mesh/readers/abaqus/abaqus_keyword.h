@@ -1,0 +1,34 @@
+#ifndef stiction_source_elasticity_mesh_readers_abaqus_abaqus_keyword_h
+#define stiction_source_elasticity_mesh_readers_abaqus_abaqus_keyword_h
+
+#include <stiction/base/text/text_scanner.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stiction
+{
+  /// What stands between the commas of a line of an Abaqus file, without quotes.
+  std::vector<std::string> abaqus_items(const std::string &line);
+
+  /// A line of an Abaqus file that begins with a star: "*ELEMENT, TYPE=C3D8".
+  struct AbaqusKeyword
+  {
+    AbaqusKeyword() = default;
+
+    /// @param line goes on in the next one of the text if it ends with a comma.
+    AbaqusKeyword(std::string line, TextScanner &text);
+
+    bool has(const std::string &option) const { return options.count(option) != 0; }
+
+    /// The value of an option, empty if it has none or is not there.
+    std::string value(const std::string &option) const;
+
+    std::string name; ///< in capital letters with the star, without blanks: "*ENDPART"
+    /// Names in capital letters, values as they are written.
+    std::map<std::string, std::string> options;
+  };
+} // namespace stiction
+
+#endif

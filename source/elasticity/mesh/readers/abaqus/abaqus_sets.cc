@@ -1,0 +1,58 @@
+#include "abaqus_sets.h"
+
+namespace stiction
+{
+  AbaqusScope AbaqusSets::add_scope(const std::string &instance)
+  {
+    if (instance.empty())
+      text_.refuse("an instance without a name, must be '*INSTANCE, NAME=name, PART=of'");
+    const auto [place, is_new] =
+      scopes_.emplace(upper(instance), AbaqusScope{scopes_.size() + 1, instance + "."});
+    if (!is_new)
+      text_.refuse("instance '" + instance +
+                   "' stands twice, must have a name of its own");
+    return place->second;
+  }
+
+  AbaqusScope AbaqusSets::scope_of(const std::string &instance) const
+  {
+    const auto found = scopes_.find(upper(instance));
+    if (found == scopes_.end())
+      text_.refuse("there is no instance '" + instance + "' above");
+    return found->second;
+  }
+
+  void AbaqusSets::add(const AbaqusScope &scope, const std::string &set,
+                       const AbaqusElement &element)
+  {
+    sets_[upper(scope.prefix + set)].push_back(element);
+  }
+
+  const std::vector<AbaqusElement> *AbaqusSets::find(const AbaqusScope &scope,
+                                                     const std::string &set) const
+  {
+    const auto found = sets_.find(upper(scope.prefix + set));
+    if (found != sets_.end())
+      return &found->second;
+    return scope.number == 0 && scopes_.size() == 1 ? find(scopes_.begin()->second, set)
+                                                    : nullptr;
+  }
+
+  std::vector<AbaqusElement> AbaqusSets::elements(const AbaqusScope &scope,
+                                                  const std::string &what) const
+  {
+    const auto is_number = [](const std::string &word) {
+      return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (const std::vector<AbaqusElement> *const set = find(scope, what))
+      return *set;
+    if (is_number(what))
+      return {{scope.number, text_.to_integer(what)}};
+    const std::size_t dot = what.rfind('.');
+    const auto instance   = scopes_.find(upper(what.substr(0, dot)));
+    if (scope.number != 0 || dot == std::string::npos || instance == scopes_.end() ||
+        !is_number(what.substr(dot + 1)))
+      text_.refuse("there is no set of elements '" + what.substr(0, 40) + "'");
+    return {{instance->second.number, text_.to_integer(what.substr(dot + 1))}};
+  }
+} // namespace stiction
