@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,14 @@ namespace stiction
     /// The same without figures that only other places of the obstacles can
     /// lower.
     virtual bool is_solved(const double tolerance) const { return converged(tolerance); }
+
+    /// Whether gaps and pressures exclude each other so well that pressures hardly change
+    /// any more, whatever friction lacks.
+    bool has_settled() const
+    {
+      return std::max(contact_figures_.penetration, contact_figures_.complementarity) <=
+             1e-2;
+    }
 
     /// What rounding alone makes of the figures, an estimate.
     double rounding() const { return rounding_; }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -148,6 +149,42 @@ namespace stiction
       return moves + "push with " + with_unit(push, units.force) + " and " + bears + " " +
              with_unit(bear, units.force);
     }
+
+    // The motion that no forces within the slip bound stop in words, empty if there is
+    // none, and whether they lack next to nothing. @param reached contact forces with the
+    // mean normal of what moves; those that come nearest if there are none.
+    std::pair<std::string, bool> unstopped_motion(const LinearElasticity &elasticity,
+                                                  const ContactSurface &surface,
+                                                  const qp::SlipBound &slip_bound,
+                                                  const Eigen::VectorXd *const reached,
+                                                  const Units &units)
+    {
+      const FreeMotions &motions = elasticity.free_motions();
+      if (motions.n() == 0)
+        return {};
+      const EqualityConstraint balance = rigid_balance(elasticity, surface);
+      const auto [rho, lambda]         = qp::unbalanced_load(balance, slip_bound);
+      if (rho.isZero(0.))
+        return {};
+
+      const Eigen::VectorXd of_body = -rho.tail(motions.n());
+      // what the loads do along −ρ beyond what given friction can
+      const Eigen::VectorXd moved = balance.G * rho;
+      double work                 = balance.e.dot(rho);
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        if (slip_bound.is_given(i))
+          work -= slip_bound.constant()(i) * at_node(moved, i).tail<2>().norm();
+      const bool by_a_hair = rho.norm() <= at_the_limit * balance.e.norm();
+      if (of_body.norm() < 0.5 * rho.norm())
+        return {"the obstacle that is pressed on finds nothing that bears " +
+                  with_unit(format("%.4g", work / rho.norm()), units.force),
+                by_a_hair};
+      return {
+        in_words(find_runaway(elasticity, of_body, work),
+                 mean_normal(surface, reached != nullptr ? *reached : lambda, moved),
+                 units),
+        by_a_hair};
+    }
   } // namespace
 
   EqualityConstraint rigid_balance(const LinearElasticity &elasticity,
@@ -193,29 +230,30 @@ namespace stiction
   std::string why_no_equilibrium(const LinearElasticity &elasticity,
                                  const ContactSurface &surface, const Units &units)
   {
-    const FreeMotions &motions = elasticity.free_motions();
-    if (motions.n() == 0 || surface.has_friction_of_state())
+    if (surface.has_friction_of_state())
       return "";
-    const EqualityConstraint balance = rigid_balance(elasticity, surface);
-    const auto [rho, lambda]         = qp::unbalanced_load(balance, surface.slip_bound());
-    if (rho.isZero(0.))
+    const auto [motion, by_a_hair] =
+      unstopped_motion(elasticity, surface, surface.slip_bound(), nullptr, units);
+    if (motion.empty())
       return "";
+    return (by_a_hair ? "no equilibrium exists, by a hair: "
+                      : "no equilibrium exists: ") +
+           motion;
+  }
 
-    const Eigen::VectorXd of_body = -rho.tail(motions.n());
-    // what the loads do along −ρ beyond what given friction can
-    const Eigen::VectorXd moved = balance.G * rho;
-    double work                 = balance.e.dot(rho);
-    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-      if (surface.slip_bound().is_given(i))
-        work -= surface.slip_bound().constant()(i) * at_node(moved, i).tail<2>().norm();
-    const std::string begin = rho.norm() <= at_the_limit * balance.e.norm()
-                                ? "no equilibrium exists, by a hair: "
-                                : "no equilibrium exists: ";
-    if (of_body.norm() < 0.5 * rho.norm())
-      return begin + "the obstacle that is pressed on finds nothing that bears " +
-             with_unit(format("%.4g", work / rho.norm()), units.force);
-    return begin + in_words(find_runaway(elasticity, of_body, work),
-                            mean_normal(surface, lambda, moved), units);
+  std::string why_it_slides(const LinearElasticity &elasticity,
+                            const ContactSurface &surface, const Eigen::VectorXd &lambda,
+                            const Units &units)
+  {
+    const auto [motion, by_a_hair] = unstopped_motion(
+      elasticity, surface, qp::SlipBound::given(surface.slip_bound().at(lambda)), &lambda,
+      units);
+    if (motion.empty())
+      return "";
+    return "at the pressures that were reached " + motion +
+           (by_a_hair ? ", by a hair" : "") +
+           "; change the loads, press parts together with more, or hold them with "
+           "'Boundary conditions/Prescribed displacement'";
   }
 
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,

@@ -56,10 +56,6 @@ namespace stiction
     // large, cycling, rarely too small.
     constexpr std::array<double, 6> rho_factors = {
       {1., 1. / 3., 10., 1. / 30., 100., 1. / 1000.}};
-
-    // Pressures are those of the answer, but for friction, if gaps and pressures
-    // exclude each other up to this.
-    constexpr double settled = 1e-2;
   } // namespace
 
   std::size_t LevelNewton::fall_horizon(const unsigned int stalls,
@@ -192,9 +188,7 @@ namespace stiction
 
   bool LevelNewton::slides(const ContactConditions &conditions) const
   {
-    const auto &figures = conditions.contact_figures();
-    return problem_.driven_motions().cols() > 0 &&
-           std::max(figures.penetration, figures.complementarity) <= settled &&
+    return problem_.driven_motions().cols() > 0 && conditions.has_settled() &&
            !problem_.can_be_balanced(qp::SlipBound::given(conditions.slip_bound()));
   }
 
