@@ -89,7 +89,7 @@ def picture(run, colors, box):
     the obstacles were drawn, None where there are none.
     """
     body = run.body
-    factor = exaggeration(body.points, run.scale.displacement)
+    factor = 1 if run.released else exaggeration(body.points, run.scale.displacement)
     basis = view_basis(body.points)
     highest = run.scale.stress
     deformed = surface_of(body.points + factor * body.displacement, body.faces,

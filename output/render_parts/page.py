@@ -231,7 +231,8 @@ def draw_body(page, run, body_picture, height):
     room = height - TITLE - BAR - 0.3
     body = body_picture(width, room)
     words = (f"displacement {body.factor:.0f} times as large"
-             if body.factor > 1 else "displacement true to scale")
+             if body.factor > 1 else "released" if run.released
+             else "displacement true to scale")
     words += ", lines: before loading"
     if body.obstacle is not None:
         words += f", grey: obstacle{body.obstacle}"

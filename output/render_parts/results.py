@@ -13,6 +13,9 @@ from . import Unusable, meshes, panels, words
 
 HEXAHEDRON, QUADRILATERAL = 12, 9
 
+# Of the largest elastic energy of a history: less is left of a body that was released.
+RELEASED = 1e-12
+
 
 def read_grid(file, reader, fields):
     """The grid in a file, with no more than these point data."""
@@ -111,8 +114,9 @@ def read(directory, tag="", time=None):
     body: points, outer faces, and displacement and stress at the points;
     contact: faces of the same points, and fields at their corners, (n, 4) or
     (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
-    what is shown, as steps with files are; scale: the largest displacement, stress and
-    pressure, which everything is drawn with.
+    what is shown, as steps with files are; released: whether only rounding is left at
+    the end; scale: the largest displacement, stress and pressure, which everything is
+    drawn with.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -135,7 +139,8 @@ def read(directory, tag="", time=None):
     body = body_of(solution, faces, first, number[:n])
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
-        time=time, certified=certified, scale=SimpleNamespace(
+        time=time, certified=certified, released=time is None and is_released(summary),
+        scale=SimpleNamespace(
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
             pressure=panels.shown_pressure(contact, certified)[contact.cells].max()),
@@ -143,6 +148,12 @@ def read(directory, tag="", time=None):
         body=body,
         contact=contact_of(contact, number[n:], faces, len(first)),
         obstacle=read_obstacle(directory, tag))
+
+
+def is_released(summary):
+    """Whether a history ends with next to none of the elastic energy it had."""
+    energies = [step["energy"]["elastic_energy"] for step in summary.get("steps") or ()]
+    return len(energies) > 1 and energies[-1] < RELEASED * max(energies)
 
 
 def without_other_sides(contact, summary):

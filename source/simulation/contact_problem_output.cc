@@ -296,7 +296,7 @@ namespace stiction
     log_->line(format("Certified steps: %zu, ", steps_->steps().size()) +
                label("work", Units::named(parameters_.output.units).energy) +
                format(" of loads %.6g, supports %.6g, obstacles %.6g; dissipated %.6g, "
-                      "elastic energy %.6g, trace of their length %.6g.",
+                      "elastic energy %.6g, time stepping and initial interference %.6g.",
                       all.loads, all.supports, all.obstacles, all.dissipation,
                       all.elastic_energy, all.time_stepping));
   }

@@ -73,7 +73,7 @@ namespace
     const Sums many = check("with more steps", dragged + Settings{"Time/Steps=24"}, 24);
     out() << "    more is dissipated than the body holds "
           << yes(few.dissipated > few.largest_energy) << std::endl
-          << "    with a smaller trace of their length "
+          << "    with less that is left over by their length "
           << yes(std::abs(many.trace) < 0.5 * std::abs(few.trace)) << std::endl;
     check("loads alone",
           all +

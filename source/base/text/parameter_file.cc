@@ -343,6 +343,15 @@ namespace stiction
     return file;
   }
 
+  std::string ParameterFile::section_of_pair(const std::string &entry,
+                                             const std::size_t number) const
+  {
+    const auto pairs = of_pairs_.find(entry);
+    const std::string &name =
+      pairs == of_pairs_.end() ? entry : pairs->second.at(number).name;
+    return name.substr(0, name.rfind('/'));
+  }
+
   std::string ParameterFile::locate(const std::string &entry) const
   {
     const Place &place = places_.at(entry);

@@ -85,7 +85,8 @@ namespace stiction
     triangulation_.copy_triangulation(coarse.triangulation());
     quadratic_cells_     = coarse.quadratic_cells();
     cut_elements_        = coarse.cut_elements();
-    pieces_              = MeshPieces(triangulation_, coarse.body_names());
+    pieces_              = MeshPieces(triangulation_,
+                                      [&](const auto &cell) { return coarse.body_name(cell); });
     const auto manifolds = coarse.triangulation().get_manifold_ids();
     is_curved_           = !quadratic_cells_.empty() ||
                  std::any_of(manifolds.begin(), manifolds.end(), [](const auto id) {

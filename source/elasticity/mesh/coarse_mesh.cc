@@ -115,6 +115,8 @@ namespace stiction
             cut_elements_    = mesh.cut_elements;
             boundaries       = mesh.boundary_names;
             materials        = mesh.material_names;
+            body_names_      = mesh.body_names;
+            body_of_cell_    = mesh.body_of_cell;
             how_to_name      = mesh.how_to_name_boundaries;
           }
       }
@@ -127,7 +129,15 @@ namespace stiction
                         shape.location + (cut_elements_.empty() ? "" : ", when cut"));
     set_names(boundaries, materials, how_to_name);
     for (const auto &[name, id] : materials)
-      body_names_[id] = name;
+      body_of_material_[id] = name;
+  }
+
+  std::string CoarseMesh::body_name(const Triangulation<3>::cell_iterator &cell) const
+  {
+    if (!body_of_cell_.empty())
+      return body_names_[body_of_cell_[cell->index()]];
+    const auto found = body_of_material_.find(cell->material_id());
+    return found == body_of_material_.end() ? "" : found->second;
   }
 
   void CoarseMesh::make_brick(const ShapeParameters &shape)

@@ -131,10 +131,10 @@ namespace stiction
       triangulation_.set_manifold(id, *manifold);
     if (parts.is_quadratic)
       quadratic_cells_ = QuadraticCells(std::move(parts.nodes));
-    cut_elements_   = parts.cut_elements;
-    boundary_names_ = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
-    material_names_ = MeshNames("material", parts.material_ids, parts.materials);
-    body_names_     = parts.body_names;
+    cut_elements_     = parts.cut_elements;
+    boundary_names_   = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
+    material_names_   = MeshNames("material", parts.material_ids, parts.materials);
+    body_of_material_ = parts.body_names;
   }
 
   void CoarseMesh::add_to(Parts &parts, const PlacedBody &placed) const

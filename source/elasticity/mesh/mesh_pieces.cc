@@ -38,8 +38,9 @@ namespace stiction
     }
   } // namespace
 
-  MeshPieces::MeshPieces(const Triangulation<3> &triangulation,
-                         const std::map<types::material_id, std::string> &names)
+  MeshPieces::MeshPieces(
+    const Triangulation<3> &triangulation,
+    const std::function<std::string(const Triangulation<3>::cell_iterator &)> &name)
     : piece_of_coarse_cell_(triangulation.n_cells(0))
   {
     boost::disjoint_sets_with_storage<> connected(triangulation.n_vertices());
@@ -56,8 +57,7 @@ namespace stiction
           labels.emplace_back();
         const unsigned int piece             = place.first->second;
         piece_of_coarse_cell_[cell->index()] = piece;
-        const auto name                      = names.find(cell->material_id());
-        labels[piece].insert(name == names.end() ? "" : name->second);
+        labels[piece].insert(name(cell));
       }
     pieces_.clear();
     for (const std::string &name : names_of(labels))

@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/body_parameters.h>
@@ -221,16 +222,34 @@ namespace stiction
 
     SupportedNode nearest{0, Point<3>(), point.displacement.components};
     double distance = std::numeric_limits<double>::max();
+    std::vector<unsigned int> n_of_body(body_.pieces().size()); // nodes here
     for (const Body::Node &node : body_.locally_owned_nodes())
-      if (node.position.distance(point.position) < distance)
-        {
-          distance          = node.position.distance(point.position);
-          nearest.first_dof = node.dofs[0];
-          nearest.position  = node.position;
-          for (unsigned int c = 0; c < 3; ++c)
-            if (std::abs(nearest.position[c]) < 1e-9 * near)
-              nearest.position[c] = 0.; // rounding
-        }
+      {
+        if (node.position.distance(point.position) <= near)
+          ++n_of_body[node.piece];
+        if (node.position.distance(point.position) >= distance)
+          continue;
+        distance          = node.position.distance(point.position);
+        nearest.first_dof = node.dofs[0];
+        nearest.position  = node.position;
+        for (unsigned int c = 0; c < 3; ++c)
+          if (std::abs(nearest.position[c]) < 1e-9 * near)
+            nearest.position[c] = 0.; // rounding
+      }
+    Utilities::MPI::sum(n_of_body, body_.communicator(), n_of_body);
+    std::vector<std::string> bodies;
+    for (std::size_t p = 0; p < n_of_body.size(); ++p)
+      if (n_of_body[p] > 0)
+        bodies.push_back('\'' + body_.pieces()[p].name + '\'');
+    if (bodies.size() > 1)
+      {
+        std::ostringstream message;
+        message << points_location_ << ": bodies " << listed(bodies)
+                << " each have a node at (" << point.position
+                << "), must be a node of one body alone, or a boundary in "
+                   "'Boundary conditions/Prescribed displacement'.";
+        throw InputError(message.str());
+      }
     const double least = Utilities::MPI::min(distance, body_.communicator());
     const bool is_here = distance == least;
     throw_on_all_ranks(body_.communicator(), [&]() {

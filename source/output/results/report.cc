@@ -153,8 +153,13 @@ namespace stiction
         return;
 
       const Units &units = result.units;
-      print_row(log, label("force on the body", units.force),
-                format_vector("%.6g", contact.force_on_body));
+      // of pairs it is the sum over both sides
+      const bool has_obstacle = std::any_of(
+        result.boundaries.begin(), result.boundaries.end(),
+        [](const RunResult::ContactPart &boundary) { return boundary.opposite.empty(); });
+      if (has_obstacle)
+        print_row(log, label("force on the body", units.force),
+                  format_vector("%.6g", contact.force_on_body));
       const bool is_one = result.boundaries.size() == 1;
       for (const auto &boundary : result.boundaries)
         {

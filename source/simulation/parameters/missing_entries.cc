@@ -76,10 +76,15 @@ namespace stiction
       return contact.initial_gap != "0" || contact.obstacle != "foundation";
     }
 
-    bool has_law(const Parameters &parameters, const FrictionLaw law)
+    // The section of the first contact boundary of a law, empty if there is none.
+    std::string section_of_law(const Parameters &parameters, const FrictionLaw law)
     {
-      const auto laws = parameters.friction.laws();
-      return std::count(laws.begin(), laws.end(), law) > 0;
+      const auto laws  = parameters.friction.laws();
+      const auto found = std::find(laws.begin(), laws.end(), law);
+      return found == laws.end()
+               ? ""
+               : parameters.source.section_of_pair(
+                   "Friction/Law", static_cast<std::size_t>(found - laws.begin()));
     }
   } // namespace
 
@@ -101,14 +106,18 @@ namespace stiction
                       boundaries.ids().begin(),
                       static_cast<std::ptrdiff_t>(boundaries.ids().size() / 2))));
 
+    const std::string pair =
+      parameters.source.section_of_pair(conditions + "/Contact boundary", 0);
     if (friction.law_name.empty())
-      missing.add("Friction", "a law",
+      missing.add(pair == conditions ? "Friction" : pair, "a law",
                   "Law = frictionless', 'set Law = given' or 'set Law = "
                   "coulomb");
-    if (has_law(parameters, FrictionLaw::coulomb) && friction.coefficient.empty())
-      missing.add("Friction", "the coefficient of Coulomb's law", "Coefficient = 0.3");
-    if (has_law(parameters, FrictionLaw::given) && friction.slip_stress.empty())
-      missing.add("Friction", "the slip stress of given friction",
+    const std::string of_coulomb = section_of_law(parameters, FrictionLaw::coulomb);
+    if (!of_coulomb.empty() && friction.coefficient.empty())
+      missing.add(of_coulomb, "the coefficient of Coulomb's law", "Coefficient = 0.3");
+    const std::string of_given = section_of_law(parameters, FrictionLaw::given);
+    if (!of_given.empty() && friction.slip_stress.empty())
+      missing.add(of_given, "the slip stress of given friction",
                   "Slip stress = " + examples.slip_stress);
 
     if (!material.youngs_modulus && material.materials.empty())

@@ -57,6 +57,10 @@ namespace stiction
     /// 'Contact pair NAME' have their own places, names and values.
     ParameterFile of_pair(std::size_t number) const;
 
+    /// The section where an entry of a contact boundary belongs: 'Contact pair NAME', or
+    /// that of the lists if the file has no such sections.
+    std::string section_of_pair(const std::string &entry, std::size_t number) const;
+
     /// "brick.prm, line 12: Material/Poisson ratio", for values that are too
     /// long to repeat.
     std::string locate(const std::string &entry) const;

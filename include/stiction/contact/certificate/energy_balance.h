@@ -36,7 +36,7 @@ namespace stiction
   ///     W_obstacles = −½(λ₀ + λ₁)·Δe,
   ///     X = ½(λ₀ − λ₁)ₜ·slip − ½(λ₀ + λ₁)_ν Δr_ν.
   ///
-  /// X is the trace of the length of the step: zero where slip or stick is steady,
+  /// X is what the length of the step leaves over: zero where slip or stick is steady,
   /// else it vanishes with the number of steps. Every term is computed from its own
   /// data, so that the balance is a check of displacement, forces and slip.
   ///

@@ -51,11 +51,8 @@ namespace stiction
 
     const MeshNames &material_names() const { return material_names_; }
 
-    /// How bodies are called of which these are the materials.
-    const std::map<dealii::types::material_id, std::string> &body_names() const
-    {
-      return body_names_;
-    }
+    /// How the body of a coarse cell is called, empty if nothing says so.
+    std::string body_name(const dealii::Triangulation<3>::cell_iterator &cell) const;
 
   private:
     /// What several bodies have together while they are added one by one.
@@ -79,7 +76,9 @@ namespace stiction
     QuadraticCells quadratic_cells_;
     std::map<std::string, std::size_t> cut_elements_;
     MeshNames boundary_names_, material_names_;
-    std::map<dealii::types::material_id, std::string> body_names_;
+    std::vector<std::string> body_names_;
+    std::vector<std::size_t> body_of_cell_; // in these
+    std::map<dealii::types::material_id, std::string> body_of_material_;
   };
 
   /// Throws InputError naming a cell whose trilinear map has a determinant that

@@ -5,7 +5,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/grid/tria.h>
 
-#include <map>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,11 +40,13 @@ namespace stiction
     /// Finds them.
     ///
     /// @param triangulation with coarse cells that all ranks know.
-    /// @param names of the bodies by the materials of their coarse cells. A piece of
-    ///   which these say nothing, or several names, is called "body 2", as the second
-    ///   one; several of one name are told apart by numbers.
-    MeshPieces(const dealii::Triangulation<3> &triangulation,
-               const std::map<dealii::types::material_id, std::string> &names);
+    /// @param name of the body of a coarse cell. A piece of which it says nothing, or
+    ///   several names, is called "body 2", as the second one; several of one name are
+    ///   told apart by numbers.
+    MeshPieces(
+      const dealii::Triangulation<3> &triangulation,
+      const std::function<std::string(const dealii::Triangulation<3>::cell_iterator &)>
+        &name);
 
     const std::vector<Piece> &list() const { return pieces_; }
 

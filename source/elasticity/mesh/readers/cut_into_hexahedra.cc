@@ -67,11 +67,16 @@ namespace stiction
       {
         std::vector<dealii::CellData<3>> elements;
         elements.swap(mesh_.cells);
+        std::vector<std::size_t> body_of_element;
+        body_of_element.swap(mesh_.body_of_cell);
         for (const auto &element : elements)
           {
             const std::size_t n = element.vertices.size();
             ++mesh_.cut_elements[n == 4 ? "tetrahedra" : n == 6 ? "prisms" : "hexahedra"];
             cut(element);
+            if (!body_of_element.empty())
+              mesh_.body_of_cell.resize(mesh_.cells.size(),
+                                        body_of_element[&element - elements.data()]);
           }
         std::vector<dealii::CellData<2>> faces;
         faces.swap(mesh_.faces.boundary_quads);

@@ -25,6 +25,10 @@ namespace stiction
     dealii::SubCellData faces;
     /// Those of elements of second order.
     QuadraticCells::InnerNodes inner_nodes;
+    /// The bodies by name and the place in these of that of each cell; empty where the
+    /// file does not tell bodies apart.
+    std::vector<std::string> body_names;
+    std::vector<std::size_t> body_of_cell;
     std::map<std::string, unsigned int> boundary_names;
     std::map<std::string, unsigned int> material_names;
     /// How such a file gets names of boundaries, as a clause for messages.

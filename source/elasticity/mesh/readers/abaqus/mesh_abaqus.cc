@@ -144,6 +144,9 @@ namespace stiction
         scope_     = scope;
         placement_ = {};
         cells_.resize(std::max(cells_.size(), scope.number + 1));
+        mesh_.mesh.body_names.resize(cells_.size());
+        if (scope.number > 0)
+          mesh_.mesh.body_names[scope.number] = keyword_.value("NAME");
         mesh_.forget_numbers();
       }
 
@@ -230,6 +233,8 @@ namespace stiction
             // nodes inside of a hexahedron: the centre, then faces S1 to S6
             mesh_.add_element(gmsh_type, 0,
                               in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
+            if (parts_.are_several())
+              mesh_.mesh.body_of_cell.push_back(scope_.number);
             if (const std::string set = keyword_.value("ELSET"); !set.empty())
               {
                 sets_.add(scope_, set, {scope_.number, number});
