@@ -39,6 +39,11 @@ namespace
               n += face.boundary_id == id ? 1 : 0;
             out() << ", " << n << " faces of " << boundary;
           }
+        for (std::size_t b = 0; b < mesh.body_names.size(); ++b)
+          if (!mesh.body_names[b].empty())
+            out() << ", "
+                  << std::count(mesh.body_of_cell.begin(), mesh.body_of_cell.end(), b)
+                  << " of body " << mesh.body_names[b];
         if (mesh.material_names.empty())
           for (const auto &cell : mesh.cells)
             out() << ", material " << cell.material_id;
@@ -50,24 +55,36 @@ namespace
     out() << std::endl;
   }
 
-  // Of the mesh that was read last.
+  // Of the mesh that was read last, and of each of its boundaries.
   void read_box()
   {
-    dealii::Point<3> low(1e9, 1e9, 1e9), high = -1. * low;
-    for (const auto &vertex : read_mesh_file("mesh.inp", "The mesh").vertices)
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          low[d]  = std::min(low[d], vertex[d]);
-          high[d] = std::max(high[d], vertex[d]);
-        }
+    const MeshData mesh = read_mesh_file("mesh.inp", "The mesh");
+    std::map<std::string, std::vector<unsigned int>> vertices;
+    for (const auto &[boundary, id] : mesh.boundary_names)
+      for (const auto &face : mesh.faces.boundary_quads)
+        if (face.boundary_id == id)
+          vertices[boundary].insert(vertices[boundary].end(), face.vertices.begin(),
+                                    face.vertices.end());
+    for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
+      vertices[""].push_back(v);
     const auto rounded = [](const double x) { return std::round(1e9 * x) / 1e9 + 0.; };
-    out() << "  from";
-    for (unsigned int d = 0; d < 3; ++d)
-      out() << ' ' << rounded(low[d]);
-    out() << " to";
-    for (unsigned int d = 0; d < 3; ++d)
-      out() << ' ' << rounded(high[d]);
-    out() << std::endl;
+    for (const auto &[name, of_it] : vertices)
+      {
+        dealii::Point<3> low(1e9, 1e9, 1e9), high = -1. * low;
+        for (const unsigned int v : of_it)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], mesh.vertices[v][d]);
+              high[d] = std::max(high[d], mesh.vertices[v][d]);
+            }
+        out() << "  " << name << (name.empty() ? "from" : " from");
+        for (unsigned int d = 0; d < 3; ++d)
+          out() << ' ' << rounded(low[d]);
+        out() << " to";
+        for (unsigned int d = 0; d < 3; ++d)
+          out() << ' ' << rounded(high[d]);
+        out() << std::endl;
+      }
   }
 
   std::string with(std::string text, const std::string &what, const std::string &by)
@@ -155,6 +172,29 @@ namespace
            "*ELSET, ELSET=end, INSTANCE=two\n2,\n*SURFACE, NAME=ceiling\nend, S2\n"
            "one.all, S2\n");
     read_box();
+    // where there is one instance, names and numbers count as well without its name
+    const std::string whole = part("p") + instance("one", moved);
+    read("sets of one name", "inp",
+         with(whole, "*SURFACE, NAME=floor\nall, S1",
+              "*ELSET, ELSET=s\n1,\n*SURFACE, "
+              "NAME=floor\ns, S1") +
+           "*ELSET, ELSET=s, INSTANCE=one\n2,\n*SURFACE, NAME=ceiling\ns, S2\n");
+    read("surfaces of one name", "inp", whole + "*SURFACE, NAME=floor\none.all, S2\n");
+    read("a node of the assembly", "inp",
+         whole + "*NODE\n1, 9., 9., 9.\n*SURFACE, NAME=ceiling\none.2, S2\n1, S2\n");
+    read("lines that go on", "inp",
+         part("p") + "*Instance, name=\"one\",\nPart=p\n,,1.\n*EndInstance\n"
+                     "*SURFACE, NAME=ceiling\n\"one.all\", S2\n");
+    read_box();
+    read("a set of another instance", "inp",
+         part("p") + instance("one") + instance("two", moved) +
+           "*ELSET, ELSET=x, INSTANCE=one\n1,\n*ELSET, ELSET=y, INSTANCE=two\nx,\n");
+    read("of another analysis", "inp", part("p") + "*INSTANCE, INSTANCE=one\n");
+    read("no name", "inp", part("p") + instance(""));
+    read("a part that does not end", "inp", with(whole, "*END PART", "*ENDE"));
+    read("a rotation alone", "inp", part("p") + instance("one", turned));
+    read("cylindrical", "inp", with(whole, "*NODE", "*NODE, SYSTEM=C"));
+    read("generated", "inp", with(whole, "*SURFACE", "*NGEN\n1, 2\n*SURFACE"));
     read("a mesh in the instance", "inp",
          "*PART, NAME=p\n*END PART\n" + instance("one", nodes + elements) +
            instance("two", moved + nodes + elements));

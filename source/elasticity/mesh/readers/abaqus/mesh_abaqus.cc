@@ -144,8 +144,9 @@ namespace stiction
         scope_     = scope;
         placement_ = {};
         cells_.resize(std::max(cells_.size(), scope.number + 1));
-        mesh_.mesh.body_names.resize(cells_.size());
-        if (scope.number > 0)
+        if (parts_.are_several())
+          mesh_.mesh.body_names.resize(cells_.size());
+        if (parts_.are_several() && scope.number > 0)
           mesh_.mesh.body_names[scope.number] = keyword_.value("NAME");
         mesh_.forget_numbers();
       }
