@@ -43,6 +43,9 @@ namespace stiction
     // half a percent of strain in a body that turns.
     constexpr double large_deformation = 0.1;
 
+    // Of the loads of a body: more is worth a word.
+    constexpr double badly_balanced = 0.01;
+
     // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
     constexpr double much_beyond_edge = 1. / 3.;
 
@@ -212,6 +215,13 @@ namespace stiction
         with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
         " into it; such nodes are no contact nodes, and the certificate does "
         "not speak of them.");
+    if (const auto [body, lacking] = certificate_->worst_balanced();
+        status_.converged && lacking > badly_balanced)
+      warnings.push_back(format(
+        "contact forces on body '%s' lack %.2g %% of its own loads, which are small "
+        "beside those of the others; lower 'Contact solver/Tolerance', or compute "
+        "it by itself.",
+        body_->pieces()[body].name.c_str(), 100. * lacking));
     for (const ContactBoundary &pair : surface.boundaries())
       {
         if (!status_.converged || !pair.is_pair() || pair.is_tied())

@@ -25,6 +25,9 @@ namespace stiction
     // Of the forces and energies of earlier steps: less is nothing.
     constexpr double small_beside_earlier = 1e-6;
 
+    // Of S: less is what rounding leaves of formulas.
+    constexpr double no_load = 1e-13;
+
     // Sums over all nodes of the body.
     struct NodeSums
     {
@@ -35,6 +38,7 @@ namespace stiction
       double work      = 0.; // of loads and reactions
       double force     = 0.; // the largest resultant of a body
       double moment    = 0.; // the same, about the centre of all
+      std::vector<double> loads_of_bodies, force_of_bodies;
     };
 
     // In one pass. contact_force: −Bᵀλ. Collective.
@@ -49,6 +53,7 @@ namespace stiction
       NodeSums sums;
       // of each body first the force, then the moment
       std::vector<double> resultants(6 * body.pieces().size());
+      std::vector<double> loads(body.pieces().size());
       for (const Body::Node &node : body.locally_owned_nodes())
         {
           Tensor<1, 3> applied, reaction, residual, all, inside, held;
@@ -72,6 +77,7 @@ namespace stiction
               sums.energy += u(dof) * Ku(dof);
             }
           sums.loads += applied.norm();
+          loads[node.piece] += applied.norm();
           sums.reactions += reaction.norm();
           // a smaller residual than the rounding of its terms says nothing, such
           // as one that is zero because λ was made from K u
@@ -89,12 +95,14 @@ namespace stiction
       Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
                           body.communicator(), ArrayView<double>(all.data(), all.size()));
       Utilities::MPI::sum(resultants, body.communicator(), resultants);
-      sums = {all[0], all[1], all[2], all[3], all[4], all[5]};
+      Utilities::MPI::sum(loads, body.communicator(), loads);
+      sums = {all[0], all[1], all[2], all[3], all[4], all[5], 0., 0., loads, {}};
       for (std::size_t i = 0; i < resultants.size(); i += 6)
         {
           const double *const r = &resultants[i];
-          sums.force            = std::max(sums.force, std::hypot(r[0], r[1], r[2]));
-          sums.moment           = std::max(sums.moment, std::hypot(r[3], r[4], r[5]));
+          sums.force_of_bodies.push_back(std::hypot(r[0], r[1], r[2]));
+          sums.force  = std::max(sums.force, sums.force_of_bodies.back());
+          sums.moment = std::max(sums.moment, std::hypot(r[3], r[4], r[5]));
         }
       return sums;
     }
@@ -143,6 +151,11 @@ namespace stiction
     body_figures_.equilibrium_residual = sums.imbalance / S;
     body_figures_.force_balance        = sums.force / S;
     body_figures_.moment_balance       = sums.moment / (S * size);
+    for (unsigned int p = 0; p < sums.loads_of_bodies.size(); ++p)
+      if (const double loads = sums.loads_of_bodies[p];
+          loads > no_load * S &&
+          sums.force_of_bodies[p] > worst_balanced_.lacking * loads)
+        worst_balanced_ = {p, sums.force_of_bodies[p] / loads};
     if (surface_.motion().n_pressed() > 0)
       body_figures_.obstacle_force = surface_.motion().force_error(lambda_);
     rounding_      = sums.rounding / S;

@@ -74,8 +74,9 @@ namespace stiction
                   "Boundaries and materials have the numbers and names of "
                   "Gmsh's physical groups; in .inp files those of *SURFACE "
                   "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
-                  "they come, names of a part as INSTANCE.NAME where there are several "
-                  "instances; in .vtk files the numbers of the cell data "
+                  "they come, boundaries and sets of a part as INSTANCE.NAME where there "
+                  "are several instances, loads, supports and laws passed over; in .vtk "
+                  "files the numbers of the cell data "
                   "'MaterialID', of faces and of cells. Faces "
                   "and cells that have none get the number 0. Unit: of length.",
                   prm, Patterns::Anything());

@@ -60,6 +60,15 @@ namespace stiction
       double duality_gap = -1.;
     };
 
+    /// The body whose own loads are balanced worst. The figures are relative to all
+    /// loads together, which may be far larger.
+    struct WorstBalanced
+    {
+      unsigned int body = 0; ///< its place in Body::pieces()
+      double lacking = 0.; ///< ‖Σ(loads + contact forces + reactions)‖ over its loads
+    };
+    const WorstBalanced &worst_balanced() const { return worst_balanced_; }
+
     /// Computes all figures but the duality gap. Collective.
     Certificate(const LinearElasticity &elasticity, const ContactSurface &surface,
                 const State &state);
@@ -92,6 +101,7 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
     BodyFigures body_figures_;
+    WorstBalanced worst_balanced_;
     double force_scale_ = 1., energy_scale_ = 0., strain_energy_ = 0., load_work_ = 0.;
   };
 } // namespace stiction
