@@ -22,6 +22,7 @@ LAYERS = (  # from the ground up
     "elasticity/kernels",
     "elasticity/linear_algebra",
     "elasticity/mesh/readers",
+    "elasticity/mesh/readers/abaqus",
     "elasticity/mesh",
     "elasticity/model",
     "elasticity/stiffness",

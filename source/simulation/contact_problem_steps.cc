@@ -151,14 +151,14 @@ namespace stiction
   {
     const auto &[elasticity, surface, solver] = *discretization_;
     open_output();
-    state_         = ends_.empty() ? State{elasticity->zero_vector(),
+    state_  = ends_.empty() ? State{elasticity->zero_vector(),
                                    Eigen::VectorXd::Zero(3 * surface->n_nodes()),
                                    Eigen::VectorXd::Zero(surface->motion().n_pressed()),
                                    {}}
-                                   : ends_.front().state;
-    status_        = {};
-    status_.reason = reason;
+                            : ends_.front().state;
+    status_ = {};
     certify();
+    status_.reason = reason;
   }
 
   void ContactProblem::solve_and_certify()
