@@ -44,6 +44,8 @@ PICTURES = {
     "several_bodies/glued_pad": "A pad of rubber glued under a block of steel, pressed on "
     "the floor and dragged: it slides but for a part near its trailing edge, which lifts; "
     "at the leading edge the glue is pulled.",
+    "several_bodies/wedges": "A wedge driven under another one that bears a load and leans "
+    "against a wall: all nodes slip, on the floor and on the slope.",
     "several_bodies/block_between_blocks": "A block of rubber held between two of steel, "
     "and pulled to the right.",
     "several_bodies/brick_on_elastic_foundation": "The reference brick on a slab of the "
