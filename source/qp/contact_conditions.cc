@@ -38,6 +38,21 @@ namespace stiction
     compute_contact_figures();
   }
 
+  double ContactConditions::normal_residual() const
+  {
+    double largest  = 0.;
+    bool is_pressed = false;
+    for (Eigen::Index i = 0; i < slip_bound_.size(); ++i)
+      if (!qp::is_tied(slip_bound_(i)))
+        {
+          const double pressure = lambda_(i) / scaling_.force(i);
+          const double gap      = gradient_(i) / scaling_.displacement_at(i);
+          raise(largest, std::abs(pressure - std::max(pressure - gap, 0.)));
+          is_pressed = is_pressed || pressure > 0.;
+        }
+    return is_pressed ? largest : std::numeric_limits<double>::infinity();
+  }
+
   void ContactConditions::compute_contact_figures()
   {
     const Eigen::Index m = slip_bound_.size();

@@ -98,12 +98,12 @@ namespace stiction::qp
     const Eigen::Index n  = e.size();
     const Eigen::Index m  = slip_bound.n_nodes();
     const double size     = e.norm();
-    UnbalancedLoad result = {e, Eigen::VectorXd::Zero(3 * m)};
+    UnbalancedLoad result = {e, Eigen::VectorXd::Zero(3 * m), 1.};
     bool has_constant     = false;
     for (Eigen::Index i = 0; i < m; ++i)
       has_constant = has_constant || slip_bound.is_given(i);
     if (!(size > 0.))
-      return {Eigen::VectorXd::Zero(n), result.lambda};
+      return {Eigen::VectorXd::Zero(n), result.lambda, 0.};
 
     const auto candidate =
       [&, &G = G](std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces,
@@ -184,6 +184,7 @@ namespace stiction::qp
           left.setZero(); // nothing is proved
       }
     result.rho   = left.head(n);
+    result.part  = result.rho.norm() / size;
     double share = 0.; // of given friction that acts, more than all where it lacks some
     for (const Candidate &one : used)
       share += one.amount * one.work(n) / size;

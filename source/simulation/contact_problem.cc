@@ -138,8 +138,8 @@ namespace stiction
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
                  "hold the body better",
                  status_.interrupted};
-    if (!status_.converged && !status_.interrupted && certificate_->has_settled())
-      if (const std::string slide = why_it_slides(*elasticity, *surface, state_.lambda,
+    if (!status_.converged && !status_.interrupted)
+      if (const std::string slide = why_it_slides(*elasticity, *surface, *certificate_,
                                                   Units::named(parameters_.output.units));
           !slide.empty())
         status_.reason = slide;

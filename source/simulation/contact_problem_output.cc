@@ -218,7 +218,7 @@ namespace stiction
     if (const auto [body, lacking] = certificate_->worst_balanced();
         status_.converged && lacking > badly_balanced)
       warnings.push_back(format(
-        "contact forces on body '%s' lack %.2g %% of its own loads, which are small "
+        "forces on body '%s' are out of balance by %.2g %% of themselves, being small "
         "beside those of the others; lower 'Contact solver/Tolerance', or compute "
         "it by itself.",
         body_->pieces()[body].name.c_str(), 100. * lacking));

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,13 +56,10 @@ namespace stiction
     /// lower.
     virtual bool is_solved(const double tolerance) const { return converged(tolerance); }
 
-    /// Whether gaps and pressures exclude each other so well that pressures hardly change
-    /// any more, whatever friction lacks.
-    bool has_settled() const
-    {
-      return std::max(contact_figures_.penetration, contact_figures_.complementarity) <=
-             1e-2;
-    }
+    /// The largest figure that normal forces and gaps make alone, max_i |π_ν − max(π_ν −
+    /// w_ν, 0)| where nodes are not tied, whatever friction lacks; infinite if nothing is
+    /// pressed.
+    double normal_residual() const;
 
     /// What rounding alone makes of the figures, an estimate.
     double rounding() const { return rounding_; }

@@ -8,6 +8,10 @@
 
 namespace stiction::qp
 {
+  /// Pressures with an error bear friction with one: a load lacks friction for certain
+  /// only if the part that is left is beyond this times the error.
+  constexpr double safe_beside_pressures = 10.;
+
   /// What is left of loads that contact forces are to balance.
   struct UnbalancedLoad
   {
@@ -16,6 +20,9 @@ namespace stiction::qp
     /// forces within the slip bound against it, λ·Gρ. About e − Gᵀλ, N.
     Eigen::VectorXd rho;
     Eigen::VectorXd lambda; ///< those that come nearest, N
+
+    /// What is left as a part of e.
+    double part = 0.;
 
     bool is_balanced() const { return rho.isZero(0.); }
   };

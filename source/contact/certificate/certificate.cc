@@ -38,7 +38,9 @@ namespace stiction
       double work      = 0.; // of loads and reactions
       double force     = 0.; // the largest resultant of a body
       double moment    = 0.; // the same, about the centre of all
-      std::vector<double> loads_of_bodies, force_of_bodies;
+      // of each body the lengths of loads, contact forces and reactions
+      std::vector<double> forces_on_bodies;
+      std::vector<double> resultants; // of each body the force
     };
 
     // In one pass. contact_force: −Bᵀλ. Collective.
@@ -53,10 +55,10 @@ namespace stiction
       NodeSums sums;
       // of each body first the force, then the moment
       std::vector<double> resultants(6 * body.pieces().size());
-      std::vector<double> loads(body.pieces().size());
+      std::vector<double> forces(3 * body.pieces().size()); // as sums.forces_on_bodies
       for (const Body::Node &node : body.locally_owned_nodes())
         {
-          Tensor<1, 3> applied, reaction, residual, all, inside, held;
+          Tensor<1, 3> applied, contact, reaction, residual, all, inside, held;
           for (unsigned int c = 0; c < 3; ++c)
             {
               const auto dof = node.dofs[c];
@@ -64,6 +66,7 @@ namespace stiction
               (elasticity.is_prescribed(dof) ? held : inside)[c] =
                 unit_roundoff * K(dof) * u(dof);
               applied[c] = f;
+              contact[c] = contact_force(dof);
               all[c]     = f + contact_force(dof);
               if (elasticity.is_prescribed(dof))
                 {
@@ -77,8 +80,10 @@ namespace stiction
               sums.energy += u(dof) * Ku(dof);
             }
           sums.loads += applied.norm();
-          loads[node.piece] += applied.norm();
           sums.reactions += reaction.norm();
+          forces[3 * node.piece] += applied.norm();
+          forces[3 * node.piece + 1] += contact.norm();
+          forces[3 * node.piece + 2] += reaction.norm();
           // a smaller residual than the rounding of its terms says nothing, such
           // as one that is zero because λ was made from K u
           sums.imbalance += std::max(residual.norm(), inside.norm());
@@ -95,13 +100,13 @@ namespace stiction
       Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
                           body.communicator(), ArrayView<double>(all.data(), all.size()));
       Utilities::MPI::sum(resultants, body.communicator(), resultants);
-      Utilities::MPI::sum(loads, body.communicator(), loads);
-      sums = {all[0], all[1], all[2], all[3], all[4], all[5], 0., 0., loads, {}};
+      Utilities::MPI::sum(forces, body.communicator(), forces);
+      sums = {all[0], all[1], all[2], all[3], all[4], all[5], 0., 0., forces, {}};
       for (std::size_t i = 0; i < resultants.size(); i += 6)
         {
           const double *const r = &resultants[i];
-          sums.force_of_bodies.push_back(std::hypot(r[0], r[1], r[2]));
-          sums.force  = std::max(sums.force, sums.force_of_bodies.back());
+          sums.resultants.push_back(std::hypot(r[0], r[1], r[2]));
+          sums.force  = std::max(sums.force, sums.resultants.back());
           sums.moment = std::max(sums.moment, std::hypot(r[3], r[4], r[5]));
         }
       return sums;
@@ -151,11 +156,15 @@ namespace stiction
     body_figures_.equilibrium_residual = sums.imbalance / S;
     body_figures_.force_balance        = sums.force / S;
     body_figures_.moment_balance       = sums.moment / (S * size);
-    for (unsigned int p = 0; p < sums.loads_of_bodies.size(); ++p)
-      if (const double loads = sums.loads_of_bodies[p];
-          loads > no_load * S &&
-          sums.force_of_bodies[p] > worst_balanced_.lacking * loads)
-        worst_balanced_ = {p, sums.force_of_bodies[p] / loads};
+    for (unsigned int p = 0; sums.resultants.size() > 1 && p < sums.resultants.size();
+         ++p)
+      {
+        const double *const on_body = &sums.forces_on_bodies[3 * p];
+        const double most           = *std::max_element(on_body, on_body + 3);
+        if (on_body[0] > no_load * std::max(S, state.scales.force) &&
+            sums.resultants[p] > worst_balanced_.lacking * most)
+          worst_balanced_ = {p, sums.resultants[p] / most};
+      }
     if (surface_.motion().n_pressed() > 0)
       body_figures_.obstacle_force = surface_.motion().force_error(lambda_);
     rounding_      = sums.rounding / S;

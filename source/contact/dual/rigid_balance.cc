@@ -5,6 +5,7 @@
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/contact_conditions.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/unbalanced_load.h>
 
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace stiction
@@ -150,20 +150,26 @@ namespace stiction
              with_unit(bear, units.force);
     }
 
-    // The motion that no forces within the slip bound stop in words, empty if there is
-    // none, and whether they lack next to nothing. @param reached contact forces with the
-    // mean normal of what moves; those that come nearest if there are none.
-    std::pair<std::string, bool> unstopped_motion(const LinearElasticity &elasticity,
-                                                  const ContactSurface &surface,
-                                                  const qp::SlipBound &slip_bound,
-                                                  const Eigen::VectorXd *const reached,
-                                                  const Units &units)
+    // A motion that no forces within a slip bound stop, in words, none if it is empty,
+    // and the part of the loads that they lack.
+    struct Unstopped
+    {
+      std::string motion;
+      double part = 0.;
+    };
+
+    // @param reached contact forces with the mean normal of what moves; those that come
+    //   nearest if there are none.
+    Unstopped unstopped_motion(const LinearElasticity &elasticity,
+                               const ContactSurface &surface,
+                               const qp::SlipBound &slip_bound,
+                               const Eigen::VectorXd *const reached, const Units &units)
     {
       const FreeMotions &motions = elasticity.free_motions();
       if (motions.n() == 0)
         return {};
       const EqualityConstraint balance = rigid_balance(elasticity, surface);
-      const auto [rho, lambda]         = qp::unbalanced_load(balance, slip_bound);
+      const auto [rho, lambda, part]   = qp::unbalanced_load(balance, slip_bound);
       if (rho.isZero(0.))
         return {};
 
@@ -174,16 +180,15 @@ namespace stiction
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         if (slip_bound.is_given(i))
           work -= slip_bound.constant()(i) * at_node(moved, i).tail<2>().norm();
-      const bool by_a_hair = rho.norm() <= at_the_limit * balance.e.norm();
       if (of_body.norm() < 0.5 * rho.norm())
         return {"the obstacle that is pressed on finds nothing that bears " +
                   with_unit(format("%.4g", work / rho.norm()), units.force),
-                by_a_hair};
+                part};
       return {
         in_words(find_runaway(elasticity, of_body, work),
                  mean_normal(surface, reached != nullptr ? *reached : lambda, moved),
                  units),
-        by_a_hair};
+        part};
     }
   } // namespace
 
@@ -232,26 +237,25 @@ namespace stiction
   {
     if (surface.has_friction_of_state())
       return "";
-    const auto [motion, by_a_hair] =
+    const Unstopped unstopped =
       unstopped_motion(elasticity, surface, surface.slip_bound(), nullptr, units);
-    if (motion.empty())
+    if (unstopped.motion.empty())
       return "";
-    return (by_a_hair ? "no equilibrium exists, by a hair: "
-                      : "no equilibrium exists: ") +
-           motion;
+    return (unstopped.part <= at_the_limit ? "no equilibrium exists, by a hair: "
+                                           : "no equilibrium exists: ") +
+           unstopped.motion;
   }
 
   std::string why_it_slides(const LinearElasticity &elasticity,
-                            const ContactSurface &surface, const Eigen::VectorXd &lambda,
-                            const Units &units)
+                            const ContactSurface &surface,
+                            const ContactConditions &reached, const Units &units)
   {
-    const auto [motion, by_a_hair] = unstopped_motion(
-      elasticity, surface, qp::SlipBound::given(surface.slip_bound().at(lambda)), &lambda,
-      units);
-    if (motion.empty())
+    const Eigen::VectorXd &lambda = reached.lambda();
+    const Unstopped unstopped     = unstopped_motion(
+          elasticity, surface, qp::SlipBound::given(reached.slip_bound()), &lambda, units);
+    if (unstopped.part <= qp::safe_beside_pressures * reached.normal_residual())
       return "";
-    return "at the pressures that were reached " + motion +
-           (by_a_hair ? ", by a hair" : "") +
+    return "at the pressures that were reached " + unstopped.motion +
            "; change the loads, press parts together with more, or hold them with "
            "'Boundary conditions/Prescribed displacement'";
   }

@@ -179,11 +179,12 @@ namespace stiction
     basis_.to_relative(u);
   }
 
-  bool ContactLevel::can_be_balanced(const qp::SlipBound &slip_bound) const
+  double ContactLevel::unbalanced_part(const qp::SlipBound &slip_bound) const
   {
     // the same on all ranks, also those that own no node of this level
-    return elasticity_.free_motions().n() == 0 ||
-           qp::unbalanced_load(balance_, slip_bound).is_balanced();
+    return elasticity_.free_motions().n() == 0
+             ? 0.
+             : qp::unbalanced_load(balance_, slip_bound).part;
   }
 
   void ContactLevel::take_conditions_of_body()

@@ -52,6 +52,9 @@ namespace stiction
     // steps are tried again: near the solution they need fewer and easier systems.
     constexpr double interior_point_part = 0.1;
 
+    // Beyond that, or with parts out of balance, pressures tell nothing of friction.
+    constexpr double settled = 1e-2;
+
     // The factors on the first ρ that are tried in turn: mostly it was too
     // large, cycling, rarely too small.
     constexpr std::array<double, 6> rho_factors = {
@@ -80,9 +83,24 @@ namespace stiction
   {
   }
 
-  std::string LevelNewton::solve(ContactState &state, Eigen::VectorXd lambda,
+  std::string LevelNewton::solve(ContactState &state, Eigen::VectorXd first_lambda,
                                  const double tolerance, const unsigned int max_steps,
                                  const Observer &observer)
+  {
+    const std::string reason =
+      iterate(state, std::move(first_lambda), tolerance, max_steps, observer);
+    if (!reason.empty() && path_)
+      {
+        const ContactResidual residual(problem_, state, problem_.slip_bound());
+        if (path_->residual() < residual.value() && !slides(residual))
+          state = path_->best();
+      }
+    return reason;
+  }
+
+  std::string LevelNewton::iterate(ContactState &state, Eigen::VectorXd lambda,
+                                   const double tolerance, const unsigned int max_steps,
+                                   const Observer &observer)
   {
     ContactResidual residual(problem_, state, problem_.slip_bound());
     std::deque<double> history;
@@ -148,8 +166,8 @@ namespace stiction
         ++statistics_.rho_changes;
         if (!path_ && ++stalls_without_path % 2 == 1 && !options_.only_fallback)
           continue;
-        if (slides(residual.conditions))
-          return "friction does not hold the body at these pressures";
+        if (slides(residual))
+          return "friction does not hold the body at these pressures, change the loads";
         stands_still_ = !path_ && (statistics_.fallbacks == options_.max_fallbacks ||
                                    has_hard_systems());
         if (stands_still_)
@@ -186,10 +204,13 @@ namespace stiction
     state.lambda.setZero();
   }
 
-  bool LevelNewton::slides(const ContactConditions &conditions) const
+  bool LevelNewton::slides(const ContactResidual &residual) const
   {
-    return problem_.driven_motions().cols() > 0 && conditions.has_settled() &&
-           !problem_.can_be_balanced(qp::SlipBound::given(conditions.slip_bound()));
+    const ContactConditions &conditions = residual.conditions;
+    const double error = std::max(conditions.normal_residual(), residual.equilibrium);
+    return problem_.driven_motions().cols() > 0 && error <= settled &&
+           problem_.unbalanced_part(qp::SlipBound::given(conditions.slip_bound())) >
+             qp::safe_beside_pressures * error;
   }
 
   bool LevelNewton::has_hard_systems() const

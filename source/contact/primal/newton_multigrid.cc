@@ -209,7 +209,7 @@ namespace stiction
   {
     unsigned int coarsest = 0;
     while (coarsest < finest_level() &&
-           !problems_[coarsest]->can_be_balanced(problems_[coarsest]->slip_bound()))
+           problems_[coarsest]->unbalanced_part(problems_[coarsest]->slip_bound()) > 0.)
       ++coarsest;
     if (known.u.size() != n_dofs(finest_level()))
       return coarsest;

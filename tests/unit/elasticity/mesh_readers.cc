@@ -191,6 +191,8 @@ namespace
            "*ELSET, ELSET=x, INSTANCE=one\n1,\n*ELSET, ELSET=y, INSTANCE=two\nx,\n");
     read("of another analysis", "inp", part("p") + "*INSTANCE, INSTANCE=one\n");
     read("no name", "inp", part("p") + instance(""));
+    read("a comment that ends with a comma", "inp",
+         with(whole, "*END PART", "** nodes, elements,\n*END PART"));
     read("a part that does not end", "inp", with(whole, "*END PART", "*ENDE"));
     read("a rotation alone", "inp", part("p") + instance("one", turned));
     read("cylindrical", "inp", with(whole, "*NODE", "*NODE, SYSTEM=C"));

@@ -60,12 +60,14 @@ namespace stiction
       double duality_gap = -1.;
     };
 
-    /// The body whose own loads are balanced worst. The figures are relative to all
-    /// loads together, which may be far larger.
+    /// Of several bodies the one with loads whose own forces are balanced worst. The
+    /// figures are relative to those of all bodies, which may be far larger.
     struct WorstBalanced
     {
       unsigned int body = 0; ///< its place in Body::pieces()
-      double lacking = 0.; ///< ‖Σ(loads + contact forces + reactions)‖ over its loads
+      /// ‖Σ(loads + contact forces + reactions)‖ over the most of what these three are by
+      /// their lengths.
+      double lacking = 0.;
     };
     const WorstBalanced &worst_balanced() const { return worst_balanced_; }
 

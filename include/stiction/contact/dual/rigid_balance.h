@@ -11,6 +11,7 @@
 
 namespace stiction
 {
+  class ContactConditions;
   class ContactSurface;
   class LinearElasticity;
 
@@ -31,12 +32,13 @@ namespace stiction
   std::string why_no_equilibrium(const LinearElasticity &elasticity,
                                  const ContactSurface &surface, const Units &units);
 
-  /// If contact forces with the friction that these ones bear do not balance the loads,
-  /// whatever their normal parts are: a sentence on the motion that nothing stops. It
-  /// tells of these forces, not whether there is an equilibrium with others. Collective.
+  /// If contact forces with the friction that pressures reached bear do not balance the
+  /// loads, whatever their normal parts are, by far more than these pressures are wrong:
+  /// a sentence on the motion that nothing stops. It tells of these pressures, not
+  /// whether there is an equilibrium with others. Collective.
   std::string why_it_slides(const LinearElasticity &elasticity,
-                            const ContactSurface &surface, const Eigen::VectorXd &lambda,
-                            const Units &units);
+                            const ContactSurface &surface,
+                            const ContactConditions &reached, const Units &units);
 
   /// The free motions of the body that qp::unresisted_motions() names, none where
   /// friction depends on the answer. Collective.

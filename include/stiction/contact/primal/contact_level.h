@@ -105,9 +105,9 @@ namespace stiction
     Eigen::VectorXd penetration_and_slip(const LA::Vector &u,
                                          const Eigen::VectorXd &distances) const;
 
-    /// Whether contact forces within a slip bound can balance the loads: a patch of
-    /// contact may be a single node of a coarse level.
-    bool can_be_balanced(const qp::SlipBound &slip_bound) const;
+    /// The part of the loads that no contact forces within a slip bound balance, zero if
+    /// some do: a patch of contact may be a single node of a coarse level.
+    double unbalanced_part(const qp::SlipBound &slip_bound) const;
 
     /// Moves pressed obstacles that meet no node onto the body, see
     /// ways_to_press(). A body that contact alone holds is moved as well, if nothing

@@ -111,7 +111,11 @@ namespace stiction
 
     /// Whether pressures have settled at which friction does not bear the loads of a body
     /// that contact alone holds: it slides, and no step changes that. Collective.
-    bool slides(const ContactConditions &conditions) const;
+    bool slides(const ContactResidual &residual) const;
+
+    /// solve(), which may leave a state that is worse than the best of the path.
+    std::string iterate(ContactState &state, Eigen::VectorXd lambda, double tolerance,
+                        unsigned int max_steps, const Observer &observer);
 
     /// Whether most linear systems take more iterations than they are given.
     bool has_hard_systems() const;

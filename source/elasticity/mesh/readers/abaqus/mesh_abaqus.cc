@@ -156,7 +156,8 @@ namespace stiction
       {
         std::string line;
         while (text_.next_line(line))
-          if (line.rfind("*", 0) == 0 && AbaqusKeyword(line, text_).name == "*ENDPART")
+          if (line.rfind("*", 0) == 0 && line.rfind("**", 0) != 0 &&
+              AbaqusKeyword(line, text_).name == "*ENDPART")
             return;
       }
 
