@@ -47,18 +47,20 @@ namespace
   // are allowed: the largest they can do along ρ is that of given friction.
   bool is_right(const EqualityConstraint &balance, const qp::SlipBound &bound)
   {
-    const auto [rho, lambda] = qp::unbalanced_load(balance, bound);
-    const Index m            = bound.n_nodes();
-    const VectorXd g         = bound.at(lambda);
-    const double size        = balance.e.norm();
-    bool are_allowed         = true;
+    const auto [rho, lambda, part] = qp::unbalanced_load(balance, bound);
+    const Index m                  = bound.n_nodes();
+    const VectorXd g               = bound.at(lambda);
+    const double size              = balance.e.norm();
+    bool are_allowed               = true;
     for (Index i = 0; i < m; ++i)
       are_allowed =
         are_allowed && lambda(i) >= 0. &&
         at_node(lambda, i).tail<2>().norm() <= g(i) * (1. + 1e-12) + 1e-15 * size;
     const VectorXd left = balance.e - balance.G.transpose() * lambda;
     if (rho.isZero(0.))
-      return are_allowed && left.norm() <= 2e-8 * size;
+      return are_allowed && part == 0. && left.norm() <= 2e-8 * size;
+    if (!(std::abs(part * size - rho.norm()) <= 1e-12 * size))
+      return false;
     const VectorXd v = balance.G * rho;
     double most      = 0.;
     bool resists     = false;
