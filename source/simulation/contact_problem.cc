@@ -138,12 +138,13 @@ namespace stiction
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
                  "hold the body better",
                  status_.interrupted};
-    if (!status_.converged && !status_.interrupted)
-      if (const std::string slide = why_it_slides(*elasticity, *surface, *certificate_,
-                                                  Units::named(parameters_.output.units));
-          !slide.empty())
-        status_.reason = slide;
-    if (!status_.converged && !status_.interrupted && status_.reason.empty())
+    if (status_.converged || status_.interrupted)
+      return;
+    if (const std::string slide = why_it_slides(*elasticity, *surface, *certificate_,
+                                                Units::named(parameters_.output.units));
+        !slide.empty())
+      status_.reason = slide;
+    else if (status_.reason.empty())
       status_.reason = "the certificate measures more than the iteration did, "
                        "raise 'Contact solver/Tolerance'";
   }

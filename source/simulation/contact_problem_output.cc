@@ -43,7 +43,7 @@ namespace stiction
     // half a percent of strain in a body that turns.
     constexpr double large_deformation = 0.1;
 
-    // Of the loads of a body: more is worth a word.
+    // Of the forces on a body: more is worth a word.
     constexpr double badly_balanced = 0.01;
 
     // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.

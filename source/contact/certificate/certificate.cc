@@ -67,7 +67,7 @@ namespace stiction
                 unit_roundoff * K(dof) * u(dof);
               applied[c] = f;
               contact[c] = contact_force(dof);
-              all[c]     = f + contact_force(dof);
+              all[c]     = f + contact[c];
               if (elasticity.is_prescribed(dof))
                 {
                   reaction[c] = Ku(dof) - all[c];
@@ -156,8 +156,8 @@ namespace stiction
     body_figures_.equilibrium_residual = sums.imbalance / S;
     body_figures_.force_balance        = sums.force / S;
     body_figures_.moment_balance       = sums.moment / (S * size);
-    for (unsigned int p = 0; sums.resultants.size() > 1 && p < sums.resultants.size();
-         ++p)
+    const auto n_bodies = static_cast<unsigned int>(sums.resultants.size());
+    for (unsigned int p = 0; n_bodies > 1 && p < n_bodies; ++p)
       {
         const double *const on_body = &sums.forces_on_bodies[3 * p];
         const double most           = *std::max_element(on_body, on_body + 3);

@@ -109,12 +109,12 @@ namespace stiction
     /// some do: a patch of contact may be a single node of a coarse level.
     double unbalanced_part(const qp::SlipBound &slip_bound) const;
 
-    /// Moves pressed obstacles that meet no node onto the body, see
-    /// ways_to_press(). A body that contact alone holds is moved as well, if nothing
-    /// touches, see qp::rigid_place().
+    /// Moves pressed obstacles onto the body, see ways_to_press(), or bodies that contact
+    /// alone holds, see qp::rigid_place(), where next to nothing of them meets.
     ///
-    /// @param a the normal part of λ + ρw: above zero where they meet.
-    /// @param part of the area: if no more than that meets, they are moved as well.
+    /// @param a the normal part of λ + ρw: above zero at nodes that meet.
+    /// @param part of the area that faces an obstacle, or of all: no more than that is
+    ///   next to nothing.
     void bring_into_contact(ContactState &state, const Eigen::VectorXd &a,
                             double part) const;
 

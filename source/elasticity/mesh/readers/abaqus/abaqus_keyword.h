@@ -15,6 +15,12 @@ namespace stiction
   /// A line of an Abaqus file that begins with a star: "*ELEMENT, TYPE=C3D8".
   struct AbaqusKeyword
   {
+    /// Whether a line is one, and no comment.
+    static bool begins(const std::string &line)
+    {
+      return line.rfind("*", 0) == 0 && line.rfind("**", 0) != 0;
+    }
+
     AbaqusKeyword() = default;
 
     /// @param line goes on in the next one of the text if it ends with a comma.

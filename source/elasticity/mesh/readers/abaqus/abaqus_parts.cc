@@ -22,7 +22,7 @@ namespace stiction
     };
     while (text.next_line(line))
       {
-        if (line.empty() || line[0] != '*' || line.rfind("**", 0) == 0)
+        if (!AbaqusKeyword::begins(line))
           continue;
         const AbaqusKeyword keyword(line, text);
         if (keyword.name == "*ENDPART")

@@ -144,8 +144,7 @@ namespace stiction
         scope_     = scope;
         placement_ = {};
         cells_.resize(std::max(cells_.size(), scope.number + 1));
-        if (parts_.are_several())
-          mesh_.mesh.body_names.resize(cells_.size());
+        mesh_.mesh.body_names.resize(parts_.are_several() ? cells_.size() : 0);
         if (parts_.are_several() && scope.number > 0)
           mesh_.mesh.body_names[scope.number] = keyword_.value("NAME");
         mesh_.forget_numbers();
@@ -156,7 +155,7 @@ namespace stiction
       {
         std::string line;
         while (text_.next_line(line))
-          if (line.rfind("*", 0) == 0 && line.rfind("**", 0) != 0 &&
+          if (AbaqusKeyword::begins(line) &&
               AbaqusKeyword(line, text_).name == "*ENDPART")
             return;
       }
@@ -368,14 +367,13 @@ namespace stiction
       dealii::CellData<3> &cell(const AbaqusElement &element)
       {
         // outside of the only instance its numbers count as well
-        for (std::size_t scope = element.scope;
-             scope == element.scope ||
-             (element.scope == 0 && scope + 1 == cells_.size() && cells_.size() == 2);
-             ++scope)
-          if (const auto found = cells_[scope].find(element.number);
-              found != cells_[scope].end())
-            return mesh_.mesh.cells[found->second];
-        text_.refuse("there is no element " + std::to_string(element.number));
+        const bool is_of_only = element.scope == 0 && cells_.size() == 2 &&
+                                cells_[0].count(element.number) == 0;
+        const auto &cells = cells_[is_of_only ? 1 : element.scope];
+        const auto found  = cells.find(element.number);
+        if (found == cells.end())
+          text_.refuse("there is no element " + std::to_string(element.number));
+        return mesh_.mesh.cells[found->second];
       }
 
       TextScanner &text_;
