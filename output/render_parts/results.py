@@ -151,8 +151,11 @@ def read(directory, tag="", time=None):
 
 
 def is_released(summary):
-    """Whether a history ends with next to none of the elastic energy it had."""
-    energies = [step["energy"]["elastic_energy"] for step in summary.get("steps") or ()]
+    """Whether a history ends, certified, with next to none of the elastic energy it had."""
+    steps = summary.get("steps") or ()
+    if not all("energy" in step for step in steps):  # a step was not certified
+        return False
+    energies = [step["energy"]["elastic_energy"] for step in steps]
     return len(energies) > 1 and energies[-1] < RELEASED * max(energies)
 
 

@@ -5,9 +5,10 @@
 // it leaves the plane over the length a = 2P/q, and its end rises by q a⁴/(24 E I):
 // without Poisson's ratio the strip is that beam but for (thickness/a)². A plate on a
 // floor bends up around a ball that is pressed into its middle, and has the forces that
-// the dual method finds.
+// the dual method finds. So has a sheet of degree 2 of which an elastic holder clamps a
+// part, and what pulls it is what both sides of it bear.
 
-#include "tests.h"
+#include "several_bodies.h"
 
 #include <cmath>
 
@@ -70,4 +71,28 @@ int main(int argc, char *argv[])
   const Run reference(block, plate + Settings{"Contact solver/Method=newton"});
   out() << "plate: " << way(run) << ", the forces of the dual method to 1e-4 "
         << yes(distance(run, reference) < 1e-4) << std::endl;
+
+  // pulled by 10 MPa on 40 mm x 0.5 mm
+  const std::string sheet = file(
+    "sheet.prm",
+    brick("sheet", "100,40,0.5", "10,4,1", "0;0;0", "0;0;0;0;0;1;0", "70000") +
+      brick("holder", "60,40,10", "5,3,1", "0;0;0.5", "0;0;0;0;0;1;0", "210000") +
+      section("Geometry", {"Element degree = 2"}) +
+      section("Boundary conditions",
+              {"Prescribed displacement = holder.left : 0; 0; free",
+               "Pressure = holder.top : 2", "Traction = sheet.right : 10; 0; 0"}) +
+      section("Contact pair die", {"Boundary = sheet.bottom", "Obstacle = foundation",
+                                   "Law = coulomb", "Coefficient = 0.1"}) +
+      section("Contact pair holder",
+              {"Boundary = sheet.top", "Obstacle = boundary : holder.bottom",
+               "Law = coulomb", "Coefficient = 0.12"}));
+  const Run clamped(sheet, {"Contact solver/Method=newton multigrid"});
+  const Run by_newton(sheet, {"Contact solver/Method=newton"});
+  const auto &boundaries = clamped.summary()["contact"]["boundaries"];
+  const double die       = boundaries[0]["force_on_body"][0],
+               holder    = boundaries[1]["force_on_body"][0];
+  out() << "sheet: " << way(clamped) << ", pulled by what bears it "
+        << yes(std::abs(200. + die - holder) < 1e-3 && die < -200.)
+        << ", the forces of the dual method to 1e-4 "
+        << yes(distance(clamped, by_newton) < 1e-4) << std::endl;
 }

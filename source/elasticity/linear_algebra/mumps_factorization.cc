@@ -45,8 +45,10 @@ namespace stiction
     Mumps(const Mumps &)            = delete;
     Mumps &operator=(const Mumps &) = delete;
 
-    void copy_lower_triangle(const LA::SparseMatrix &matrix);
-    void run_analysis(unsigned int dofs_per_node);
+    void factorize(const LA::SparseMatrix &matrix);
+    bool find_entries(const LA::SparseMatrix &matrix);
+    void copy_values(const LA::SparseMatrix &matrix);
+    void run_analysis();
     void run_factorisation();
     void run_solve(int condensation, Eigen::VectorXd &b, Eigen::VectorXd *condensed);
     void call(Job job);
@@ -60,12 +62,14 @@ namespace stiction
     DMUMPS_STRUC_C id{};
     bool is_host  = false;
     double factor = 1.; // what is factorised is K times this, a power of two
-    int n_schur   = 0;
+    const unsigned int dofs_per_node;
+    int n_schur = 0;
     Eigen::MatrixXd schur;
 
     // what MUMPS keeps pointers to
     std::vector<MUMPS_INT> rows, columns, permutation, schur_list;
     std::vector<double> values;
+    std::vector<bool> is_listed; // of all entries of the lower triangle
     MUMPS_INT no_integer = 0;
     double no_number     = 0.;
   };
@@ -73,13 +77,13 @@ namespace stiction
   MumpsFactorization::Mumps::Mumps(
     const LA::SparseMatrix &matrix, const unsigned int dofs_per_node,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
-    : n_schur(static_cast<int>(schur_dofs.size()))
+    : dofs_per_node(dofs_per_node)
+    , n_schur(static_cast<int>(schur_dofs.size()))
   {
     const MPI_Comm communicator = matrix.get_mpi_communicator();
     is_host = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     for (const auto dof : schur_dofs)
       schur_list.push_back(static_cast<MUMPS_INT>(dof) + 1);
-    copy_lower_triangle(matrix);
 
     id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(communicator));
     id.par          = 1; // the host works too
@@ -96,10 +100,7 @@ namespace stiction
 
     id.n = static_cast<MUMPS_INT>(matrix.m()); // after it was initialised
 
-    run_analysis(dofs_per_node);
-    run_factorisation();
-    values.clear();
-    values.shrink_to_fit();
+    factorize(matrix);
   }
 
   MumpsFactorization::Mumps::~Mumps()
@@ -107,7 +108,20 @@ namespace stiction
     call(terminate);
   }
 
-  void MumpsFactorization::Mumps::copy_lower_triangle(const LA::SparseMatrix &matrix)
+  void MumpsFactorization::Mumps::factorize(const LA::SparseMatrix &matrix)
+  {
+    const bool is_new = find_entries(matrix);
+    copy_values(matrix);
+    if (dealii::Utilities::MPI::max(is_new ? 1 : 0, matrix.get_mpi_communicator()) == 1)
+      run_analysis();
+    run_factorisation();
+    values.clear();
+    values.shrink_to_fit();
+  }
+
+  // Calls back with the entries of the lower triangle: row, column and value.
+  template<typename Callback>
+  void for_each_lower_entry(const LA::SparseMatrix &matrix, const Callback &callback)
   {
     const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
     for (int i = 0; i < K.NumMyRows(); ++i)
@@ -118,13 +132,46 @@ namespace stiction
         K.ExtractMyRowView(i, n_entries, entries, indices);
         const int row = K.GRID(i);
         for (int k = 0; k < n_entries; ++k)
-          if (K.GCID(indices[k]) <= row && entries[k] != 0.)
-            {
-              rows.push_back(row + 1);
-              columns.push_back(K.GCID(indices[k]) + 1);
-              values.push_back(entries[k]);
-            }
+          if (const int column = K.GCID(indices[k]); column <= row)
+            callback(row, column, entries[k]);
       }
+  }
+
+  // Enters what is not zero into the list of entries, from the second matrix on also what
+  // is: the third must not be analysed again. Returns whether something was new.
+  bool MumpsFactorization::Mumps::find_entries(const LA::SparseMatrix &matrix)
+  {
+    const bool is_first = is_listed.empty();
+    bool is_new         = is_first;
+    std::size_t k       = 0;
+    for_each_lower_entry(matrix, [&](const int, const int, const double value) {
+      if (is_first)
+        is_listed.push_back(value != 0.);
+      else if (!is_listed[k])
+        is_new = is_listed[k] = true;
+      ++k;
+    });
+    if (!is_new)
+      return false;
+    rows.clear();
+    columns.clear();
+    k = 0;
+    for_each_lower_entry(matrix, [&](const int row, const int column, const double) {
+      if (!is_listed[k++])
+        return;
+      rows.push_back(row + 1);
+      columns.push_back(column + 1);
+    });
+    return true;
+  }
+
+  void MumpsFactorization::Mumps::copy_values(const LA::SparseMatrix &matrix)
+  {
+    std::size_t k = 0;
+    for_each_lower_entry(matrix, [&](const int, const int, const double value) {
+      if (is_listed[k++])
+        values.push_back(value);
+    });
 
     // MUMPS takes what is far below one for zero; nothing is rounded by this
     double largest = 0.;
@@ -136,7 +183,7 @@ namespace stiction
       value *= factor;
   }
 
-  void MumpsFactorization::Mumps::run_analysis(const unsigned int dofs_per_node)
+  void MumpsFactorization::Mumps::run_analysis()
   {
     // Left to itself MUMPS orders by minimum degree as soon as a Schur
     // complement is asked for, at three times the operations.
@@ -148,7 +195,6 @@ namespace stiction
     id.nnz_loc  = static_cast<MUMPS_INT8>(values.size());
     id.irn_loc  = data_or(rows, no_integer);
     id.jcn_loc  = data_or(columns, no_integer);
-    id.a_loc    = data_or(values, no_number);
     if (n_schur > 0)
       {
         // lower triangle by columns, on a 1 × 1 grid of processes: the host
@@ -164,6 +210,7 @@ namespace stiction
 
   void MumpsFactorization::Mumps::run_factorisation()
   {
+    id.a_loc = data_or(values, no_number);
     if (n_schur > 0)
       {
         schur.resize(is_host ? n_schur : 0, is_host ? n_schur : 0);
@@ -243,6 +290,11 @@ namespace stiction
   }
 
   MumpsFactorization::~MumpsFactorization() = default;
+
+  void MumpsFactorization::refactorize(const LA::SparseMatrix &matrix)
+  {
+    mumps_->factorize(matrix);
+  }
 
   Eigen::MatrixXd &MumpsFactorization::schur_complement()
   {

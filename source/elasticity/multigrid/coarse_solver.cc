@@ -1,5 +1,4 @@
 #include <stiction/elasticity/linear_algebra/amg_preconditioner.h>
-#include <stiction/elasticity/linear_algebra/dof_subset.h>
 #include <stiction/elasticity/linear_algebra/host_vector.h>
 #include <stiction/elasticity/linear_algebra/mumps_factorization.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -7,10 +6,9 @@
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/rigid_body_modes.h>
 #include <stiction/elasticity/multigrid/coarse_solver.h>
+#include <stiction/elasticity/stiffness/assembled_stiffness.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
-#include <stiction/elasticity/stiffness/element_stiffness.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
@@ -19,8 +17,9 @@
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <algorithm>
-#include <array>
+#include <Epetra_CrsMatrix.h>
+
+#include <map>
 
 namespace stiction
 {
@@ -48,19 +47,116 @@ namespace stiction
       return indices;
     }
 
-    template<typename Nodes>
-    Indices first_dofs_of(const MeshLevel &level, const Nodes &nodes)
+    // Calls back with the columns and values of a row of this rank: deal.II's iterators
+    // copy it.
+    template<typename Callback>
+    void for_each_entry(const LA::SparseMatrix &matrix, const types::global_dof_index row,
+                        const Callback &callback)
     {
-      Indices dofs;
-      for (const unsigned int node : nodes)
-        dofs.push_back(level.first_dof(node));
-      return dofs;
+      const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
+      int n_entries = 0, *columns = nullptr;
+      double *values = nullptr;
+      epetra.ExtractMyRowView(epetra.LRID(static_cast<int>(row)), n_entries, values,
+                              columns);
+      for (int k = 0; k < n_entries; ++k)
+        callback(static_cast<types::global_dof_index>(epetra.GCID(columns[k])),
+                 values[k]);
     }
 
-    bool needs_assembled_stiffness(const LinearElasticity &elasticity,
-                                   const MeshLevel &level)
+    // Calls back with rows of TᵀKT, those of a node at a time, that are to be added to
+    // each other: their first unknown, and 3 × 3 blocks by the first unknowns of columns.
+    // All three unknowns of a node follow each other.
+    template<typename Callback>
+    void for_each_row(const LA::SparseMatrix &K, const BasisTransformation &basis,
+                      const Callback &callback)
     {
-      return !level.is_trilinear() || elasticity.body().n_hanging_nodes() > 0;
+      using Blocks = std::map<types::global_dof_index, Eigen::Matrix3d>;
+      std::unordered_map<types::global_dof_index, Blocks> rows_of_T;
+      const BasisTransformation::Matrix added = basis.added();
+      for (std::size_t i = 0; i < basis.slaves().size(); ++i)
+        {
+          Blocks &row = rows_of_T[basis.slaves()[i]];
+          for (Eigen::Index a = 0; a < 3; ++a)
+            for (BasisTransformation::Matrix::InnerIterator entry(
+                   added, 3 * static_cast<Eigen::Index>(i) + a);
+                 entry; ++entry)
+              row.try_emplace(basis.masters()[entry.col() / 3], Eigen::Matrix3d::Zero())
+                .first->second(a, entry.col() % 3) += entry.value();
+        }
+      const auto for_each_source = [&](const auto dof, const auto &take) {
+        take(dof, Eigen::Matrix3d::Identity());
+        if (const auto slave = rows_of_T.find(dof); slave != rows_of_T.end())
+          for (const auto &[master, block] : slave->second)
+            take(master, block);
+      };
+
+      Blocks of_K, of_KT, of_TKT;
+      for (auto dof = K.local_range().first; dof < K.local_range().second; dof += 3)
+        {
+          of_K.clear();
+          of_KT.clear();
+          for (unsigned int a = 0; a < 3; ++a)
+            for_each_entry(K, dof + a, [&](const auto column, const double value) {
+              of_K.try_emplace(column / 3 * 3, Eigen::Matrix3d::Zero())
+                .first->second(a, column % 3) = value;
+            });
+          for (const auto &[column, block] : of_K)
+            for_each_source(column, [&, &K_ij = block](const auto source, const auto &T) {
+              of_KT.try_emplace(source, Eigen::Matrix3d::Zero()).first->second +=
+                K_ij * T;
+            });
+          for_each_source(dof, [&](const auto source, const Eigen::Matrix3d &T) {
+            of_TKT = of_KT;
+            for (auto &column : of_TKT)
+              column.second = (T.transpose() * column.second).eval();
+            callback(source, of_TKT);
+          });
+        }
+    }
+
+    // TᵀKT.
+    std::unique_ptr<LA::SparseMatrix> transformed(const LA::SparseMatrix &K,
+                                                  const BasisTransformation &basis,
+                                                  const MeshLevel &level)
+    {
+      const IndexSet &owned = level.partitioner()->locally_owned_range();
+      IndexSet relevant     = owned;
+      for (const auto dof : unknowns_of(basis.masters()))
+        relevant.add_index(dof);
+      DynamicSparsityPattern pattern(relevant);
+      Indices columns;
+      const auto find_columns = [&](const auto &row) {
+        columns.clear();
+        for (const auto &column : row)
+          for (unsigned int c = 0; c < 3; ++c)
+            columns.push_back(column.first + c);
+      };
+      for_each_row(K, basis, [&](const auto dof, const auto &row) {
+        find_columns(row);
+        for (unsigned int a = 0; a < 3; ++a)
+          pattern.add_entries(dof + a, columns.begin(), columns.end(), true);
+      });
+      SparsityTools::distribute_sparsity_pattern(pattern, owned, level.communicator(),
+                                                 relevant);
+      auto matrix = std::make_unique<LA::SparseMatrix>();
+      matrix->reinit(owned, owned, pattern, level.communicator());
+
+      FullMatrix<double> values;
+      for_each_row(K, basis, [&](const auto dof, const auto &row) {
+        find_columns(row);
+        values.reinit(3, static_cast<unsigned int>(columns.size()));
+        unsigned int j = 0;
+        for (const auto &column : row)
+          {
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int b = 0; b < 3; ++b)
+                values(a, j + b) = column.second(a, b);
+            j += 3;
+          }
+        matrix->add({dof, dof + 1, dof + 2}, columns, values);
+      });
+      matrix->compress(VectorOperation::add);
+      return matrix;
     }
   } // namespace
 
@@ -71,203 +167,63 @@ namespace stiction
     : elasticity_(elasticity)
     , level_(level)
     , fixed_(std::make_unique<LA::Vector>(fixed))
-    , supported_nodes_(supported_nodes)
-    , basis_(basis)
-    , added_(basis.added())
+    , ground_(basis.ground())
     , always_direct_(is_direct)
     , host_(std::make_unique<HostVector>(fixed))
   {
-    fixed_->update_ghost_values();
-    for (std::size_t i = 0; i < supported_nodes.size(); ++i)
-      support_of_[supported_nodes[i]] = i;
-    for (std::size_t i = 0; i < basis.slaves().size(); ++i)
-      slave_of_[basis.slaves()[i]] = i;
-    const Eigen::VectorXd is_fixed =
-      DofSubset(unknowns_of(basis.masters())).restriction(fixed);
-    for (std::size_t j = 0; j < basis.masters().size(); ++j)
-      for (unsigned int c = 0; c < 3; ++c)
-        is_fixed_opposite_[basis.masters()[j]][c] =
-          is_fixed(3 * static_cast<Eigen::Index>(j) + c) != 0.;
-
-    if (needs_assembled_stiffness(elasticity, level)) // the level is the mesh itself
+    Indices nodes = supported_nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      support_of_[nodes[i]] = i;
+    for (const auto dof : basis.masters())
       {
-        stiffness_ = elasticity.assemble();
-        assembled_ =
-          std::make_unique<ConstrainedMatrix>(*stiffness_, fixed, supported_nodes);
+        const auto [place, is_new] = support_of_.emplace(dof, nodes.size());
+        if (is_new)
+          nodes.push_back(dof);
+        masters_.push_back(place->second);
       }
-    else if (level_.n_dofs() > max_dense)
-      make_pattern();
+    n_supported_ = nodes.size();
+    stiffness_   = assemble_stiffness(level, elasticity.materials(),
+                                      elasticity.body().hanging_nodes());
+    if (!basis.is_identity())
+      stiffness_ = transformed(*stiffness_, basis, level);
+    constrained_ = std::make_unique<ConstrainedMatrix>(*stiffness_, fixed, nodes);
     set_supports(supports);
-  }
-
-  bool CoarseSolver::can_be_set_up(const LinearElasticity &elasticity,
-                                   const MeshLevel &level,
-                                   const BasisTransformation &basis)
-  {
-    return basis.is_identity() || !needs_assembled_stiffness(elasticity, level);
   }
 
   CoarseSolver::~CoarseSolver() = default;
 
-  void CoarseSolver::make_pattern()
-  {
-    const IndexSet &owned = level_.partitioner()->locally_owned_range();
-    IndexSet relevant     = owned;
-    relevant.add_indices(level_.partitioner()->ghost_indices());
-    for (const auto dof : unknowns_of(basis_.masters()))
-      relevant.add_index(dof);
-
-    DynamicSparsityPattern pattern(relevant);
-    Eigen::MatrixXd T;
-    level_.for_each_cell([&](const HexahedralCell &cell) {
-      const Indices indices = unknowns_of(nodes_of(first_dofs_of(level_, cell.nodes), T));
-      for (const auto row : indices)
-        pattern.add_entries(row, indices.begin(), indices.end());
-    });
-    SparsityTools::distribute_sparsity_pattern(pattern, owned, level_.communicator(),
-                                               relevant);
-    matrix_ = std::make_unique<LA::SparseMatrix>();
-    matrix_->reinit(owned, owned, pattern, level_.communicator());
-  }
-
   void CoarseSolver::set_supports(const NodalSupports &supports)
   {
-    direct_.reset(); // before the new one
-    amg_.reset();
-    if (assembled_)
-      {
-        assembled_->set_supports(supports);
-        factorize(assembled_->matrix(), supports);
-        return;
-      }
+    amg_.reset(); // before the new one
+    NodalSupports all = supports;
+    all.resize(n_supported_);
+    for (std::size_t j = 0; j < masters_.size(); ++j)
+      all[masters_[j]].spring +=
+        ground_(static_cast<Eigen::Index>(j)) * all[masters_[j]].projection;
+    constrained_->set_supports(all);
+    const LA::SparseMatrix &matrix = constrained_->matrix();
     if (level_.n_dofs() <= max_dense)
-      {
-        factorize_dense(supports);
-        return;
-      }
-    *matrix_ = 0.;
-    assemble(supports, [&](const Indices &indices, const auto &matrix) {
-      matrix_->add(indices, matrix);
-    });
-    matrix_->compress(VectorOperation::add);
-    factorize(*matrix_, supports);
-  }
-
-  void CoarseSolver::factorize(const LA::SparseMatrix &matrix,
-                               const NodalSupports &supports)
-  {
-    if (always_direct_ || level_.n_dofs() <= max_direct)
+      factorize_dense(matrix);
+    else if (direct_)
+      direct_->refactorize(matrix);
+    else if (always_direct_ || level_.n_dofs() <= max_direct)
       direct_ = std::make_unique<MumpsFactorization>(matrix, 3);
     else
-      amg_ = std::make_unique<AmgPreconditioner>(matrix, held_modes(supports));
+      amg_ = std::make_unique<AmgPreconditioner>(matrix, held_modes(all));
   }
 
-  void CoarseSolver::factorize_dense(const NodalSupports &supports)
+  void CoarseSolver::factorize_dense(const LA::SparseMatrix &matrix)
   {
-    const auto n           = static_cast<Eigen::Index>(level_.n_dofs());
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
-    assemble(supports, [&](const Indices &indices, const auto &block) {
-      for (unsigned int i = 0; i < indices.size(); ++i)
-        for (unsigned int j = 0; j < indices.size(); ++j)
-          matrix(indices[i], indices[j]) += block(i, j);
-    });
-    Utilities::MPI::sum(ArrayView<const double>(matrix.data(), matrix.size()),
-                        level_.communicator(),
-                        ArrayView<double>(matrix.data(), matrix.size()));
-    dense_ = std::make_unique<Eigen::LLT<Eigen::MatrixXd>>(matrix);
-  }
-
-  Indices CoarseSolver::nodes_of(const Indices &of_cell, Eigen::MatrixXd &T) const
-  {
-    Indices nodes = of_cell;
-    T.setIdentity(3 * static_cast<Eigen::Index>(of_cell.size()),
-                  3 * static_cast<Eigen::Index>(of_cell.size()));
-    for (std::size_t v = 0; v < of_cell.size(); ++v)
-      if (const auto slave = slave_of_.find(of_cell[v]); slave != slave_of_.end())
-        for (Eigen::Index a = 0; a < 3; ++a)
-          for (BasisTransformation::Matrix::InnerIterator entry(
-                 added_, 3 * static_cast<Eigen::Index>(slave->second) + a);
-               entry; ++entry)
-            {
-              const auto master = basis_.masters()[entry.col() / 3];
-              const auto place =
-                std::find(nodes.begin(), nodes.end(), master) - nodes.begin();
-              if (place == static_cast<std::ptrdiff_t>(nodes.size()))
-                {
-                  nodes.push_back(master);
-                  T.conservativeResize(Eigen::NoChange, T.cols() + 3);
-                  T.rightCols<3>().setZero();
-                }
-              T(3 * static_cast<Eigen::Index>(v) + a, 3 * place + entry.col() % 3) +=
-                entry.value();
-            }
-    return nodes;
-  }
-
-  Eigen::Matrix3d CoarseSolver::projection(const types::global_dof_index first_dof,
-                                           const NodalSupports &supports) const
-  {
-    const auto support  = support_of_.find(first_dof);
-    Eigen::Matrix3d P   = support == support_of_.end()
-                            ? Eigen::Matrix3d::Identity()
-                            : supports[support->second].projection;
-    const auto opposite = is_fixed_opposite_.find(first_dof);
-    for (unsigned int c = 0; c < 3; ++c)
-      if (opposite != is_fixed_opposite_.end()
-            ? opposite->second[c]
-            : fixed_->local_element(3 * level_.local_node(first_dof) + c) != 0.)
-        {
-          P.row(c).setZero();
-          P.col(c).setZero();
-        }
-    return P;
-  }
-
-  void CoarseSolver::assemble(const NodalSupports &supports, const Add &add) const
-  {
-    Eigen::MatrixXd T, K;
-    FullMatrix<double> held;
-    for_each_element(
-      level_, elasticity_.materials(), 1., [&](const auto &of_cell, const auto &free) {
-        const Indices nodes = nodes_of(first_dofs_of(level_, of_cell), T);
-        const auto n        = static_cast<unsigned int>(nodes.size());
-        K                   = Eigen::Map<const Eigen::MatrixXd>(&free(0, 0), 24, 24);
-        if (n > of_cell.size())
-          K = (T.transpose() * K * T).eval();
-
-        std::vector<Eigen::Matrix3d> P;
-        for (const auto node : nodes)
-          P.push_back(projection(node, supports));
-        held.reinit(3 * n, 3 * n);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            {
-              Eigen::Matrix3d block = P[i] * K.block<3, 3>(3 * i, 3 * j) * P[j];
-              // held directions keep a diagonal of the size of the others
-              if (i == j)
-                block += K(3 * i, 3 * i) * (Eigen::Matrix3d::Identity() - P[i]);
-              for (unsigned int a = 0; a < 3; ++a)
-                for (unsigned int b = 0; b < 3; ++b)
-                  held(3 * i + a, 3 * j + b) = block(a, b);
-            }
-        add(unknowns_of(nodes), held);
+    const auto n          = static_cast<Eigen::Index>(level_.n_dofs());
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
+    for (const auto row : level_.partitioner()->locally_owned_range())
+      for_each_entry(matrix, row, [&](const auto column, const double value) {
+        dense(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = value;
       });
-    FullMatrix<double> entries(3, 3);
-    const auto add_spring = [&](const auto dof, const Eigen::Matrix3d &spring) {
-      if (!level_.partitioner()->in_local_range(dof))
-        return;
-      for (unsigned int a = 0; a < 3; ++a)
-        for (unsigned int b = 0; b < 3; ++b)
-          entries(a, b) = spring(a, b);
-      add({dof, dof + 1, dof + 2}, entries);
-    };
-    for (std::size_t i = 0; i < supports.size(); ++i)
-      add_spring(supported_nodes_[i], supports[i].spring);
-    for (Eigen::Index j = 0; j < basis_.ground().size(); ++j)
-      {
-        const auto dof = basis_.masters()[j];
-        add_spring(dof, basis_.ground()(j) * projection(dof, supports));
-      }
+    Utilities::MPI::sum(ArrayView<const double>(dense.data(), dense.size()),
+                        level_.communicator(),
+                        ArrayView<double>(dense.data(), dense.size()));
+    dense_ = std::make_unique<Eigen::LLT<Eigen::MatrixXd>>(dense);
   }
 
   std::vector<std::vector<double>> CoarseSolver::held_modes(

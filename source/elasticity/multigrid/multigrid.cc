@@ -124,9 +124,7 @@ namespace stiction
   {
     bases_.resize(hierarchy.n_levels());
     const bool has_background =
-      is_geometric &&
-      (hierarchy.level(0).n_dofs() > max_coarsest ||
-       !CoarseSolver::can_be_set_up(elasticity, hierarchy.level(0), bases_[0]));
+      is_geometric && hierarchy.level(0).n_dofs() > max_coarsest;
     if (has_background)
       background_ = std::make_unique<BackgroundMultigrid>(
         elasticity, hierarchy.level(0), unit_, fixed_on(0), supported_nodes.first_dofs(0),
@@ -214,8 +212,7 @@ namespace stiction
 
   bool Multigrid::factorize(const unsigned int level)
   {
-    if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized ||
-        !CoarseSolver::can_be_set_up(elasticity_, hierarchy_.level(level), bases_[level]))
+    if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized)
       return false;
     is_factorized_[level] = true;
     return true;

@@ -150,14 +150,16 @@ namespace stiction
                                       row.entries + k);
             std::sort(entries[a].begin(), entries[a].end());
           }
-        if (entries[0].size() == 1) // a hanging node
+        const unsigned int own = unknown_of_column_[K.LCID(K.GRID(i))] / 3;
+        if (diagonal_entry(K, i) == 0.) // a hanging node
           {
-            for (const auto &row : entries)
-              *row[0].second = mean_diagonal_;
+            for (int a = 0; a < 3; ++a)
+              for (const auto &[unknown, entry] : entries[a])
+                if (unknown == 3 * own + a)
+                  *entry = mean_diagonal_;
             continue;
           }
 
-        const unsigned int own = unknown_of_column_[K.LCID(K.GRID(i))] / 3;
         for (std::size_t k = 0; k < entries[0].size(); k += 3)
           {
             const unsigned int node = entries[0][k].first / 3;

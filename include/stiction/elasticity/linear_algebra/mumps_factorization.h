@@ -42,6 +42,10 @@ namespace stiction
       const std::vector<dealii::types::global_dof_index> &schur_dofs = {});
     ~MumpsFactorization();
 
+    /// Factorises another matrix with the same sparsity pattern, which may have its zeros
+    /// elsewhere. Only the first time it is analysed again. Collective.
+    void refactorize(const LA::SparseMatrix &matrix);
+
     /// S, of which only the lower triangle is set; on rank 0, empty elsewhere.
     /// The caller may overwrite it.
     Eigen::MatrixXd &schur_complement();

@@ -12,13 +12,11 @@ namespace stiction
   class Materials;
   class MeshLevel;
 
-  /// K of any body, the constraints eliminated symmetrically: hanging nodes, whose rows
-  /// and columns are empty but for a zero on the diagonal (CᵀKC), and where there are
-  /// none also prescribed displacements. Unit: N/m. Collective.
-  ///
-  /// @param mesh the mesh itself.
+  /// K of any level of the mesh, the constraints eliminated symmetrically: hanging nodes,
+  /// whose rows and columns are empty but for a zero on the diagonal (CᵀKC), and where
+  /// there are none also prescribed displacements. Unit: N/m. Collective.
   std::unique_ptr<LA::SparseMatrix> assemble_stiffness(
-    const MeshLevel &mesh, const Materials &materials,
+    const MeshLevel &level, const Materials &materials,
     const dealii::AffineConstraints<double> &constraints);
 } // namespace stiction
 
