@@ -116,12 +116,15 @@ namespace stiction
         counted_ = {};
       }
     open_output();
+    if (state_.lambda.size() == 3 * surface->n_nodes())
+      state_.lambda = surface->without_dragged(state_.lambda);
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
     if (ends_.empty())
       leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_.u);
     else
       leave_in_place(*elasticity, *surface, ends_.front().state.u, state_.u);
+    surface->add_friction_on_supports(state_);
     if (steps_)
       add_effort(timer.wall_time());
   }

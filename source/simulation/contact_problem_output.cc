@@ -19,7 +19,6 @@
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
 #include <stiction/output/results/vtu.h>
-#include <stiction/qp/advice.h>
 #include <stiction/qp/dual_problem.h>
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -35,24 +34,6 @@
 namespace stiction
 {
   using nlohmann::json;
-
-  namespace
-  {
-    // Of Green's strain ε + ½ (∇u)ᵀ∇u linear elasticity leaves out the second part,
-    // from here on 5 % of the first, which is as much as materials are known to, or
-    // half a percent of strain in a body that turns.
-    constexpr double large_deformation = 0.1;
-
-    // Of the forces on a body: more is worth a word.
-    constexpr double badly_balanced = 0.01;
-
-    // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
-    constexpr double much_beyond_edge = 1. / 3.;
-
-    // Of the pressure where something lies opposite: edges of punches make two or three
-    // times that, by the mesh.
-    constexpr double high_beyond_edge = 10.;
-  } // namespace
 
   std::vector<NodeStatus> ContactProblem::node_statuses() const
   {
@@ -93,7 +74,7 @@ namespace stiction
   LA::Vector ContactProblem::contact_force() const
   {
     LA::Vector force = discretization_->elasticity->zero_vector();
-    discretization_->surface->B().add_transpose(-1., state_.lambda, force);
+    discretization_->surface->add_forces(-1., state_.lambda, force);
     return force;
   }
 
@@ -188,81 +169,10 @@ namespace stiction
       for (Eigen::Index i = 0; i < discretization_->surface->n_nodes(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           problem.positions(i, c) = discretization_->surface->nodes()[i].position[c];
-      stiction::export_problem(directory, problem, state_.lambda,
-                               certificate_->gradient());
+      const ContactSurface &surface = *discretization_->surface;
+      stiction::export_problem(directory, problem, surface.without_dragged(state_.lambda),
+                               surface.without_dragged(certificate_->gradient()));
     });
-  }
-
-  std::vector<std::string> ContactProblem::warnings(
-    const double largest_displacement) const
-  {
-    const ContactSurface &surface = *discretization_->surface;
-    std::vector<std::string> warnings;
-    if (parameters_.has_locking())
-      warnings.push_back(
-        format("with a Poisson ratio of %g trilinear elements lock, bodies and "
-               "forces become too stiff, which the certificate does not see: "
-               "'Material/Volume strain = cell mean' does not lock.",
-               parameters_.material.largest_poisson_ratio()));
-    const std::string friction = warning_on_friction(surface.largest_coefficient());
-    if (status_.converged && !friction.empty())
-      warnings.push_back(friction);
-    const double depth =
-      status_.converged ? surface.penetration_of_facing_away(state_) : 0.;
-    if (depth > 1e-6 * largest_displacement)
-      warnings.push_back(
-        "a node that faces away from its obstacle came " +
-        with_unit(format("%.2g", depth), Units::named(parameters_.output.units).length) +
-        " into it; such nodes are no contact nodes, and the certificate does "
-        "not speak of them.");
-    if (const auto [body, lacking] = certificate_->worst_balanced();
-        status_.converged && lacking > badly_balanced)
-      warnings.push_back(format(
-        "forces on body '%s' are out of balance by %.2g %% of themselves, being small "
-        "beside those of the others; lower 'Contact solver/Tolerance', or compute "
-        "it by itself.",
-        body_->pieces()[body].name.c_str(), 100. * lacking));
-    for (const ContactBoundary &pair : surface.boundaries())
-      {
-        if (!status_.converged || !pair.is_pair() || pair.is_tied())
-          continue;
-        const auto [share, peak] = surface.beyond_edge(pair, state_.lambda);
-        const std::string remedy =
-          "let the other side bear the forces ('Slave side'), or make cells finer there.";
-        if (peak > high_beyond_edge)
-          warnings.push_back(
-            format(
-              "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
-              "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
-              "trusted; %.0f %% of the force acts there; ",
-              pair.name().c_str(), pair.partner_name().c_str(), peak, pair.name().c_str(),
-              100. * share) +
-            remedy);
-        else if (share > much_beyond_edge)
-          warnings.push_back(
-            format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
-                   "beyond the edge of what lies opposite, by up to a cell: a body tips "
-                   "late, and pressures at such an edge are too large; ",
-                   100. * share, pair.name().c_str(), pair.partner_name().c_str(),
-                   pair.name().c_str()) +
-            remedy);
-      }
-    Deformation deformation = largest_deformation_;
-    if (status_.converged)
-      deformation.include(largest_deformation(*body_, state_.u));
-    const auto &[strain, rotation] = deformation;
-    if (strain > large_deformation)
-      warnings.push_back(
-        format("strains of up to %.2g: linear elasticity is for small "
-               "ones and leaves out what is quadratic in them, some %.0f "
-               "%% of the strain there.",
-               strain, 50. * strain));
-    if (rotation > large_deformation)
-      warnings.push_back(
-        format("the body turns by up to %.2g degrees: linear elasticity is for small "
-               "rotations, and makes a strain of %.2g of this one.",
-               rotation * 180. / dealii::numbers::PI, 0.5 * rotation * rotation));
-    return warnings;
   }
 
   RunResult ContactProblem::result() const

@@ -119,7 +119,7 @@ namespace stiction
     , elasticity_(elasticity)
     , surface_(surface)
   {
-    gradient_ = surface.motion().offset(state.distances) - surface.B().apply(state.u);
+    gradient_ = surface.gap_and_slip(state);
     compute_body_figures(state);
     compute_contact_figures();
   }
@@ -128,10 +128,10 @@ namespace stiction
   {
     const LA::Vector &u      = state.u;
     LA::Vector contact_force = elasticity_.zero_vector();
-    surface_.B().add_transpose(-1., lambda_, contact_force);
+    surface_.add_forces(-1., lambda_, contact_force);
     const NodeSums sums     = sum_over_nodes(elasticity_, u, contact_force);
     const Eigen::Index m    = surface_.n_nodes();
-    const Eigen::VectorXd f = surface_.B().force_to_cartesian(lambda_);
+    const Eigen::VectorXd f = surface_.forces(lambda_);
     double contact_forces   = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       contact_forces += Tensor<1, 3>({f(i), f(i + m), f(i + 2 * m)}).norm();

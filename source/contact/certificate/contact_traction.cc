@@ -14,7 +14,7 @@ namespace stiction
                                    const Eigen::VectorXd &lambda)
     : elasticity_(elasticity)
     , surface_(surface)
-    , force_(surface.B().force_to_cartesian(lambda))
+    , force_(surface.forces(lambda))
     , fe_(elasticity.body().dof_handler().get_fe())
     , dofs_(fe_.n_dofs_per_cell())
   {

@@ -114,9 +114,9 @@ namespace stiction
             elasticity.load(),
             elasticity.zero_vector(),
             surface.first_dofs(),
-            surface.B().force_to_cartesian(state.lambda)};
+            surface.forces(state.lambda)};
     LA::Vector applied = end.load;
-    surface.B().add_transpose(-1., state.lambda, applied);
+    surface.add_forces(-1., state.lambda, applied);
     for (const auto dof : elasticity.body().locally_owned_dofs())
       if (elasticity.is_prescribed(dof))
         end.reaction(dof) = end.internal_force(dof) - applied(dof);
@@ -137,8 +137,7 @@ namespace stiction
     std::map<dealii::types::global_dof_index, Eigen::Index> index_before;
     for (std::size_t k = 0; k < before.nodes.size(); ++k)
       index_before[before.nodes[k]] = static_cast<Eigen::Index>(k);
-    const Eigen::VectorXd r =
-      surface.motion().offset(state.distances) - surface.B().apply(state.u);
+    const Eigen::VectorXd r      = surface.gap_and_slip(state);
     const DofSubset nodes_before = DofSubset::of_nodes(before.nodes);
     const Eigen::VectorXd moved  = surface.B().relative_displacement(after.u) -
                                   surface.B().relative_displacement(before.u);

@@ -26,6 +26,9 @@ namespace stiction
       return (product(at.pressure + h) - product(at.pressure - h)) / (2. * h);
     }
 
+    // Of the largest displacement: less is no slip.
+    constexpr double least_slip = 1e-3;
+
     // The place of a boundary in the list, the list's size if it is not there.
     std::size_t index_of(const std::vector<ContactBoundary> &boundaries,
                          const types::boundary_id id)
@@ -127,12 +130,14 @@ namespace stiction
   {
     if (origin.size() == 0)
       return;
+    origin_                = origin;
     Eigen::VectorXd offset = motion_.offset_at_start();
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         if (slip_bound_.is_tied(i))
           continue; // it has not slipped
-        const Eigen::Vector3d local = nodes_[i].displacement_to_local(at_node(origin, i));
+        const Eigen::Vector3d local =
+          B_.frames()[i].displacement_to_local(at_node(origin, i));
         for (unsigned int c = 1; c < 3; ++c)
           offset(i + c * n_nodes()) -= local(c);
       }
@@ -178,6 +183,90 @@ namespace stiction
     slip_bound_ = is_coulomb
                     ? qp::SlipBound::mixed(std::move(constant), std::move(coefficient))
                     : qp::SlipBound::given(std::move(constant));
+  }
+
+  Eigen::VectorXd ContactSurface::gap_and_slip(const State &state) const
+  {
+    Eigen::VectorXd r = motion_.offset(state.distances) - B_.apply(state.u);
+    if (dragged_.empty())
+      return r;
+    const Eigen::VectorXd slip = slip_since_origin(state);
+    for (const Eigen::Index i : dragged_)
+      {
+        const Eigen::Vector3d local = nodes_[i].displacement_to_local(at_node(slip, i));
+        set_at_node(r, i, {r(i), local(1), local(2)});
+      }
+    return r;
+  }
+
+  void ContactSurface::add_friction_on_supports(State &state) const
+  {
+    if (dragged_.empty())
+      return;
+    const Eigen::VectorXd r     = gap_and_slip(state);
+    const Eigen::VectorXd bound = slip_bound_.at(state.lambda);
+    for (const Eigen::Index i : dragged_)
+      {
+        const Eigen::Vector2d slip  = -at_node(r, i).tail<2>();
+        const Eigen::Vector2d force = slip.norm() > 0.
+                                        ? Eigen::Vector2d(bound(i) * slip.normalized())
+                                        : Eigen::Vector2d::Zero();
+        set_at_node(state.lambda, i, {state.lambda(i), force(0), force(1)});
+      }
+  }
+
+  Eigen::VectorXd ContactSurface::without_dragged(Eigen::VectorXd variables) const
+  {
+    for (const Eigen::Index i : dragged_)
+      set_at_node(variables, i, {variables(i), 0., 0.});
+    return variables;
+  }
+
+  Eigen::VectorXd ContactSurface::forces(const Eigen::VectorXd &lambda) const
+  {
+    Eigen::VectorXd forces = B_.force_to_cartesian(lambda);
+    for (const Eigen::Index i : dragged_)
+      set_at_node(forces, i, nodes_[i].force_to_cartesian(at_node(lambda, i)));
+    return forces;
+  }
+
+  void ContactSurface::add_forces(const double factor, const Eigen::VectorXd &lambda,
+                                  LA::Vector &dst) const
+  {
+    B_.add_transpose(factor, lambda, dst);
+    if (!dragged_.empty())
+      B_.dofs().add_extension(factor * (forces(lambda) - B_.force_to_cartesian(lambda)),
+                              dst);
+  }
+
+  std::vector<double> ContactSurface::frictionless_parts(const State &state) const
+  {
+    const Eigen::VectorXd slip  = slip_since_origin(state);
+    const Eigen::VectorXd bound = slip_bound_.at(state.lambda);
+    const double least          = least_slip * state.u.linfty_norm();
+    std::vector<double> parts(boundaries_.size(), 0.), all = parts;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const ContactNode &node = nodes_[i];
+        const double force      = std::max(state.lambda(i), 0.);
+        const Tensor<1, 3> s({slip(i), slip(i + n_nodes()), slip(i + 2 * n_nodes())});
+        all[node.boundary] += force;
+        if (bound(i) > 0. &&
+            ((node.scale[0] == 0. && std::abs(s * node.tangent1) > least) ||
+             (node.scale[1] == 0. && std::abs(s * node.tangent2) > least)))
+          parts[node.boundary] += force;
+      }
+    for (std::size_t b = 0; b < parts.size(); ++b)
+      parts[b] = all[b] > 0. ? parts[b] / all[b] : 0.;
+    return parts;
+  }
+
+  Eigen::VectorXd ContactSurface::slip_since_origin(const State &state) const
+  {
+    Eigen::VectorXd slip = relative_displacement(state);
+    if (origin_.size() > 0)
+      slip -= origin_;
+    return slip;
   }
 
   Eigen::VectorXd ContactSurface::relative_displacement(const State &state) const

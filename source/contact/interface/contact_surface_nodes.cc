@@ -62,6 +62,7 @@ namespace stiction
                   "towards the body");
     evaluate_data();
     number_nodes(elasticity);
+    find_dragged_nodes();
     displace_obstacles();
   }
 
@@ -154,6 +155,28 @@ namespace stiction
     set_friction({}, Eigen::VectorXd::Zero(n_nodes()), FrictionForm::value);
   }
 
+  void ContactSurface::find_dragged_nodes()
+  {
+    constexpr double rounding = 1e-9;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        ContactNode &node               = nodes_[i];
+        const ContactBoundary &boundary = boundaries_[node.boundary];
+        const Tensor<1, 3> &P           = boundary.force();
+        // friction is along the slip, and moves neither obstacles nor anything opposite
+        const bool is_isotropic = !boundary.friction().is_orthotropic();
+        const bool is_normal    = (node.gap_growth - node.normal).norm() <= rounding;
+        const bool is_pressed_straight =
+          (P - (P * node.normal) * node.normal).norm() <= rounding * P.norm();
+        if (node.scale[0] == 0. && node.scale[1] == 0. && !boundary.is_pair() &&
+            is_isotropic && is_normal && is_pressed_straight)
+          {
+            node.scale = {{1., 1.}};
+            dragged_.push_back(i);
+          }
+      }
+  }
+
   void ContactSurface::displace_obstacles()
   {
     // of those with a force, the column; of the others none
@@ -169,16 +192,17 @@ namespace stiction
     Eigen::MatrixXd directions =
       Eigen::MatrixXd::Zero(3 * n_nodes(), static_cast<Eigen::Index>(forces.size()));
     std::vector<double> largest_approach(boundaries_.size(), 0.);
-    const auto seen_from = [](const ContactNode &node, const Tensor<1, 3> &U) {
-      return node.other_side_to_local({U[0], U[1], U[2]});
+    const auto seen_from = [](const ContactFrame &frame, const Tensor<1, 3> &U) {
+      return frame.other_side_to_local({U[0], U[1], U[2]});
     };
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         const ContactNode &node         = nodes_[i];
         const ContactBoundary &boundary = boundaries_[node.boundary];
-        Eigen::Vector3d e               = seen_from(node, boundary.displacement());
+        const ContactFrame &frame       = B_.frames()[i];
+        Eigen::Vector3d e               = seen_from(frame, boundary.displacement());
         e(0) += node.gap;
-        e.tail<2>() += seen_from(node, node.turning).tail<2>();
+        e.tail<2>() += seen_from(frame, node.turning).tail<2>();
         if (e(0) < -boundary.body_size())
           throw InputError(
             boundary.source().describe(boundary.displacement().norm() > 0.
@@ -192,7 +216,7 @@ namespace stiction
         if (column[node.boundary] < 0)
           continue;
         const Eigen::Vector3d direction =
-          seen_from(node, boundary.force() / boundary.force().norm());
+          seen_from(frame, boundary.force() / boundary.force().norm());
         for (unsigned int c = 0; c < 3; ++c)
           directions(i + c * n_nodes(), column[node.boundary]) = direction(c);
         largest_approach[node.boundary] =

@@ -283,6 +283,23 @@ namespace stiction
     return result;
   }
 
+  ContactSurface::Slide ContactSurface::slide(const ContactBoundary &pair,
+                                              const State &state) const
+  {
+    const Eigen::VectorXd moved = relative_displacement(state);
+    Slide farthest;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (const ContactNode &node = nodes_[i];
+          boundaries_[node.boundary].id() == pair.id() && state.lambda(i) > 0.)
+        {
+          const double way     = (node.axes() * at_node(moved, i)).tail<2>().norm();
+          const double spacing = std::sqrt(areas_(i));
+          if (way * farthest.spacing > farthest.way * spacing)
+            farthest = {way, spacing};
+        }
+    return farthest;
+  }
+
   ContactOperator::OtherSide ContactSurface::other_side(
     const LinearElasticity &elasticity) const
   {

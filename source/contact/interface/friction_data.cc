@@ -103,6 +103,11 @@ namespace stiction
 
   FrictionData::~FrictionData() = default;
 
+  bool FrictionData::is_orthotropic() const
+  {
+    return bound_ && bound_->function->n_components == 2;
+  }
+
   bool FrictionData::depends_on_rubbing() const
   {
     return bound_ && bound_->function->has_quantities();

@@ -31,8 +31,7 @@ namespace stiction
       state.history.path.size() > 0 ? state.history.path : Eigen::VectorXd::Zero(m);
     if (state.lambda.size() == 0)
       return path;
-    const Eigen::VectorXd r =
-      surface.motion().offset(state.distances) - surface.B().apply(state.u);
+    const Eigen::VectorXd r = surface.gap_and_slip(state);
     for (Eigen::Index i = 0; i < m; ++i)
       if (state.lambda(i) > 0.)
         {

@@ -16,7 +16,11 @@ namespace stiction
                   "separated by '|'. A boundary is given by its number or its "
                   "name. Each component is a formula in x, y, z, t, or 'free': "
                   "'left : 0; free; free' is a roller or a plane of symmetry. "
-                  "Unit: of length. Zeros clamp the face. Empty: none.",
+                  "Unit: of length. Zeros clamp the face. Nodes of a contact boundary "
+                  "that are held along an obstacle in both directions slip as they are "
+                  "moved, with friction that the supports bear; one that is held in one "
+                  "direction, or lies opposite to another body, slips in what is held "
+                  "without friction, which a warning tells. Empty: none.",
                   prm, Patterns::Anything());
     add_parameter("Prescribed points", prescribed_points,
                   "Place of a node and its displacement, 'x; y; z : ux; uy; "

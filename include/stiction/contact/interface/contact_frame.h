@@ -21,8 +21,9 @@ namespace stiction
   /// ‖y_t‖ ≤ F1 y_ν with s = (1, F2/F1), y_t = λ_t/s and w_t = s u_t: slip
   /// along the ellipse's normal is slip along y_t.
   ///
-  /// A direction in which the displacement is prescribed is held, s = 0: what
-  /// happens there is the support's, w = 0 and y = 0.
+  /// A direction in which the displacement is prescribed is held, s = 0: what happens
+  /// there is the support's, w = 0 and y = 0; see
+  /// ContactSurface::add_friction_on_supports().
   struct ContactFrame
   {
     dealii::Tensor<1, 3> normal;           ///< n, unit, towards the obstacle

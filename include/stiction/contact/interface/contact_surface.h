@@ -137,6 +137,30 @@ namespace stiction
     /// them, with pressed ones at distances δ; length 3m by Cartesian components, m.
     Eigen::VectorXd obstacle_displacements(const Eigen::VectorXd &distances) const;
 
+    /// r: gaps d − n·u and slips since the end of the last step, in contact variables, m.
+    /// Collective.
+    Eigen::VectorXd gap_and_slip(const State &state) const;
+
+    /// Adds to the contact forces friction at dragged nodes, those that supports hold in
+    /// both tangential directions opposite to an obstacle: as large as the law allows and
+    /// against the slip, none where there is no slip. The supports bear it and nothing
+    /// else moves, so that solvers know nothing of it. Collective.
+    void add_friction_on_supports(State &state) const;
+
+    /// Contact variables without what dragged nodes have in tangential directions.
+    Eigen::VectorXd without_dragged(Eigen::VectorXd variables) const;
+
+    /// Contact forces on obstacles and masters' side, by blocks (x; y; z), N.
+    Eigen::VectorXd forces(const Eigen::VectorXd &lambda) const;
+
+    /// dst += factor Bᵀ λ, with friction at dragged nodes. Collective.
+    void add_forces(double factor, const Eigen::VectorXd &lambda, LA::Vector &dst) const;
+
+    /// The part of the normal force that is borne by nodes which supports make slip
+    /// though no friction acts in that direction: neither wholly held nor free, or slaves
+    /// of a pair, or with an ellipse. By contact boundary. Collective.
+    std::vector<double> frictionless_parts(const State &state) const;
+
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
 
@@ -199,6 +223,15 @@ namespace stiction
     BeyondEdge beyond_edge(const ContactBoundary &pair,
                            const Eigen::VectorXd &lambda) const;
 
+    /// Of the pressed node of a pair that is farthest from where it was on the other
+    /// side, measured by the distance of nodes there: the way along the surface and that
+    /// distance, m. Collective.
+    struct Slide
+    {
+      double way = 0., spacing = 1.;
+    };
+    Slide slide(const ContactBoundary &pair, const State &state) const;
+
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }
 
@@ -209,7 +242,8 @@ namespace stiction
     /// The contact node with this unknown as its first, -1 if there is none.
     Eigen::Index node_of(dealii::types::global_dof_index first_dof) const;
 
-    /// From displacements to those of the contact nodes, and forces back.
+    /// From displacements to those of the contact nodes, and forces back; as solvers see
+    /// them, with nothing in directions that are held.
     const ContactOperator &B() const { return B_; }
 
     /// The slip bound as a function of the contact forces: 0, A_i τ_c(x_i) or
@@ -248,6 +282,12 @@ namespace stiction
     ContactOperator::OtherSide other_side(const LinearElasticity &elasticity) const;
     void find_weights_of_other_side();
 
+    /// U − u since the end of the last step, by blocks (x; y; z).
+    Eigen::VectorXd slip_since_origin(const State &state) const;
+
+    /// Gives dragged nodes the scales of free ones, after B was made.
+    void find_dragged_nodes();
+
     /// Throws InputError if a force presses no node.
     void displace_obstacles();
 
@@ -255,6 +295,8 @@ namespace stiction
     std::vector<std::unique_ptr<Mortar>>
       mortars_; ///< of each, none of those with obstacles
     std::vector<ContactNode> nodes_, facing_away_;
+    std::vector<Eigen::Index> dragged_;
+    Eigen::VectorXd origin_; ///< of count_slip_from(), empty: none
     DofSubset facing_away_dofs_;
     ContactOperator B_;
     Eigen::VectorXd areas_;

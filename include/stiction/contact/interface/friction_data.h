@@ -51,6 +51,9 @@ namespace stiction
     /// Throws InputError for values that are not allowed at its place.
     void set(ContactNode &node) const;
 
+    /// Whether there are two values, of an ellipse.
+    bool is_orthotropic() const;
+
     /// Whether the values depend on pressure or slip.
     bool depends_on_rubbing() const;
 

@@ -1,0 +1,158 @@
+// What a user should know of an answer that the certificate does not tell.
+
+#include <stiction/base/log.h>
+#include <stiction/base/units.h>
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/deformation.h>
+#include <stiction/qp/advice.h>
+#include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/parameters/parameters.h>
+
+#include <deal.II/base/numbers.h>
+
+namespace stiction
+{
+  namespace
+  {
+    // Of Green's strain ε + ½ (∇u)ᵀ∇u linear elasticity leaves out the second part,
+    // from here on 5 % of the first, which is as much as materials are known to, or
+    // half a percent of strain in a body that turns.
+    constexpr double large_deformation = 0.1;
+
+    // Of the forces on a body: more is worth a word.
+    constexpr double badly_balanced = 0.01;
+
+    // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
+    constexpr double much_beyond_edge = 1. / 3.;
+
+    // Of the pressure where something lies opposite: edges of punches make two or three
+    // times that, by the mesh.
+    constexpr double high_beyond_edge = 10.;
+
+    // Of the force of a contact boundary: that much without friction is worth a word.
+    constexpr double much_without_friction = 0.01;
+
+    // Of the displacement: what comes into an obstacle by less is rounding.
+    constexpr double rounding_of_depth = 1e-6;
+
+    using Warnings = std::vector<std::string>;
+
+    void add_edge(const ContactBoundary &pair, const ContactSurface::BeyondEdge &beyond,
+                  Warnings &warnings)
+    {
+      const char *const name  = pair.name().c_str();
+      const char *const other = pair.partner_name().c_str();
+      const std::string remedy =
+        "let the other side bear the forces ('Slave side'), or make cells finer there.";
+      if (beyond.peak > high_beyond_edge)
+        warnings.push_back(
+          format("the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
+                 "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
+                 "trusted; %.0f %% of the force acts there; ",
+                 name, other, beyond.peak, name, 100. * beyond.share) +
+          remedy);
+      else if (beyond.share > much_beyond_edge)
+        warnings.push_back(
+          format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
+                 "beyond the edge of what lies opposite, by up to a cell: a body tips "
+                 "late, and pressures at such an edge are too large; ",
+                 100. * beyond.share, name, other, name) +
+          remedy);
+    }
+
+    void add_supports(const ContactBoundary &boundary, const double frictionless,
+                      Warnings &warnings)
+    {
+      if (frictionless > much_without_friction)
+        warnings.push_back(
+          format(
+            "'Prescribed displacement' makes nodes of '%s' slip that bear %.2g %% of "
+            "its force, without friction in the directions that it holds; prescribe "
+            "it where the boundary does not touch",
+            boundary.name().c_str(), 100. * frictionless) +
+          (boundary.is_pair() ? ", or let the other side bear the forces ('Slave side')."
+                              : "."));
+    }
+
+    void add_slide(const ContactBoundary &pair, const ContactSurface::Slide &slide,
+                   const Units &units, Warnings &warnings)
+    {
+      if (slide.way > slide.spacing)
+        warnings.push_back("nodes of '" + pair.name() + "' are " +
+                           with_unit(format("%.2g", slide.way), units.length) +
+                           " from where they were on '" + pair.partner_name() + "', " +
+                           format("%.1f", slide.way / slide.spacing) +
+                           " times the distance of nodes: gaps, normals and what lies "
+                           "opposite remain those "
+                           "of the undeformed bodies.");
+    }
+
+    void add_deformation(const Deformation &deformation, Warnings &warnings)
+    {
+      const auto &[strain, rotation] = deformation;
+      if (strain > large_deformation)
+        warnings.push_back(
+          format("strains of up to %.2g: linear elasticity is for small "
+                 "ones and leaves out what is quadratic in them, some %.0f "
+                 "%% of the strain there.",
+                 strain, 50. * strain));
+      if (rotation > large_deformation)
+        warnings.push_back(
+          format("the body turns by up to %.2g degrees: linear elasticity is for small "
+                 "rotations, and makes a strain of %.2g of this one.",
+                 rotation * 180. / dealii::numbers::PI, 0.5 * rotation * rotation));
+    }
+  } // namespace
+
+  std::vector<std::string> ContactProblem::warnings(
+    const double largest_displacement) const
+  {
+    const ContactSurface &surface = *discretization_->surface;
+    const Units units             = Units::named(parameters_.output.units);
+    Warnings warnings;
+    if (parameters_.has_locking())
+      warnings.push_back(
+        format("with a Poisson ratio of %g trilinear elements lock, bodies and "
+               "forces become too stiff, which the certificate does not see: "
+               "'Material/Volume strain = cell mean' does not lock.",
+               parameters_.material.largest_poisson_ratio()));
+    Deformation deformation = largest_deformation_;
+    if (status_.converged)
+      {
+        if (const std::string friction =
+              warning_on_friction(surface.largest_coefficient());
+            !friction.empty())
+          warnings.push_back(friction);
+        if (const double depth = surface.penetration_of_facing_away(state_);
+            depth > rounding_of_depth * largest_displacement)
+          warnings.push_back(
+            "a node that faces away from its obstacle came " +
+            with_unit(format("%.2g", depth), units.length) +
+            " into it; such nodes are no contact nodes, and the certificate does "
+            "not speak of them.");
+        if (const auto [body, lacking] = certificate_->worst_balanced();
+            lacking > badly_balanced)
+          warnings.push_back(format(
+            "forces on body '%s' are out of balance by %.2g %% of themselves, being "
+            "small "
+            "beside those of the others; lower 'Contact solver/Tolerance', or compute "
+            "it by itself.",
+            body_->pieces()[body].name.c_str(), 100. * lacking));
+        const std::vector<double> frictionless = surface.frictionless_parts(state_);
+        for (std::size_t b = 0; b < frictionless.size(); ++b)
+          add_supports(surface.boundaries()[b], frictionless[b], warnings);
+        for (const ContactBoundary &pair : surface.boundaries())
+          if (pair.is_pair() && !pair.is_tied())
+            {
+              add_edge(pair, surface.beyond_edge(pair, state_.lambda), warnings);
+              add_slide(pair, surface.slide(pair, state_), units, warnings);
+            }
+        deformation.include(largest_deformation(*body_, state_.u));
+      }
+    add_deformation(deformation, warnings);
+    return warnings;
+  }
+} // namespace stiction
