@@ -52,6 +52,10 @@ namespace stiction
     // steps are tried again: near the solution they need fewer and easier systems.
     constexpr double interior_point_part = 0.1;
 
+    // A body that contact alone holds was thrown away if gaps or slips have grown by this
+    // since the first state with contact forces.
+    constexpr double thrown = 10.;
+
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
     constexpr double settled = 1e-2;
 
@@ -103,6 +107,7 @@ namespace stiction
                                    const Observer &observer)
   {
     ContactResidual residual(problem_, state, problem_.slip_bound());
+    keep_first(state);
     std::deque<double> history;
     Pace pace;
     unsigned int stalls = 0, stalls_without_path = 0;
@@ -137,6 +142,7 @@ namespace stiction
             stands_still_ = true;
             return why_no_closer();
           }
+        keep_first(state);
         const std::size_t horizon = fall_horizon(stalls, residual.value());
         const bool falls =
           history.size() <= horizon ||
@@ -178,6 +184,12 @@ namespace stiction
         lambda   = state.lambda;
         history.push_back(residual.value());
       }
+  }
+
+  void LevelNewton::keep_first(const ContactState &state)
+  {
+    if (!first_ && problem_.driven_motions().cols() > 0 && !state.lambda.isZero(0.))
+      first_ = std::make_unique<ContactState>(state);
   }
 
   ContactResidual LevelNewton::measure(ContactState &state, const double tolerance) const
@@ -282,8 +294,10 @@ namespace stiction
   {
     if (!path_)
       {
-        path_ = std::make_unique<PrimalInteriorPoint>(problem_, system_, state,
-                                                      0.5 * tolerance);
+        const bool is_thrown = first_ && state.w.lpNorm<Eigen::Infinity>() >
+                                           thrown * first_->w.lpNorm<Eigen::Infinity>();
+        path_ = std::make_unique<PrimalInteriorPoint>(
+          problem_, system_, is_thrown ? *first_ : state, 0.5 * tolerance);
         ++statistics_.fallbacks;
       }
     const double target =

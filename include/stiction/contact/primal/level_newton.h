@@ -124,6 +124,10 @@ namespace stiction
     /// help.
     std::string why_no_closer() const;
 
+    /// Keeps the first state with contact forces of bodies that these alone hold: Newton
+    /// steps may throw them away.
+    void keep_first(const ContactState &state);
+
     /// One Newton step with the present ρ, from the states that λ sorts nodes into.
     void step(ContactState &state, Eigen::VectorXd lambda,
               const ContactResidual &residual, double tolerance);
@@ -139,6 +143,7 @@ namespace stiction
     const Options options_;
     NewtonSystem system_;
     double c_;
+    std::unique_ptr<ContactState> first_;       // of keep_first()
     std::unique_ptr<PrimalInteriorPoint> path_; // while it can be followed on
     bool stands_still_ = false;
 
