@@ -41,6 +41,7 @@ LAYERS = (  # from the ground up
     "output/history",
     "simulation/parameters",
     "simulation/checkpoint",
+    "simulation/solvers",
     "simulation",
     "",  # main.cc
 )

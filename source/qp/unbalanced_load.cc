@@ -18,6 +18,10 @@ namespace stiction::qp
     // A force gains nothing if the cosine of its work with what is left is below this.
     constexpr double least_gain = 1e-9;
 
+    // Of what a force could do at its node at best: with less it would have to be a
+    // million times as large as what it bears. Normals of a mesh are no better known.
+    constexpr double least_work = 1e-6;
+
     // Of all motions of all nodes: less is none.
     constexpr double rounding = 1e-10;
 
@@ -120,6 +124,10 @@ namespace stiction::qp
       return slip_bound.is_tied(i) ? motion.normalized()
                                    : along(motion, 1., slip_bound.coefficient()(i));
     };
+    const auto size_at = [&, &G = G](const Eigen::Index i) {
+      return std::sqrt(G.row(i).squaredNorm() + G.row(i + m).squaredNorm() +
+                       G.row(i + 2 * m).squaredNorm());
+    };
     // given friction acts as a whole or in part: the parts and what is left are one
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
     b.head(n)         = e;
@@ -147,7 +155,8 @@ namespace stiction::qp
               continue;
             work =
               force(0) * G.row(i) + force(1) * G.row(i + m) + force(2) * G.row(i + 2 * m);
-            if (force.dot(motion) > most * work.norm())
+            const double all = force.norm() * size_at(i);
+            if (work.norm() > least_work * all && force.dot(motion) > most * work.norm())
               {
                 most = force.dot(motion) / work.norm();
                 best = i;

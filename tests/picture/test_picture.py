@@ -12,7 +12,7 @@ from shapes import contact_on, cylinder_side, hexahedra, joined, mesh_of, side
 # found by shapes, which ends with "skipped" where there is no numpy
 import matplotlib
 import numpy as np
-from render_parts import history, meshes, page, panels, words
+from render_parts import history, meshes, page, panels, results, words
 
 
 class Surface(unittest.TestCase):
@@ -241,6 +241,24 @@ class Page(unittest.TestCase):
     def test_no_friction(self):
         self.assertIn("no friction",
                       self.check((4, 3, 1), [(2, 1)], (0, 0, 0)))
+
+
+class Released(unittest.TestCase):
+    """Whether a history ends with a body that was let go."""
+
+    def check(self, energies, released):
+        steps = [{} if energy is None else {"energy": {"elastic_energy": energy}}
+                 for energy in energies]
+        self.assertEqual(results.is_released({"steps": steps}), released)
+
+    def test_energies(self):
+        self.check([1, 2, 1e-20], True)
+        self.check([1, 2, 1e-3], False)
+        self.check([0], False)
+        self.assertFalse(results.is_released({}))
+
+    def test_a_last_step_that_is_not_certified(self):
+        self.check([1, 2, None], False)
 
 
 class Curves(unittest.TestCase):

@@ -4,7 +4,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/simulation/contact_solver.h>
+#include <stiction/simulation/solvers/contact_solver.h>
 
 #include <memory>
 

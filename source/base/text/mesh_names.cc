@@ -13,8 +13,7 @@ namespace stiction
     , how_to_name_(std::move(how_to_name))
   {
     for (const auto &name : names)
-      if (ids_.count(name.second) != 0)
-        names_.insert(name);
+      (ids_.count(name.second) != 0 ? names_ : absent_).insert(name);
   }
 
   MeshNames MeshNames::brick_boundaries()
@@ -40,6 +39,13 @@ namespace stiction
     std::vector<std::string> names;
     for (const auto &other : names_)
       names.push_back(other.first);
+    if (kind_ == "boundary" && absent_.count(name) != 0)
+      throw InputError(location + ": boundary '" + name +
+                       "' of the mesh file must be on the outside of the mesh, and has "
+                       "no face there; where bodies meet that are to be two, each must "
+                       "have nodes of its own and a boundary of its own name; on the "
+                       "outside there are " +
+                       known + ".");
     throw InputError(
       location + ": the mesh has no " + kind_ + " " +
       (is_number ? name : "'" + name + "'") + did_you_mean(name, names) + ", it has " +

@@ -87,16 +87,29 @@ namespace stiction
 
       const auto p = static_cast<std::size_t>(largest - extents.begin());
       Runaway runaway{"the body", motions[p], body.pieces()[p].radius(), {}, work};
+      // of a mechanism each body has its own motion
+      const auto moves_alike = [&](const std::size_t q) {
+        const RigidMotion &other = motions[q];
+        return (other.at(other.centre) - motions[p].at(other.centre)).norm() +
+                 (other.rotation - motions[p].rotation).norm() *
+                   body.pieces()[q].radius() <
+               moves_along * *largest;
+      };
       std::vector<std::string> names;
+      bool are_alike = true;
       for (std::size_t q = 0; q < n; ++q)
         if (extents[q] >= moves_along * *largest)
           {
-            names.push_back('\'' + body.pieces()[q].name + '\'');
+            if (moves_alike(q))
+              names.push_back('\'' + body.pieces()[q].name + '\'');
+            else
+              are_alike = false;
             for (unsigned int c = 0; c < 3; ++c)
               runaway.load[c] += loads[3 * q + c];
           }
       if (n > 1)
-        runaway.who = (names.size() > 1 ? "bodies " : "body ") + listed(names);
+        runaway.who = (names.size() > 1 ? "bodies " : "body ") + listed(names) +
+                      (are_alike ? "" : ", with others in their own ways,");
       return runaway;
     }
 

@@ -34,17 +34,18 @@ namespace stiction
                "'Material' has it. Unit: of stress.");
     add_number(*this, "Poisson ratio", poisson_ratio, "nu of the whole body.");
     add_number(*this, "Density", density,
-               "Mass density of the whole body. Unit: of mass per volume.");
+               "Mass density of the whole body, >= 0. Unit: of mass per volume.");
   }
 
   void PlacedBody::complete(const ParameterFile &source)
   {
     locate(source);
     check(source);
-    for (const auto &[said, text] : {std::make_pair(youngs_modulus, "Young's modulus"),
-                                     std::make_pair(density, "Density")})
-      source.require(is_sane(said.value_or(1.)), entry(text),
-                     "must be a number > 0, from 1e-30 to 1e30");
+    source.require(is_sane(youngs_modulus.value_or(1.)), entry("Young's modulus"),
+                   "must be a number > 0, from 1e-30 to 1e30");
+    const double rho = density.value_or(0.);
+    source.require(rho == 0. || is_sane(rho), entry("Density"),
+                   "must be 0 or a number > 0, from 1e-30 to 1e30");
     const double nu = poisson_ratio.value_or(0.);
     source.require(nu > -1. && nu < 0.5, entry("Poisson ratio"),
                    "must be above -1 and below 0.5");

@@ -1,6 +1,7 @@
 // What contact forces can balance: a block on a table, whose limits of sliding and
 // tipping are known, by Coulomb's law and given friction; few nodes and many; a motion
-// that nothing stops does more work than any contact forces; no units.
+// that nothing stops does more work than any contact forces; no units; normals across a
+// motion but for the rounding of a mesh do not bear it.
 
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/unbalanced_load.h>
@@ -32,6 +33,18 @@ namespace
         balance.G.row(i)         = Z.row(2); // n = −z
         balance.G.row(i + m)     = -Z.row(0);
         balance.G.row(i + 2 * m) = -Z.row(1);
+      }
+    return balance;
+  }
+
+  // A pin in a bore that can move along its axis alone, pushed with 1.
+  EqualityConstraint pin(const Index m)
+  {
+    EqualityConstraint balance{MatrixXd::Zero(3 * m, 1), VectorXd::Constant(1, -1.)};
+    for (Index i = 0; i < m; ++i)
+      {
+        balance.G(i, 0)     = i % 2 == 0 ? 1e-9 : -1e-9;
+        balance.G(i + m, 0) = -1.;
       }
     return balance;
   }
@@ -118,4 +131,8 @@ int main()
       check("no friction, slope 1e-5", block(n, 0.5, load(1e-5, 0., -1.)), smooth);
       check("no load", block(n, 0.5, load(0., 0., 0.)), rough);
     }
+  check("in a bore, too little friction", pin(10),
+        qp::SlipBound::given(VectorXd::Constant(10, 0.09)));
+  check("in a bore, enough friction", pin(10),
+        qp::SlipBound::given(VectorXd::Constant(10, 0.11)));
 }

@@ -21,7 +21,8 @@ namespace stiction
     /// The parts a mesh has, and the names of some of them.
     ///
     /// @param kind what they are, for messages: "boundary", "material".
-    /// @param names those of parts that the mesh does not have are left out.
+    /// @param names those of parts that the mesh does not have are left out, but a
+    ///   boundary of them is refused by the way it is absent.
     /// @param how_to_name said where a name is asked for and there are none: a sentence
     ///   on how the file gets names.
     MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names,
@@ -50,7 +51,7 @@ namespace stiction
   private:
     std::string kind_ = "boundary";
     std::set<Id> ids_;
-    std::map<std::string, Id> names_;
+    std::map<std::string, Id> names_, absent_;
     std::string how_to_name_;
   };
 } // namespace stiction

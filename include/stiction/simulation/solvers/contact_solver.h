@@ -1,5 +1,5 @@
-#ifndef stiction_simulation_contact_solver_h
-#define stiction_simulation_contact_solver_h
+#ifndef stiction_simulation_solvers_contact_solver_h
+#define stiction_simulation_solvers_contact_solver_h
 
 #include <stiction/qp/certified_solve.h>
 

@@ -1,7 +1,7 @@
-#ifndef stiction_simulation_primal_contact_solver_h
-#define stiction_simulation_primal_contact_solver_h
+#ifndef stiction_simulation_solvers_primal_contact_solver_h
+#define stiction_simulation_solvers_primal_contact_solver_h
 
-#include <stiction/simulation/contact_solver.h>
+#include <stiction/simulation/solvers/contact_solver.h>
 
 namespace stiction
 {

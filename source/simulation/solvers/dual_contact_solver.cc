@@ -19,7 +19,7 @@
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
 #include <stiction/qp/sensitivity.h>
-#include <stiction/simulation/dual_contact_solver.h>
+#include <stiction/simulation/solvers/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
 
 #include <Eigen/QR>

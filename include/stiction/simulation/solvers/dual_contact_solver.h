@@ -1,10 +1,10 @@
-#ifndef stiction_simulation_dual_contact_solver_h
-#define stiction_simulation_dual_contact_solver_h
+#ifndef stiction_simulation_solvers_dual_contact_solver_h
+#define stiction_simulation_solvers_dual_contact_solver_h
 
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/qp/rigid_place.h>
 #include <stiction/qp/solvers/solver_run.h>
-#include <stiction/simulation/contact_solver.h>
+#include <stiction/simulation/solvers/contact_solver.h>
 
 #include <Eigen/Core>
 
