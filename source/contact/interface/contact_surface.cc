@@ -26,8 +26,11 @@ namespace stiction
       return (product(at.pressure + h) - product(at.pressure - h)) / (2. * h);
     }
 
-    // Of the largest displacement: less is no slip.
+    // Of the largest displacement: less is no slip worth a word.
     constexpr double least_slip = 1e-3;
+
+    // ... and less is none: what is prescribed as zero is so but for rounding.
+    constexpr double rounding_of_slip = 1e-10;
 
     // The place of a boundary in the list, the list's size if it is not there.
     std::size_t index_of(const std::vector<ContactBoundary> &boundaries,
