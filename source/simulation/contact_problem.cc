@@ -116,14 +116,20 @@ namespace stiction
         counted_ = {};
       }
     open_output();
+    Eigen::VectorXd on_supports; // friction that solvers know nothing of
     if (state_.lambda.size() == 3 * surface->n_nodes())
-      state_.lambda = surface->without_dragged(state_.lambda);
+      {
+        on_supports = state_.lambda - surface->without_dragged(state_.lambda);
+        state_.lambda -= on_supports;
+      }
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
     if (ends_.empty())
       leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_.u);
     else
       leave_in_place(*elasticity, *surface, ends_.front().state.u, state_.u);
+    if (on_supports.size() == state_.lambda.size())
+      state_.lambda += on_supports;
     surface->add_friction_on_supports(state_);
     if (steps_)
       add_effort(timer.wall_time());

@@ -32,10 +32,10 @@ namespace stiction
     // times that, by the mesh.
     constexpr double high_beyond_edge = 10.;
 
-    // Of the force of a contact boundary: that much without friction is worth a word.
+    // A warning is given if more than this part of a force acts without friction.
     constexpr double much_without_friction = 0.01;
 
-    // Of the displacement: what comes into an obstacle by less is rounding.
+    // A depth in an obstacle below this part of the displacement is rounding.
     constexpr double rounding_of_depth = 1e-6;
 
     using Warnings = std::vector<std::string>;
@@ -69,7 +69,7 @@ namespace stiction
       if (frictionless > much_without_friction)
         warnings.push_back(
           format(
-            "'Prescribed displacement' makes nodes of '%s' slip that bear %.2g %% of "
+            "'Prescribed displacement' makes nodes of '%s' slip that bear %.0f %% of "
             "its force, without friction in the directions that it holds; prescribe "
             "it where the boundary does not touch",
             boundary.name().c_str(), 100. * frictionless) +

@@ -81,5 +81,14 @@ int main(int argc, char *argv[])
       pull(method, "with its plane",
            {held + "0; 0; free", "Boundary conditions/Obstacle displacement=0.1; 0; 0"},
            1.);
+
+      const Run run(shipped("brick.prm"), block + method.settings +
+                                            Settings{held + "0.1*min(t, 1); 0; free",
+                                                     "Time/Steps=1, 2, 3", "Time/End=3"});
+      const auto force =
+        run.summary()["contact"]["force_on_body"].get<std::array<double, 3>>();
+      out() << "pulled and held, " << method.name << ": certified " << yes(run.converged)
+            << ", friction stays " << yes(std::abs(force[0] / force[2] + 0.3) < 1e-6)
+            << std::endl;
     }
 }

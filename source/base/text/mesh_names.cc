@@ -41,9 +41,9 @@ namespace stiction
       names.push_back(other.first);
     if (kind_ == "boundary" && absent_.count(name) != 0)
       throw InputError(location + ": boundary '" + name +
-                       "' of the mesh file must be on the outside of the mesh, and has "
-                       "no face there; where bodies meet that are to be two, each must "
-                       "have nodes of its own and a boundary of its own name; on the "
+                       "' of the mesh file has no face on the outside of the mesh, must "
+                       "have some: faces inside lie between cells that share their "
+                       "nodes, bodies that are to be two need nodes of their own; on the "
                        "outside there are " +
                        known + ".");
     throw InputError(

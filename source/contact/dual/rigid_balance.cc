@@ -61,11 +61,12 @@ namespace stiction
     // A motion of all bodies that no contact forces can stop.
     struct Runaway
     {
-      std::string who;    // "the body", "body 'lid'", "bodies 'lid' and 'box'"
-      RigidMotion motion; // of the one that moves the most
-      double size;        // of this one
-      Tensor<1, 3> load;  // on those that move
-      double work;        // that contact leaves over
+      std::string who;      // "the body", "body 'lid'", "bodies 'lid' and 'box'"
+      RigidMotion motion;   // of the one that moves the most
+      double size;          // of this one
+      Tensor<1, 3> load;    // on those that move
+      double work;          // that contact leaves over
+      bool is_alone = true; // no other body moves in another way
     };
 
     Runaway find_runaway(const LinearElasticity &elasticity,
@@ -96,27 +97,26 @@ namespace stiction
                moves_along * *largest;
       };
       std::vector<std::string> names;
-      bool are_alike = true;
       for (std::size_t q = 0; q < n; ++q)
         if (extents[q] >= moves_along * *largest)
           {
             if (moves_alike(q))
               names.push_back('\'' + body.pieces()[q].name + '\'');
             else
-              are_alike = false;
+              runaway.is_alone = false;
             for (unsigned int c = 0; c < 3; ++c)
               runaway.load[c] += loads[3 * q + c];
           }
       if (n > 1)
         runaway.who = (names.size() > 1 ? "bodies " : "body ") + listed(names) +
-                      (are_alike ? "" : ", with others in their own ways,");
+                      (runaway.is_alone ? "" : ", with others in their own ways,");
       return runaway;
     }
 
     std::string in_words(const Runaway &runaway, const Tensor<1, 3> &normal,
                          const Units &units)
     {
-      const auto &[who, motion, size, load, work] = runaway;
+      const auto &[who, motion, size, load, work, is_alone] = runaway;
       const std::string s = who.rfind("bodies", 0) == 0 ? " " : "s ";
       const double turn   = motion.rotation.norm() * size;
       if (turn > least_turn * motion.translation.norm())
@@ -146,7 +146,7 @@ namespace stiction
                                 "along " + vector(direction, 1.) + ", where the loads ";
       const std::string bears = slides ? "friction bears" : "contact bears";
       // of bodies that move each in its own direction the work alone is known
-      if (pushing < (1. - no_force) * lacking)
+      if (!is_alone || pushing < (1. - no_force) * lacking)
         return moves + "push with " + with_unit(format("%.3g", lacking), units.force) +
                " more than " + bears;
       const double borne =

@@ -7,6 +7,7 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace stiction
@@ -208,12 +209,15 @@ namespace stiction
       return;
     const Eigen::VectorXd r     = gap_and_slip(state);
     const Eigen::VectorXd bound = slip_bound_.at(state.lambda);
+    const double least          = rounding_of_slip * state.u.linfty_norm();
     for (const Eigen::Index i : dragged_)
       {
-        const Eigen::Vector2d slip  = -at_node(r, i).tail<2>();
-        const Eigen::Vector2d force = slip.norm() > 0.
-                                        ? Eigen::Vector2d(bound(i) * slip.normalized())
-                                        : Eigen::Vector2d::Zero();
+        const Eigen::Vector2d slip = -at_node(r, i).tail<2>();
+        Eigen::Vector2d force      = at_node(state.lambda, i).tail<2>();
+        if (slip.norm() > least)
+          force = bound(i) * slip.normalized();
+        else if (force.norm() > bound(i))
+          force *= bound(i) / force.norm();
         set_at_node(state.lambda, i, {state.lambda(i), force(0), force(1)});
       }
   }
@@ -244,7 +248,7 @@ namespace stiction
 
   std::vector<double> ContactSurface::frictionless_parts(const State &state) const
   {
-    const Eigen::VectorXd slip  = slip_since_origin(state);
+    const Eigen::VectorXd slip  = relative_displacement(state);
     const Eigen::VectorXd bound = slip_bound_.at(state.lambda);
     const double least          = least_slip * state.u.linfty_norm();
     std::vector<double> parts(boundaries_.size(), 0.), all = parts;
@@ -252,7 +256,11 @@ namespace stiction
       {
         const ContactNode &node = nodes_[i];
         const double force      = std::max(state.lambda(i), 0.);
-        const Tensor<1, 3> s({slip(i), slip(i + n_nodes()), slip(i + 2 * n_nodes())});
+        // opposite to a plane of symmetry a mean of the other side would seem to slip
+        const Tensor<1, 3> s =
+          boundaries_[node.boundary].is_pair()
+            ? node.prescribed_displacement
+            : Tensor<1, 3>({slip(i), slip(i + n_nodes()), slip(i + 2 * n_nodes())});
         all[node.boundary] += force;
         if (bound(i) > 0. &&
             ((node.scale[0] == 0. && std::abs(s * node.tangent1) > least) ||

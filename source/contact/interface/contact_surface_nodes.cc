@@ -157,7 +157,7 @@ namespace stiction
 
   void ContactSurface::find_dragged_nodes()
   {
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = 1e-6; // normals of a mesh are no better known
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         ContactNode &node               = nodes_[i];

@@ -287,17 +287,16 @@ namespace stiction
                                               const State &state) const
   {
     const Eigen::VectorXd moved = relative_displacement(state);
-    Slide farthest;
+    double way = 0., area = 0., n = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       if (const ContactNode &node = nodes_[i];
           boundaries_[node.boundary].id() == pair.id() && state.lambda(i) > 0.)
         {
-          const double way     = (node.axes() * at_node(moved, i)).tail<2>().norm();
-          const double spacing = std::sqrt(areas_(i));
-          if (way * farthest.spacing > farthest.way * spacing)
-            farthest = {way, spacing};
+          way = std::max(way, (node.axes() * at_node(moved, i)).tail<2>().norm());
+          area += areas_(i);
+          n += 1.;
         }
-    return farthest;
+    return {way, n > 0. ? std::sqrt(area / n) : 1.};
   }
 
   ContactOperator::OtherSide ContactSurface::other_side(

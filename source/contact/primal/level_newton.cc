@@ -298,6 +298,7 @@ namespace stiction
                                            thrown * first_->w.lpNorm<Eigen::Infinity>();
         path_ = std::make_unique<PrimalInteriorPoint>(
           problem_, system_, is_thrown ? *first_ : state, 0.5 * tolerance);
+        first_.reset(); // a second path from there would be the same
         ++statistics_.fallbacks;
       }
     const double target =

@@ -70,6 +70,7 @@ namespace stiction
     std::vector<MUMPS_INT> rows, columns, permutation, schur_list;
     std::vector<double> values;
     std::vector<bool> is_listed; // of all entries of the lower triangle
+    bool is_analysed     = false;
     MUMPS_INT no_integer = 0;
     double no_number     = 0.;
   };
@@ -113,7 +114,10 @@ namespace stiction
     const bool is_new = find_entries(matrix);
     copy_values(matrix);
     if (dealii::Utilities::MPI::max(is_new ? 1 : 0, matrix.get_mpi_communicator()) == 1)
-      run_analysis();
+      {
+        run_analysis();
+        is_analysed = true;
+      }
     run_factorisation();
     values.clear();
     values.shrink_to_fit();
@@ -137,11 +141,11 @@ namespace stiction
       }
   }
 
-  // Enters what is not zero into the list of entries, from the second matrix on also what
-  // is: the third must not be analysed again. Returns whether something was new.
+  // Lists the entries that are not zero, of the second matrix on all entries: then a
+  // third one needs no analysis. Returns whether the list has grown.
   bool MumpsFactorization::Mumps::find_entries(const LA::SparseMatrix &matrix)
   {
-    const bool is_first = is_listed.empty();
+    const bool is_first = !is_analysed;
     bool is_new         = is_first;
     std::size_t k       = 0;
     for_each_lower_entry(matrix, [&](const int, const int, const double value) {

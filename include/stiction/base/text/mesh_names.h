@@ -21,8 +21,8 @@ namespace stiction
     /// The parts a mesh has, and the names of some of them.
     ///
     /// @param kind what they are, for messages: "boundary", "material".
-    /// @param names those of parts that the mesh does not have are left out, but a
-    ///   boundary of them is refused by the way it is absent.
+    /// @param names those of parts that the mesh does not have are left out; a boundary
+    ///   among them is refused with a sentence of its own.
     /// @param how_to_name said where a name is asked for and there are none: a sentence
     ///   on how the file gets names.
     MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names,

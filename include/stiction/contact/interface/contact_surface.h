@@ -143,8 +143,8 @@ namespace stiction
 
     /// Adds to the contact forces friction at dragged nodes, those that supports hold in
     /// both tangential directions opposite to an obstacle: as large as the law allows and
-    /// against the slip, none where there is no slip. The supports bear it and nothing
-    /// else moves, so that solvers know nothing of it. Collective.
+    /// against the slip; without slip what is there, up to that. The supports bear it and
+    /// nothing else moves, so that solvers know nothing of it. Collective.
     void add_friction_on_supports(State &state) const;
 
     /// Contact variables without what dragged nodes have in tangential directions.
@@ -156,9 +156,9 @@ namespace stiction
     /// dst += factor Bᵀ λ, with friction at dragged nodes. Collective.
     void add_forces(double factor, const Eigen::VectorXd &lambda, LA::Vector &dst) const;
 
-    /// The part of the normal force that is borne by nodes which supports make slip
-    /// though no friction acts in that direction: neither wholly held nor free, or slaves
-    /// of a pair, or with an ellipse. By contact boundary. Collective.
+    /// The part of the normal force of each contact boundary that nodes bear which
+    /// supports hold in a direction, in which no friction acts, and along which they have
+    /// slipped. Dragged nodes are none of them. Collective.
     std::vector<double> frictionless_parts(const State &state) const;
 
     /// U − u of the contact nodes, see SlipHistory. Collective.
@@ -223,9 +223,8 @@ namespace stiction
     BeyondEdge beyond_edge(const ContactBoundary &pair,
                            const Eigen::VectorXd &lambda) const;
 
-    /// Of the pressed node of a pair that is farthest from where it was on the other
-    /// side, measured by the distance of nodes there: the way along the surface and that
-    /// distance, m. Collective.
+    /// How far a pressed node of a pair is at most from where it was on the other side,
+    /// along the surface, and the mean distance of these nodes, m. Collective.
     struct Slide
     {
       double way = 0., spacing = 1.;

@@ -43,7 +43,7 @@ namespace stiction
     ~MumpsFactorization();
 
     /// Factorises another matrix with the same sparsity pattern, which may have its zeros
-    /// elsewhere. Only the first time it is analysed again. Collective.
+    /// elsewhere. The first such matrix is analysed, later ones are not. Collective.
     void refactorize(const LA::SparseMatrix &matrix);
 
     /// S, of which only the lower triangle is set; on rank 0, empty elsewhere.
