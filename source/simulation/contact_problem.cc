@@ -116,12 +116,13 @@ namespace stiction
         counted_ = {};
       }
     open_output();
-    Eigen::VectorXd on_supports; // friction that solvers know nothing of
-    if (state_.lambda.size() == 3 * surface->n_nodes())
-      {
-        on_supports = state_.lambda - surface->without_dragged(state_.lambda);
-        state_.lambda -= on_supports;
-      }
+    // friction on supports at the end of the last step, of which solvers know nothing
+    Eigen::VectorXd on_supports = Eigen::VectorXd::Zero(3 * surface->n_nodes());
+    if (!ends_.empty() && ends_.front().state.lambda.size() == on_supports.size())
+      on_supports =
+        ends_.front().state.lambda - surface->without_dragged(ends_.front().state.lambda);
+    if (state_.lambda.size() == on_supports.size())
+      state_.lambda = surface->without_dragged(state_.lambda);
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
     if (ends_.empty())
