@@ -59,6 +59,9 @@ namespace stiction
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
     constexpr double settled = 1e-2;
 
+    // Of the displacement: a node that is no deeper than this only touches.
+    constexpr double rounding_of_gaps = 1e-12;
+
     // The factors on the first ρ that are tried in turn: mostly it was too
     // large, cycling, rarely too small.
     constexpr std::array<double, 6> rho_factors = {
@@ -131,6 +134,12 @@ namespace stiction
             residual = measure(state, tolerance);
             lambda   = state.lambda;
             observer(statistics_, residual);
+            if (!has_stepped && touches_only(state) &&
+                carries_rounding_only(residual, problem_.rounding_of_forces(state.u)))
+              {
+                drop_contact_forces(state);
+                return {};
+              }
             history.push_back(residual.value());
             pace.add(statistics_.n_steps(), residual.value());
           }
@@ -208,6 +217,13 @@ namespace stiction
            problem_.driven_motions().cols() == 0 &&
            problem_.slip_bound().constant().isZero(0.) &&
            problem_.motion().forces().isZero(0.);
+  }
+
+  bool LevelNewton::touches_only(const ContactState &state) const
+  {
+    return (state.w.head(problem_.n_nodes()).array() <=
+            rounding_of_gaps * state.u.linfty_norm())
+      .all();
   }
 
   void LevelNewton::drop_contact_forces(ContactState &state) const

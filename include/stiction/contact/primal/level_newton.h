@@ -106,6 +106,9 @@ namespace stiction
     /// are the rounding of K u. @param rounding that of all nodes, N.
     bool carries_rounding_only(const ContactResidual &residual, double rounding) const;
 
+    /// Whether no contact node is inside of its obstacle, but for rounding.
+    bool touches_only(const ContactState &state) const;
+
     /// Then there are no contact forces; the verifier has the last word.
     void drop_contact_forces(ContactState &state) const;
 
