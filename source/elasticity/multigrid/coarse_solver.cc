@@ -17,10 +17,6 @@
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <Epetra_CrsMatrix.h>
-
-#include <map>
-
 namespace stiction
 {
   using namespace dealii;
@@ -47,115 +43,38 @@ namespace stiction
       return indices;
     }
 
-    // Calls back with the columns and values of a row of this rank: deal.II's iterators
-    // copy it.
-    template<typename Callback>
-    void for_each_entry(const LA::SparseMatrix &matrix, const types::global_dof_index row,
-                        const Callback &callback)
-    {
-      const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-      int n_entries = 0, *columns = nullptr;
-      double *values = nullptr;
-      epetra.ExtractMyRowView(epetra.LRID(static_cast<int>(row)), n_entries, values,
-                              columns);
-      for (int k = 0; k < n_entries; ++k)
-        callback(static_cast<types::global_dof_index>(epetra.GCID(columns[k])),
-                 values[k]);
-    }
-
-    // Calls back with rows of TᵀKT, those of a node at a time, that are to be added to
-    // each other: their first unknown, and 3 × 3 blocks by the first unknowns of columns.
-    // All three unknowns of a node follow each other.
-    template<typename Callback>
-    void for_each_row(const LA::SparseMatrix &K, const BasisTransformation &basis,
-                      const Callback &callback)
-    {
-      using Blocks = std::map<types::global_dof_index, Eigen::Matrix3d>;
-      std::unordered_map<types::global_dof_index, Blocks> rows_of_T;
-      const BasisTransformation::Matrix added = basis.added();
-      for (std::size_t i = 0; i < basis.slaves().size(); ++i)
-        {
-          Blocks &row = rows_of_T[basis.slaves()[i]];
-          for (Eigen::Index a = 0; a < 3; ++a)
-            for (BasisTransformation::Matrix::InnerIterator entry(
-                   added, 3 * static_cast<Eigen::Index>(i) + a);
-                 entry; ++entry)
-              row.try_emplace(basis.masters()[entry.col() / 3], Eigen::Matrix3d::Zero())
-                .first->second(a, entry.col() % 3) += entry.value();
-        }
-      const auto for_each_source = [&](const auto dof, const auto &take) {
-        take(dof, Eigen::Matrix3d::Identity());
-        if (const auto slave = rows_of_T.find(dof); slave != rows_of_T.end())
-          for (const auto &[master, block] : slave->second)
-            take(master, block);
-      };
-
-      Blocks of_K, of_KT, of_TKT;
-      for (auto dof = K.local_range().first; dof < K.local_range().second; dof += 3)
-        {
-          of_K.clear();
-          of_KT.clear();
-          for (unsigned int a = 0; a < 3; ++a)
-            for_each_entry(K, dof + a, [&](const auto column, const double value) {
-              of_K.try_emplace(column / 3 * 3, Eigen::Matrix3d::Zero())
-                .first->second(a, column % 3) = value;
-            });
-          for (const auto &[column, block] : of_K)
-            for_each_source(column, [&, &K_ij = block](const auto source, const auto &T) {
-              of_KT.try_emplace(source, Eigen::Matrix3d::Zero()).first->second +=
-                K_ij * T;
-            });
-          for_each_source(dof, [&](const auto source, const Eigen::Matrix3d &T) {
-            of_TKT = of_KT;
-            for (auto &column : of_TKT)
-              column.second = (T.transpose() * column.second).eval();
-            callback(source, of_TKT);
-          });
-        }
-    }
-
     // TᵀKT.
     std::unique_ptr<LA::SparseMatrix> transformed(const LA::SparseMatrix &K,
                                                   const BasisTransformation &basis,
                                                   const MeshLevel &level)
     {
       const IndexSet &owned = level.partitioner()->locally_owned_range();
-      IndexSet relevant     = owned;
-      for (const auto dof : unknowns_of(basis.masters()))
-        relevant.add_index(dof);
-      DynamicSparsityPattern pattern(relevant);
-      Indices columns;
-      const auto find_columns = [&](const auto &row) {
-        columns.clear();
-        for (const auto &column : row)
-          for (unsigned int c = 0; c < 3; ++c)
-            columns.push_back(column.first + c);
+      const BasisTransformation::Matrix added = basis.added(); // T − 1
+      const Indices rows                      = unknowns_of(basis.slaves()),
+                    columns                   = unknowns_of(basis.masters());
+      const auto for_each_entry_of_T          = [&](const auto &take) {
+        for (const auto dof : owned)
+          take(dof, dof, 1.);
+        for (Eigen::Index i = 0; i < added.outerSize(); ++i)
+          if (owned.is_element(rows[i]))
+            for (BasisTransformation::Matrix::InnerIterator entry(added, i); entry;
+                 ++entry)
+              take(rows[i], columns[entry.col()], entry.value());
       };
-      for_each_row(K, basis, [&](const auto dof, const auto &row) {
-        find_columns(row);
-        for (unsigned int a = 0; a < 3; ++a)
-          pattern.add_entries(dof + a, columns.begin(), columns.end(), true);
+      DynamicSparsityPattern pattern(owned);
+      for_each_entry_of_T([&](const auto row, const auto column, const double) {
+        for (unsigned int c = 0; c < 3; ++c) // nodes are coupled in all directions
+          pattern.add(row, column / 3 * 3 + c);
       });
-      SparsityTools::distribute_sparsity_pattern(pattern, owned, level.communicator(),
-                                                 relevant);
+      LA::SparseMatrix T, KT;
+      T.reinit(owned, owned, pattern, level.communicator());
+      for_each_entry_of_T([&](const auto row, const auto column, const double value) {
+        T.add(row, column, value);
+      });
+      T.compress(VectorOperation::add);
+      K.mmult(KT, T);
       auto matrix = std::make_unique<LA::SparseMatrix>();
-      matrix->reinit(owned, owned, pattern, level.communicator());
-
-      FullMatrix<double> values;
-      for_each_row(K, basis, [&](const auto dof, const auto &row) {
-        find_columns(row);
-        values.reinit(3, static_cast<unsigned int>(columns.size()));
-        unsigned int j = 0;
-        for (const auto &column : row)
-          {
-            for (unsigned int a = 0; a < 3; ++a)
-              for (unsigned int b = 0; b < 3; ++b)
-                values(a, j + b) = column.second(a, b);
-            j += 3;
-          }
-        matrix->add({dof, dof + 1, dof + 2}, columns, values);
-      });
-      matrix->compress(VectorOperation::add);
+      T.Tmmult(*matrix, KT);
       return matrix;
     }
   } // namespace
@@ -217,9 +136,8 @@ namespace stiction
     const auto n          = static_cast<Eigen::Index>(level_.n_dofs());
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
     for (const auto row : level_.partitioner()->locally_owned_range())
-      for_each_entry(matrix, row, [&](const auto column, const double value) {
-        dense(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = value;
-      });
+      for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+        dense(row, entry->column()) = entry->value();
     Utilities::MPI::sum(ArrayView<const double>(dense.data(), dense.size()),
                         level_.communicator(),
                         ArrayView<double>(dense.data(), dense.size()));
