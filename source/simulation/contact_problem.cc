@@ -41,6 +41,7 @@
 #include <nlohmann/json.hpp>
 
 #include <stdexcept>
+#include <utility>
 
 namespace stiction
 {
@@ -116,22 +117,15 @@ namespace stiction
         counted_ = {};
       }
     open_output();
-    // friction on supports at the end of the last step, of which solvers know nothing
-    Eigen::VectorXd on_supports = Eigen::VectorXd::Zero(3 * surface->n_nodes());
-    if (!ends_.empty() && ends_.front().state.lambda.size() == on_supports.size())
-      on_supports =
-        ends_.front().state.lambda - surface->without_dragged(ends_.front().state.lambda);
-    if (state_.lambda.size() == on_supports.size())
-      state_.lambda = surface->without_dragged(state_.lambda);
+    state_.lambda = surface->without_dragged(std::move(state_.lambda));
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
     if (ends_.empty())
       leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_.u);
     else
       leave_in_place(*elasticity, *surface, ends_.front().state.u, state_.u);
-    if (on_supports.size() == state_.lambda.size())
-      state_.lambda += on_supports;
-    surface->add_friction_on_supports(state_);
+    surface->add_friction_on_supports(state_, ends_.empty() ? Eigen::VectorXd()
+                                                            : ends_.front().state.lambda);
     if (steps_)
       add_effort(timer.wall_time());
   }

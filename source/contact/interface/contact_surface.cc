@@ -203,7 +203,8 @@ namespace stiction
     return r;
   }
 
-  void ContactSurface::add_friction_on_supports(State &state) const
+  void ContactSurface::add_friction_on_supports(State &state,
+                                                const Eigen::VectorXd &before) const
   {
     if (dragged_.empty())
       return;
@@ -213,7 +214,9 @@ namespace stiction
     for (const Eigen::Index i : dragged_)
       {
         const Eigen::Vector2d slip = -at_node(r, i).tail<2>();
-        Eigen::Vector2d force      = at_node(state.lambda, i).tail<2>();
+        Eigen::Vector2d force      = Eigen::Vector2d::Zero();
+        if (before.size() == state.lambda.size())
+          force = at_node(before, i).tail<2>();
         if (slip.norm() > least)
           force = bound(i) * slip.normalized();
         else if (force.norm() > bound(i))
@@ -224,8 +227,9 @@ namespace stiction
 
   Eigen::VectorXd ContactSurface::without_dragged(Eigen::VectorXd variables) const
   {
-    for (const Eigen::Index i : dragged_)
-      set_at_node(variables, i, {variables(i), 0., 0.});
+    if (variables.size() == 3 * n_nodes())
+      for (const Eigen::Index i : dragged_)
+        set_at_node(variables, i, {variables(i), 0., 0.});
     return variables;
   }
 

@@ -121,8 +121,7 @@ namespace stiction
       {
         if (has_stepped && residual.value() <= tolerance)
           {
-            if (carries_rounding_only(residual, problem_.rounding_of_forces(state.u)))
-              drop_contact_forces(state);
+            drop_rounding(state, residual);
             return {};
           }
         if (statistics_.n_steps() >= max_steps)
@@ -134,12 +133,8 @@ namespace stiction
             residual = measure(state, tolerance);
             lambda   = state.lambda;
             observer(statistics_, residual);
-            if (!has_stepped && touches_only(state) &&
-                carries_rounding_only(residual, problem_.rounding_of_forces(state.u)))
-              {
-                drop_contact_forces(state);
-                return {};
-              }
+            if (!has_stepped && touches_only(state) && drop_rounding(state, residual))
+              return {};
             history.push_back(residual.value());
             pace.add(statistics_.n_steps(), residual.value());
           }
@@ -159,13 +154,10 @@ namespace stiction
         if (falls && !options_.only_fallback)
           continue;
 
-        const double rounding = problem_.rounding_of_forces(state.u);
-        if (carries_rounding_only(residual, rounding))
-          {
-            drop_contact_forces(state);
-            return {};
-          }
-        if (is_rounding(residual.value(), rounding / residual.force_scale))
+        if (drop_rounding(state, residual))
+          return {};
+        if (is_rounding(residual.value(),
+                        problem_.rounding_of_forces(state.u) / residual.force_scale))
           {
             // a step may have thrown a body far away that contact alone holds
             stands_still_ = problem_.driven_motions().cols() > 0;
@@ -210,13 +202,20 @@ namespace stiction
     return {problem_, state, problem_.slip_bound()};
   }
 
-  bool LevelNewton::carries_rounding_only(const ContactResidual &residual,
-                                          const double rounding) const
+  bool LevelNewton::drop_rounding(ContactState &state,
+                                  const ContactResidual &residual) const
   {
-    return residual.force_scale < only_rounding * rounding &&
-           problem_.driven_motions().cols() == 0 &&
-           problem_.slip_bound().constant().isZero(0.) &&
-           problem_.motion().forces().isZero(0.);
+    const bool is_rounding =
+      problem_.driven_motions().cols() == 0 &&
+      problem_.slip_bound().constant().isZero(0.) &&
+      problem_.motion().forces().isZero(0.) &&
+      residual.force_scale < only_rounding * problem_.rounding_of_forces(state.u);
+    if (is_rounding)
+      {
+        state.update(problem_);
+        state.lambda.setZero();
+      }
+    return is_rounding;
   }
 
   bool LevelNewton::touches_only(const ContactState &state) const
@@ -224,12 +223,6 @@ namespace stiction
     return (state.w.head(problem_.n_nodes()).array() <=
             rounding_of_gaps * state.u.linfty_norm())
       .all();
-  }
-
-  void LevelNewton::drop_contact_forces(ContactState &state) const
-  {
-    state.update(problem_);
-    state.lambda.setZero();
   }
 
   bool LevelNewton::slides(const ContactResidual &residual) const

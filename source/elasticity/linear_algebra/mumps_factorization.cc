@@ -35,6 +35,24 @@ namespace stiction
     {
       return container.size() == 0 ? &nothing : container.data();
     }
+
+    // Calls back with the entries of the lower triangle: row, column and value.
+    template<typename Callback>
+    void for_each_lower_entry(const LA::SparseMatrix &matrix, const Callback &callback)
+    {
+      const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
+      for (int i = 0; i < K.NumMyRows(); ++i)
+        {
+          int n_entries   = 0;
+          double *entries = nullptr;
+          int *indices    = nullptr;
+          K.ExtractMyRowView(i, n_entries, entries, indices);
+          const int row = K.GRID(i);
+          for (int k = 0; k < n_entries; ++k)
+            if (const int column = K.GCID(indices[k]); column <= row)
+              callback(row, column, entries[k]);
+        }
+    }
   } // namespace
 
   struct MumpsFactorization::Mumps
@@ -121,24 +139,6 @@ namespace stiction
     run_factorisation();
     values.clear();
     values.shrink_to_fit();
-  }
-
-  // Calls back with the entries of the lower triangle: row, column and value.
-  template<typename Callback>
-  void for_each_lower_entry(const LA::SparseMatrix &matrix, const Callback &callback)
-  {
-    const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
-    for (int i = 0; i < K.NumMyRows(); ++i)
-      {
-        int n_entries   = 0;
-        double *entries = nullptr;
-        int *indices    = nullptr;
-        K.ExtractMyRowView(i, n_entries, entries, indices);
-        const int row = K.GRID(i);
-        for (int k = 0; k < n_entries; ++k)
-          if (const int column = K.GCID(indices[k]); column <= row)
-            callback(row, column, entries[k]);
-      }
   }
 
   // Lists the entries that are not zero, of the second matrix on all entries: then a

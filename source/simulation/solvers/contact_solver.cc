@@ -1,9 +1,9 @@
 #include <stiction/base/log.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/solvers/contact_solver.h>
 #include <stiction/simulation/solvers/dual_contact_solver.h>
-#include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/solvers/primal_contact_solver.h>
 
 namespace stiction

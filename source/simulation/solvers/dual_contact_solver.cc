@@ -19,8 +19,8 @@
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
 #include <stiction/qp/sensitivity.h>
-#include <stiction/simulation/solvers/dual_contact_solver.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/solvers/dual_contact_solver.h>
 
 #include <Eigen/QR>
 

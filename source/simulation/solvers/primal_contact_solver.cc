@@ -9,9 +9,9 @@
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/simulation/solvers/dual_contact_solver.h>
 #include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/solvers/dual_contact_solver.h>
 #include <stiction/simulation/solvers/primal_contact_solver.h>
 
 namespace stiction

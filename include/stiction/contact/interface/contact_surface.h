@@ -143,11 +143,15 @@ namespace stiction
 
     /// Adds to the contact forces friction at dragged nodes, those that supports hold in
     /// both tangential directions opposite to an obstacle: as large as the law allows and
-    /// against the slip; without slip what is there, up to that. The supports bear it and
+    /// against the slip; without slip what it was, up to that. The supports bear it and
     /// nothing else moves, so that solvers know nothing of it. Collective.
-    void add_friction_on_supports(State &state) const;
+    ///
+    /// @param before the contact forces at the end of the last step; none if of another
+    ///   length.
+    void add_friction_on_supports(State &state, const Eigen::VectorXd &before) const;
 
-    /// Contact variables without what dragged nodes have in tangential directions.
+    /// Contact variables, if they are known, without what dragged nodes have in
+    /// tangential directions.
     Eigen::VectorXd without_dragged(Eigen::VectorXd variables) const;
 
     /// Contact forces on obstacles and masters' side, by blocks (x; y; z), N.

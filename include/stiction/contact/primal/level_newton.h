@@ -102,15 +102,14 @@ namespace stiction
     /// the linear solver carried along.
     ContactResidual measure(ContactState &state, double tolerance) const;
 
-    /// Whether the body is only moved and touches nothing, so that all forces
-    /// are the rounding of K u. @param rounding that of all nodes, N.
-    bool carries_rounding_only(const ContactResidual &residual, double rounding) const;
+    /// If the body is only moved and touches nothing, so that all forces are the rounding
+    /// of K u: takes the contact forces away; the verifier has the last word. Collective.
+    ///
+    /// @return whether it is so.
+    bool drop_rounding(ContactState &state, const ContactResidual &residual) const;
 
     /// Whether no contact node is inside of its obstacle, but for rounding.
     bool touches_only(const ContactState &state) const;
-
-    /// Then there are no contact forces; the verifier has the last word.
-    void drop_contact_forces(ContactState &state) const;
 
     /// Whether pressures have settled at which friction does not bear the loads of a body
     /// that contact alone holds: it slides, and no step changes that. Collective.
