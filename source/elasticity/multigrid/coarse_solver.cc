@@ -14,8 +14,12 @@
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <EpetraExt_MatrixMatrix.h>
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
 
 namespace stiction
 {
@@ -43,6 +47,51 @@ namespace stiction
       return indices;
     }
 
+    // Calls back with the columns and values of a row of this rank.
+    template<typename Callback>
+    void for_each_entry(const Epetra_CrsMatrix &matrix, const types::global_dof_index row,
+                        const Callback &callback)
+    {
+      int n_entries = 0, *columns = nullptr;
+      double *values = nullptr;
+      matrix.ExtractMyRowView(matrix.LRID(static_cast<int>(row)), n_entries, values,
+                              columns);
+      for (int k = 0; k < n_entries; ++k)
+        callback(static_cast<types::global_dof_index>(matrix.GCID(columns[k])),
+                 values[k]);
+    }
+
+    // The same matrix with whole blocks of nodes, one on the diagonal for each of them:
+    // products of matrices leave out entries that are zero, and all rows of hanging
+    // nodes.
+    std::unique_ptr<LA::SparseMatrix> of_nodal_blocks(const Epetra_CrsMatrix &product,
+                                                      const IndexSet &owned,
+                                                      MPI_Comm communicator)
+    {
+      DynamicSparsityPattern pattern(owned);
+      for (const auto row : owned)
+        {
+          Indices columns    = unknowns_of({row / 3 * 3});
+          const auto of_node = columns;
+          for_each_entry(product, row, [&](const auto column, const double) {
+            for (unsigned int c = 0; c < 3; ++c)
+              columns.push_back(column / 3 * 3 + c);
+          });
+          std::sort(columns.begin(), columns.end());
+          columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+          for (const auto of_same_node : of_node)
+            pattern.add_entries(of_same_node, columns.begin(), columns.end(), true);
+        }
+      auto matrix = std::make_unique<LA::SparseMatrix>();
+      matrix->reinit(owned, owned, pattern, communicator);
+      for (const auto row : owned)
+        for_each_entry(product, row, [&](const auto column, const double value) {
+          matrix->set(row, column, value);
+        });
+      matrix->compress(VectorOperation::insert);
+      return matrix;
+    }
+
     // TᵀKT.
     std::unique_ptr<LA::SparseMatrix> transformed(const LA::SparseMatrix &K,
                                                   const BasisTransformation &basis,
@@ -63,19 +112,19 @@ namespace stiction
       };
       DynamicSparsityPattern pattern(owned);
       for_each_entry_of_T([&](const auto row, const auto column, const double) {
-        for (unsigned int c = 0; c < 3; ++c) // nodes are coupled in all directions
-          pattern.add(row, column / 3 * 3 + c);
+        pattern.add(row, column);
       });
-      LA::SparseMatrix T, KT;
+      LA::SparseMatrix T;
       T.reinit(owned, owned, pattern, level.communicator());
       for_each_entry_of_T([&](const auto row, const auto column, const double value) {
         T.add(row, column, value);
       });
       T.compress(VectorOperation::add);
-      K.mmult(KT, T);
-      auto matrix = std::make_unique<LA::SparseMatrix>();
-      T.Tmmult(*matrix, KT);
-      return matrix;
+      const Epetra_CrsMatrix &left = T.trilinos_matrix();
+      Epetra_CrsMatrix KT(Copy, left.RowMap(), 0), TKT(Copy, left.RowMap(), 0);
+      EpetraExt::MatrixMatrix::Multiply(K.trilinos_matrix(), false, left, false, KT);
+      EpetraExt::MatrixMatrix::Multiply(left, true, KT, false, TKT);
+      return of_nodal_blocks(TKT, owned, level.communicator());
     }
   } // namespace
 
@@ -136,8 +185,9 @@ namespace stiction
     const auto n          = static_cast<Eigen::Index>(level_.n_dofs());
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
     for (const auto row : level_.partitioner()->locally_owned_range())
-      for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-        dense(row, entry->column()) = entry->value();
+      for_each_entry(
+        matrix.trilinos_matrix(), row,
+        [&](const auto column, const double value) { dense(row, column) = value; });
     Utilities::MPI::sum(ArrayView<const double>(dense.data(), dense.size()),
                         level_.communicator(),
                         ArrayView<double>(dense.data(), dense.size()));
