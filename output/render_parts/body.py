@@ -10,7 +10,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 from . import meshes, obstacles
 from .data import lines_of, set_up, surface_of
 
-OUTLINE, OBSTACLE, MESH = 0x555555, 0xA8A8A8, 0xFFFFFF
+OUTLINE, OBSTACLE, MESH, EDGE = 0x555555, 0xA8A8A8, 0xFFFFFF, 0x000000
 
 
 def rgb(color):
@@ -92,14 +92,16 @@ def picture(run, colors, box):
     factor = 1 if run.released else exaggeration(body.points, run.scale.displacement)
     basis = view_basis(body.points)
     highest = run.scale.stress
-    deformed = surface_of(body.points + factor * body.displacement, body.faces,
-                          body.stress)
+    moved = body.points + factor * body.displacement
+    deformed = surface_of(moved, body.faces, body.stress)
     faint = min(0.3, 14 / math.sqrt(len(body.faces)))
     edges = set_up(vtk.vtkExtractEdges(), InputData=deformed)
+    outline = meshes.outline(body.points, body.faces, basis[2])
     actors = [stress_actor(deformed, highest or 1, colors),
               actor_of(edges, MESH, LineWidth=1, Opacity=faint),
-              actor_of(lines_of(body.points, meshes.outline(
-                  body.points, body.faces, basis[2])), LineWidth=2)]
+              actor_of(lines_of(body.points, outline), LineWidth=2)]
+    if run.n_bodies > 1:  # which of them is where
+        actors.append(actor_of(lines_of(moved, outline), EDGE, LineWidth=2))
     how = None
     if run.obstacle is not None:
         how = obstacles.how(run, factor)

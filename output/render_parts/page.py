@@ -236,8 +236,7 @@ def draw_body(page, run, body_picture, height):
     words += ", lines: before loading"
     if body.obstacle is not None:
         words += f", grey: obstacle{body.obstacle}"
-    several = any(entry.get("opposite") for entry in run.summary["contact"]["boundaries"])
-    page.text(left, HEADER, "Deformed bodies" if several else "Deformed body",
+    page.text(left, HEADER, "Deformed bodies" if run.n_bodies > 1 else "Deformed body",
               fontweight="bold")
     page.text(left, HEADER + 0.2, words, SMALL)
     rows, columns = body.image.shape[:2]

@@ -111,7 +111,8 @@ def read(directory, tag="", time=None):
 
     tag: what the names of the files have behind the word; time: of a frame of
     which the summary does not speak.
-    body: points, outer faces, and displacement and stress at the points;
+    body: points, outer faces, and displacement and stress at the points, of all bodies;
+    n_bodies: how many there are;
     contact: faces of the same points, and fields at their corners, (n, 4) or
     (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
     what is shown, as steps with files are; released: whether only rounding is left at
@@ -146,6 +147,7 @@ def read(directory, tag="", time=None):
             pressure=panels.shown_pressure(contact, certified)[contact.cells].max()),
         units=words.units_of(summary),
         body=body,
+        n_bodies=len(np.unique(solution.body)),
         contact=contact_of(contact, number[n:], faces, len(first)),
         obstacle=read_obstacle(directory, tag))
 

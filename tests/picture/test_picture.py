@@ -154,7 +154,8 @@ class Page(unittest.TestCase):
                 np.resize(values, contact.faces.shape) for values in status)
         units = {"length": "mm", "force": "N", "stress": "MPa"}
         boundaries = [{"name": f"side {i}", "id": i} for i in range(len(sides))]
-        run = SimpleNamespace(name="a brick", contact=contact, units=units, time=time,
+        run = SimpleNamespace(name="a brick", n_bodies=1, contact=contact, units=units,
+                              time=time,
                               certified=converged or time is not None, scale=SimpleNamespace(pressure=contact.pressure.max()),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
