@@ -93,90 +93,155 @@ namespace stiction::qp
                                          tangential * v(2) / size)
                        : Eigen::Vector3d(normal, 0., 0.);
     }
+
+    // What contact forces can do against a load that is left, along the motion of the
+    // nodes that it is.
+    class ForceSearch
+    {
+    public:
+      ForceSearch(const Eigen::MatrixXd &G, const SlipBound &slip_bound,
+                  const double size)
+        : G_(G)
+        , slip_bound_(slip_bound)
+        , m_(slip_bound.n_nodes())
+        , size_(size)
+      {
+        for (Eigen::Index i = 0; i < m_; ++i)
+          has_given_ = has_given_ || slip_bound.is_given(i);
+      }
+
+      // Whether there is given friction. It acts as a whole or in part: the amounts of
+      // all its candidates add up to one with that of none().
+      bool has_given() const { return has_given_; }
+
+      // No given friction.
+      Candidate none() const { return candidate({}, size_); }
+
+      // The one that gains most, without work if none does.
+      Candidate best(const Eigen::VectorXd &left) const
+      {
+        const Eigen::VectorXd motion = G_ * left.head(G_.cols());
+        double gain                  = least_gain * left.norm();
+        Candidate next               = best_of_node(motion, gain);
+        if (!has_given_)
+          return next;
+        Candidate given = given_against(motion);
+        return given.work.dot(left) > gain * given.work.norm() ? given : next;
+      }
+
+    private:
+      Candidate candidate(std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces,
+                          const double share) const
+      {
+        const Eigen::Index n = G_.cols();
+        Candidate all{Eigen::VectorXd::Zero(n + 1), std::move(forces)};
+        for (const auto &[i, force] : all.forces)
+          all.work.head(n) += work(i, force);
+        all.work(n) = share;
+        return all;
+      }
+
+      Eigen::VectorXd work(const Eigen::Index i, const Eigen::Vector3d &force) const
+      {
+        return force(0) * G_.row(i) + force(1) * G_.row(i + m_) +
+               force(2) * G_.row(i + 2 * m_);
+      }
+
+      // Of those that grow without end the one that does most work.
+      Eigen::Vector3d largest_force(const Eigen::Index i,
+                                    const Eigen::Vector3d &motion) const
+      {
+        return slip_bound_.is_tied(i) ? motion.normalized()
+                                      : along(motion, 1., slip_bound_.coefficient()(i));
+      }
+
+      // The best of single nodes, by the work that a force does for its own length, if
+      // that is more than the gain, which it sets.
+      Candidate best_of_node(const Eigen::VectorXd &motion, double &gain) const
+      {
+        Eigen::Index best = -1;
+        for (Eigen::Index i = 0; i < m_; ++i)
+          {
+            const Eigen::Vector3d v     = at_node(motion, i);
+            const Eigen::Vector3d force = largest_force(i, v);
+            if (force.dot(v) <= 0.)
+              continue;
+            const double done = work(i, force).norm();
+            const double could =
+              force.norm() *
+              std::sqrt(G_.row(i).squaredNorm() + G_.row(i + m_).squaredNorm() +
+                        G_.row(i + 2 * m_).squaredNorm());
+            if (done > least_work * could && force.dot(v) > gain * done)
+              {
+                gain = force.dot(v) / done;
+                best = i;
+              }
+          }
+        return best < 0
+                 ? Candidate()
+                 : candidate({{best, largest_force(best, at_node(motion, best))}}, 0.);
+      }
+
+      Candidate given_against(const Eigen::VectorXd &motion) const
+      {
+        std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces;
+        for (Eigen::Index i = 0; i < m_; ++i)
+          if (slip_bound_.is_given(i))
+            forces.emplace_back(i,
+                                along(at_node(motion, i), 0., slip_bound_.constant()(i)));
+        return candidate(std::move(forces), size_);
+      }
+
+      const Eigen::MatrixXd &G_;
+      const SlipBound &slip_bound_;
+      Eigen::Index m_;
+      double size_;
+      bool has_given_ = false;
+    };
+
+    // λ, with no more than all of the given friction.
+    Eigen::VectorXd sum_of(const std::vector<Candidate> &used, const Eigen::Index m,
+                           const double size)
+    {
+      double share = 0.; // of given friction that acts, more than all where it lacks some
+      for (const Candidate &one : used)
+        share += one.amount * one.work.tail<1>()(0) / size;
+      Eigen::VectorXd lambda = Eigen::VectorXd::Zero(3 * m);
+      for (const Candidate &one : used)
+        for (const auto &[i, force] : one.forces)
+          {
+            const bool is_part = one.work.tail<1>()(0) > 0. && share > 1.;
+            set_at_node(lambda, i,
+                        at_node(lambda, i) + one.amount / (is_part ? share : 1.) * force);
+          }
+      return lambda;
+    }
   } // namespace
 
   UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint,
                                  const SlipBound &slip_bound)
   {
-    const auto &[G, e]    = constraint;
-    const Eigen::Index n  = e.size();
-    const Eigen::Index m  = slip_bound.n_nodes();
-    const double size     = e.norm();
-    UnbalancedLoad result = {e, Eigen::VectorXd::Zero(3 * m), 1.};
-    bool has_constant     = false;
-    for (Eigen::Index i = 0; i < m; ++i)
-      has_constant = has_constant || slip_bound.is_given(i);
+    const auto &[G, e]   = constraint;
+    const Eigen::Index n = e.size();
+    const Eigen::Index m = slip_bound.n_nodes();
+    const double size    = e.norm();
     if (!(size > 0.))
-      return {Eigen::VectorXd::Zero(n), result.lambda, 0.};
+      return {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(3 * m), 0.};
 
-    const auto candidate =
-      [&, &G = G](std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces,
-                  const double share) {
-        Candidate all{Eigen::VectorXd::Zero(n + 1), std::move(forces)};
-        for (const auto &[i, force] : all.forces)
-          for (Eigen::Index c = 0; c < 3; ++c)
-            all.work.head(n) += force(c) * G.row(i + c * m).transpose();
-        all.work(n) = share;
-        return all;
-      };
-    // of those that grow without end the one that does most work
-    const auto largest_force = [&](const Eigen::Index i, const Eigen::Vector3d &motion) {
-      return slip_bound.is_tied(i) ? motion.normalized()
-                                   : along(motion, 1., slip_bound.coefficient()(i));
-    };
-    const auto size_at = [&, &G = G](const Eigen::Index i) {
-      return std::sqrt(G.row(i).squaredNorm() + G.row(i + m).squaredNorm() +
-                       G.row(i + 2 * m).squaredNorm());
-    };
-    // given friction acts as a whole or in part: the parts and what is left are one
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 1);
-    b.head(n)         = e;
+    const ForceSearch search(G, slip_bound, size);
+    Eigen::VectorXd b    = Eigen::VectorXd::Zero(n + 1);
+    b.head(n)            = e;
+    Eigen::VectorXd left = b;
     std::vector<Candidate> used;
-    if (has_constant)
+    if (search.has_given())
       {
         b(n) = size;
-        used.push_back(candidate({}, size));
+        used.push_back(search.none());
         used.back().amount = 1.;
       }
-    Eigen::VectorXd left = b;
-    left(n)              = 0.;
     for (unsigned int k = 0; k < max_forces; ++k)
       {
-        const Eigen::VectorXd v = G * left.head(n); // the nodes' motion
-        // the best of single nodes, by the work that a force does for its own length
-        double most       = least_gain * left.norm();
-        Eigen::Index best = -1;
-        Eigen::VectorXd work(n);
-        for (Eigen::Index i = 0; i < m; ++i)
-          {
-            const Eigen::Vector3d motion = at_node(v, i);
-            const Eigen::Vector3d force  = largest_force(i, motion);
-            if (force.dot(motion) <= 0.)
-              continue;
-            work =
-              force(0) * G.row(i) + force(1) * G.row(i + m) + force(2) * G.row(i + 2 * m);
-            const double all = force.norm() * size_at(i);
-            if (work.norm() > least_work * all && force.dot(motion) > most * work.norm())
-              {
-                most = force.dot(motion) / work.norm();
-                best = i;
-              }
-          }
-        Candidate next;
-        if (best >= 0)
-          next = candidate({{best, largest_force(best, at_node(v, best))}}, 0.);
-        if (has_constant)
-          {
-            std::vector<std::pair<Eigen::Index, Eigen::Vector3d>> forces;
-            for (Eigen::Index i = 0; i < m; ++i)
-              if (slip_bound.is_given(i))
-                forces.emplace_back(i,
-                                    along(at_node(v, i), 0., slip_bound.constant()(i)));
-            Candidate together = candidate(std::move(forces), size);
-            const double gain  = together.work.dot(left) / together.work.norm();
-            if (gain > most)
-              next = std::move(together);
-          }
+        Candidate next = search.best(left);
         if (next.work.size() == 0)
           break; // no force can do more
         used.push_back(std::move(next));
@@ -184,26 +249,14 @@ namespace stiction::qp
         left = b;
         for (const Candidate &one : used)
           left -= one.amount * one.work;
-        if (left.norm() <= balanced * size)
+        // ... or nothing is proved
+        if (left.norm() <= balanced * size || k + 1 == max_forces)
           {
             left.setZero();
             break;
           }
-        if (k + 1 == max_forces)
-          left.setZero(); // nothing is proved
       }
-    result.rho   = left.head(n);
-    result.part  = result.rho.norm() / size;
-    double share = 0.; // of given friction that acts, more than all where it lacks some
-    for (const Candidate &one : used)
-      share += one.amount * one.work(n) / size;
-    for (Candidate &one : used)
-      if (one.work(n) > 0. && share > 1.)
-        one.amount /= share;
-    for (const Candidate &one : used)
-      for (const auto &[i, force] : one.forces)
-        set_at_node(result.lambda, i, at_node(result.lambda, i) + one.amount * force);
-    return result;
+    return {left.head(n), sum_of(used, m, size), left.head(n).norm() / size};
   }
 
   Eigen::MatrixXd unresisted_motions(const Eigen::MatrixXd &G,
