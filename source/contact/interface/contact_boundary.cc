@@ -24,6 +24,7 @@ namespace stiction
 
   namespace
   {
+    const std::string boundary_entry     = "Boundary conditions/Contact boundary";
     const std::string obstacle_entry     = "Boundary conditions/Obstacle";
     const std::string displacement_entry = "Boundary conditions/Obstacle displacement";
     const std::string rotation_entry     = "Boundary conditions/Obstacle rotation";
@@ -95,107 +96,140 @@ namespace stiction
     }
   } // namespace
 
-  ContactBoundary::ContactBoundary()                            = default;
+  // Of one boundary, as the parameter file has them.
+  struct ContactBoundary::Entries
+  {
+    FrictionLaw law;
+    std::string name, obstacle, slave_side, mesh_gap, gap, displacement, rotation, force,
+      coefficient, slip_stress, first_direction;
+  };
+
   ContactBoundary::ContactBoundary(ContactBoundary &&) noexcept = default;
   ContactBoundary::~ContactBoundary()                           = default;
+
+  std::vector<ContactBoundary::Entries> ContactBoundary::entries_of(
+    const ContactParameters &parameters)
+  {
+    const ContactPairParameters &pairs  = parameters.pairs;
+    const FrictionParameters &friction  = parameters.friction;
+    const auto names                    = split_at_bars(pairs.contact_boundary);
+    const std::vector<FrictionLaw> laws = friction.laws();
+    std::vector<Entries> all(names.size());
+    const auto values = [&](const std::string &entry, const std::string &text) {
+      return values_for_each(text, all.size(), parameters.source.describe(entry));
+    };
+    values("Friction/Law", friction.law_name); // counted only
+    for (std::size_t b = 0; b < all.size(); ++b)
+      {
+        all[b].name = names[b];
+        all[b].law  = laws.size() == 1 ? laws.front() : laws[b];
+      }
+    const auto take = [&](std::string Entries::*member, const std::string &entry,
+                          const std::string &text) {
+      const auto texts = values(entry, text);
+      for (std::size_t b = 0; b < all.size(); ++b)
+        all[b].*member = texts[b];
+    };
+    take(&Entries::obstacle, obstacle_entry, pairs.obstacle);
+    take(&Entries::slave_side, slave_entry, pairs.slave_side);
+    take(&Entries::mesh_gap, mesh_gap_entry, pairs.mesh_gap);
+    take(&Entries::gap, gap_entry, pairs.initial_gap);
+    take(&Entries::displacement, displacement_entry, pairs.obstacle_displacement);
+    take(&Entries::rotation, rotation_entry, pairs.obstacle_rotation);
+    take(&Entries::force, force_entry, pairs.obstacle_force);
+    take(&Entries::coefficient, "Friction/Coefficient", friction.coefficient);
+    take(&Entries::slip_stress, "Friction/Slip stress", friction.slip_stress);
+    take(&Entries::first_direction, "Friction/First direction", friction.first_direction);
+    return all;
+  }
 
   std::vector<ContactBoundary> ContactBoundary::read(const ContactParameters &parameters,
                                                      const Body &body, const double time)
   {
-    const ParameterFile &file = parameters.source;
-    const std::string entry   = "Boundary conditions/Contact boundary";
-    const auto names          = split_at_bars(parameters.pairs.contact_boundary);
-    const std::vector<FrictionLaw> laws = parameters.friction.laws();
-
-    const auto values = [&](const std::string &of, const std::string &text) {
-      return values_for_each(text, names.size(), file.describe(of));
-    };
-    values("Friction/Law", parameters.friction.law_name); // counted only
-    const auto obstacles = values(obstacle_entry, parameters.pairs.obstacle);
-    const auto sides     = values(slave_entry, parameters.pairs.slave_side);
-    const auto mesh_gaps = values(mesh_gap_entry, parameters.pairs.mesh_gap);
-    const auto gaps      = values(gap_entry, parameters.pairs.initial_gap);
-    const auto displacements =
-      values(displacement_entry, parameters.pairs.obstacle_displacement);
-    const auto rotations = values(rotation_entry, parameters.pairs.obstacle_rotation);
-    const auto forces    = values(force_entry, parameters.pairs.obstacle_force);
-    const auto coefficients =
-      values("Friction/Coefficient", parameters.friction.coefficient);
-    const auto slip_stresses =
-      values("Friction/Slip stress", parameters.friction.slip_stress);
-    const auto directions =
-      values("Friction/First direction", parameters.friction.first_direction);
-    const double size = body.diameter();
-
     std::vector<ContactBoundary> boundaries;
     std::set<types::boundary_id> ids;
     std::set<std::pair<types::boundary_id, types::boundary_id>> pairs;
-    for (std::size_t b = 0; b < names.size(); ++b)
+    for (const Entries &entries : entries_of(parameters))
       {
-        ContactBoundary boundary;
-        boundary.source_ = std::make_shared<const ParameterFile>(file.of_pair(b));
+        ContactBoundary boundary(entries, parameters.source.of_pair(boundaries.size()),
+                                 body, time);
         const ParameterFile &source = *boundary.source_;
-        const auto vector = [&](const std::string &of, const std::string &text) {
-          const auto numbers = read_numbers(text, 3, source.locate(of), time);
-          return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
-        };
-        boundary.id_   = body.boundary_names().id(names[b], source.locate(entry));
-        boundary.name_ = body.boundary_names().name(boundary.id_);
-        boundary.size_ = size;
-        if (paired_boundary(obstacles[b]).empty() && !ids.insert(boundary.id_).second)
-          throw InputError(source.describe(entry) + ", boundary " + names[b] +
-                           " stands twice, must stand once.");
-
-        const std::string partner = paired_boundary(obstacles[b]);
-        boundary.slave_side_      = sides[b];
-        boundary.mesh_gap_        = mesh_gaps[b];
-        if (partner.empty())
-          {
-            std::string obstacle;
-            throw_on_all_ranks(body.communicator(), [&]() { // their files may differ
-              obstacle = with_path(obstacles[b], source);
-            });
-            boundary.obstacle_ = Obstacle::read(obstacle, source.locate(obstacle_entry),
-                                                size, time, body.communicator());
-          }
-        boundary.gap_ =
-          std::make_unique<ParsedFunction>(gaps[b], 1, source.locate(gap_entry), time);
-        const FrictionLaw law = laws.size() == 1 ? laws.front() : laws[b];
-        boundary.friction_    = std::make_unique<FrictionData>(
-          law, coefficients[b], slip_stresses[b], directions[b], source, time);
-        boundary.displacement_ = vector(displacement_entry, displacements[b]);
-        boundary.force_        = vector(force_entry, forces[b]);
-        boundary.set_rotation(
-          read_numbers(rotations[b], 7, source.locate(rotation_entry), time));
-        const std::string angle = rotations[b].substr(rotations[b].rfind(';') + 1);
-        boundary.description_ =
-          obstacles[b] + (gaps[b] == "0" ? "" : ", gap " + gaps[b]) +
-          (are_zero(displacements[b]) ? "" : ", displaced " + displacements[b]) +
-          (are_zero(angle) ? "" : ", turned " + rotations[b]) +
-          (are_zero(forces[b]) ? "" : ", pressed on by " + forces[b]) +
-          describe_friction(law, coefficients[b], slip_stresses[b], directions[b]);
-        if (boundary.is_tied() && partner.empty())
-          throw InputError(source.describe("Friction/Law") + ", boundary '" +
-                           boundary.name_ +
-                           "' can only be tied to another boundary of the mesh, say "
-                           "'Obstacle = boundary : NAME', or hold it with 'Boundary "
-                           "conditions/Prescribed displacement'.");
-        if (boundary.is_tied() && !are_zero(gaps[b]))
-          throw InputError(source.describe(gap_entry) + ", must be 0 for boundary '" +
-                           boundary.name_ +
-                           "', which is tied to what it is paired with as both are "
-                           "meshed.");
-        if (!partner.empty())
-          {
-            boundary.pair_with(partner, body);
-            if (!pairs.insert(std::minmax(boundary.id_, boundary.partner_)).second)
-              throw InputError(source.describe(obstacle_entry) + ", the boundaries '" +
-                               boundary.name_ + "' and '" + boundary.partner_name_ +
-                               "' are a pair already, must be one once.");
-          }
+        if (!boundary.is_pair() && !ids.insert(boundary.id_).second)
+          throw InputError(source.describe(boundary_entry) + ", boundary " +
+                           entries.name + " stands twice, must stand once.");
+        if (boundary.is_pair() &&
+            !pairs.insert(std::minmax(boundary.id_, boundary.partner_)).second)
+          throw InputError(source.describe(obstacle_entry) + ", the boundaries '" +
+                           boundary.name_ + "' and '" + boundary.partner_name_ +
+                           "' are a pair already, must be one once.");
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;
+  }
+
+  ContactBoundary::ContactBoundary(const Entries &entries, ParameterFile source,
+                                   const Body &body, const double time)
+    : id_(body.boundary_names().id(entries.name, source.locate(boundary_entry)))
+    , source_(std::make_shared<const ParameterFile>(std::move(source)))
+  {
+    name_       = body.boundary_names().name(id_);
+    size_       = body.diameter();
+    slave_side_ = entries.slave_side;
+    mesh_gap_   = entries.mesh_gap;
+    gap_ =
+      std::make_unique<ParsedFunction>(entries.gap, 1, source_->locate(gap_entry), time);
+    friction_         = std::make_unique<FrictionData>(entries.law, entries.coefficient,
+                                               entries.slip_stress,
+                                               entries.first_direction, *source_, time);
+    const auto vector = [&](const std::string &entry, const std::string &text) {
+      const auto numbers = read_numbers(text, 3, source_->locate(entry), time);
+      return Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
+    };
+    displacement_ = vector(displacement_entry, entries.displacement);
+    force_        = vector(force_entry, entries.force);
+    set_rotation(
+      read_numbers(entries.rotation, 7, source_->locate(rotation_entry), time));
+    describe(entries);
+    const std::string partner = paired_boundary(entries.obstacle);
+    if (is_tied())
+      require_tied_pair(partner, entries.gap);
+    if (!partner.empty())
+      {
+        pair_with(partner, body);
+        return;
+      }
+    std::string obstacle;
+    throw_on_all_ranks(body.communicator(), [&]() { // their files may differ
+      obstacle = with_path(entries.obstacle, *source_);
+    });
+    obstacle_ = Obstacle::read(obstacle, source_->locate(obstacle_entry), size_, time,
+                               body.communicator());
+  }
+
+  void ContactBoundary::describe(const Entries &entries)
+  {
+    const std::string angle = entries.rotation.substr(entries.rotation.rfind(';') + 1);
+    description_ =
+      entries.obstacle + (entries.gap == "0" ? "" : ", gap " + entries.gap) +
+      (are_zero(entries.displacement) ? "" : ", displaced " + entries.displacement) +
+      (are_zero(angle) ? "" : ", turned " + entries.rotation) +
+      (are_zero(entries.force) ? "" : ", pressed on by " + entries.force) +
+      describe_friction(entries.law, entries.coefficient, entries.slip_stress,
+                        entries.first_direction);
+  }
+
+  void ContactBoundary::require_tied_pair(const std::string &partner,
+                                          const std::string &gap) const
+  {
+    if (partner.empty())
+      throw InputError(source_->describe("Friction/Law") + ", boundary '" + name_ +
+                       "' can only be tied to another boundary of the mesh, say "
+                       "'Obstacle = boundary : NAME', or hold it with 'Boundary "
+                       "conditions/Prescribed displacement'.");
+    if (!are_zero(gap))
+      throw InputError(source_->describe(gap_entry) + ", must be 0 for boundary '" +
+                       name_ +
+                       "', which is tied to what it is paired with as both are meshed.");
   }
 
   void ContactBoundary::pair_with(const std::string &other, const Body &body)

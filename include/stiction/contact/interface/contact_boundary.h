@@ -125,7 +125,17 @@ namespace stiction
     double penetration(const dealii::Point<3> &p) const;
 
   private:
-    ContactBoundary();
+    struct Entries;
+    static std::vector<Entries> entries_of(const ContactParameters &parameters);
+
+    ContactBoundary(const Entries &entries, ParameterFile source, const Body &body,
+                    double time);
+
+    /// Makes description_.
+    void describe(const Entries &entries);
+
+    /// Throws InputError unless there is another side, and no gap.
+    void require_tied_pair(const std::string &partner, const std::string &gap) const;
 
     /// Makes it one side of a pair. Throws InputError if the mesh has no such other
     /// boundary, or if the pair is said to move.
