@@ -281,7 +281,7 @@ namespace stiction
     Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
     unsigned int n          = 0;
-    bool is_finished        = square == 0.;
+    bool is_finished = square == 0., is_hard = false;
     while (n < capacity && !is_finished)
       {
         Direction &d = new_direction(n);
@@ -292,6 +292,7 @@ namespace stiction
             d.distances = Eigen::VectorXd::Zero(obstacle_r.size());
             precondition(d, r, 1.);
           }
+        is_hard = is_hard || !preconditioner_.is_precise();
         apply(linearization, d);
 
         const double product = orthogonalize(n, H, obstacle_r);
@@ -312,7 +313,7 @@ namespace stiction
                                                  state.w, std::sqrt(square) / start}) ||
                                            square == 0.);
       }
-    if (!is_finished && ++n_unfinished_ >= max_unfinished && factorizes_ &&
+    if ((!is_finished || is_hard) && ++n_unfinished_ >= max_unfinished && factorizes_ &&
         preconditioner_.factorize(level_))
       {
         is_factorized_ = true;

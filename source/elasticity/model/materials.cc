@@ -148,6 +148,13 @@ namespace stiction
       list.refuse("material " + name + " must read " + list.form() +
                   did_you_mean(words[0], {"isotropic", "orthotropic"}));
     }
+
+    // With means of the volume strain, and Poisson's ratio above 0.4.
+    bool is_nearly_incompressible(const Material &material)
+    {
+      return material.is_isotropic && material.mean_dilatation &&
+             material.lame_lambda > 4. * material.shear_modulus;
+    }
   } // namespace
 
   Material Material::isotropic(const double E, const double nu)
@@ -283,6 +290,37 @@ namespace stiction
       require_all(without_density, "Material/Density", "Densities",
                   "such as 'set Density = 7850', of which 'Boundary "
                   "conditions/Gravity' makes weight");
+  }
+
+  Materials Materials::softened() const
+  {
+    Materials soft = *this;
+    for (auto &[id, material] : soft.by_id_)
+      if (is_nearly_incompressible(material))
+        {
+          constexpr double nu  = 0.3;
+          const double density = material.density;
+          material = Material::isotropic(2. * (1. + nu) * material.shear_modulus, nu);
+          material.mean_dilatation = true;
+          material.density         = density;
+        }
+    return soft;
+  }
+
+  Materials Materials::without_mean_dilatation() const
+  {
+    Materials simple = *this;
+    for (auto &[id, material] : simple.by_id_)
+      material.mean_dilatation = false;
+    simple.have_mean_dilatation_ = false;
+    return simple;
+  }
+
+  bool Materials::are_nearly_incompressible() const
+  {
+    return std::any_of(by_id_.begin(), by_id_.end(), [](const auto &entry) {
+      return is_nearly_incompressible(entry.second);
+    });
   }
 
   bool Materials::are_simple() const

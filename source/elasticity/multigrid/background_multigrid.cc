@@ -222,7 +222,7 @@ namespace stiction
   } // namespace
 
   BackgroundMultigrid::BackgroundMultigrid(
-    const LinearElasticity &elasticity, const MeshLevel &mesh, const double unit,
+    const Materials &materials, const MeshLevel &mesh, const double unit,
     const LA::Vector &fixed, const std::vector<types::global_dof_index> &first_dofs,
     const BasisTransformation &basis)
     : unit_(unit)
@@ -249,20 +249,19 @@ namespace stiction
 
     FullMatrix<double> K;
     std::size_t n_cells = 0;
-    for_each_element(
-      mesh, elasticity.materials(), unit, [&](const auto &cell, const auto &free) {
-        K = free;
-        std::vector<unsigned int> nodes(cell.size());
-        for (unsigned int v = 0; v < nodes.size(); ++v)
-          {
-            nodes[v] = node(cell[v]);
-            if (const auto place = in_list.find(nodes[v]); place != in_list.end())
-              for (unsigned int c = 0; c < 3; ++c)
-                stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
-          }
-        drop_fixed(K, cell, is_left_out);
-        A.add(galerkin(nodes, sets[n_cells++], K));
-      });
+    for_each_element(mesh, materials, unit, [&](const auto &cell, const auto &free) {
+      K = free;
+      std::vector<unsigned int> nodes(cell.size());
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        {
+          nodes[v] = node(cell[v]);
+          if (const auto place = in_list.find(nodes[v]); place != in_list.end())
+            for (unsigned int c = 0; c < 3; ++c)
+              stiffness_of_supported_[place->second] += K(3 * v + c, 3 * v + c) / 3.;
+        }
+      drop_fixed(K, cell, is_left_out);
+      A.add(galerkin(nodes, sets[n_cells++], K));
+    });
     Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),
                         stiffness_of_supported_);
 

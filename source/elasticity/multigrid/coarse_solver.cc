@@ -128,7 +128,8 @@ namespace stiction
     }
   } // namespace
 
-  CoarseSolver::CoarseSolver(const LinearElasticity &elasticity, const MeshLevel &level,
+  CoarseSolver::CoarseSolver(const LinearElasticity &elasticity,
+                             const Materials &materials, const MeshLevel &level,
                              const LA::Vector &fixed, const Indices &supported_nodes,
                              const BasisTransformation &basis,
                              const NodalSupports &supports, const bool is_direct)
@@ -150,8 +151,7 @@ namespace stiction
         masters_.push_back(place->second);
       }
     n_supported_ = nodes.size();
-    stiffness_   = assemble_stiffness(level, elasticity.materials(),
-                                      elasticity.body().hanging_nodes());
+    stiffness_ = assemble_stiffness(level, materials, elasticity.body().hanging_nodes());
     if (!basis.is_identity())
       stiffness_ = transformed(*stiffness_, basis, level);
     constrained_ = std::make_unique<ConstrainedMatrix>(*stiffness_, fixed, nodes);

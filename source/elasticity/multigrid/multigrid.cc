@@ -1,3 +1,4 @@
+#include "mixed_preconditioner.h"
 #include "multigrid_level.h"
 
 #include <stiction/elasticity/mesh/body.h>
@@ -57,12 +58,12 @@ namespace stiction
   // The coarsest level, in double precision and true units like its solver.
   struct Multigrid::Coarse
   {
-    Coarse(const LinearElasticity &elasticity, const MeshLevel &mesh,
-           const LA::Vector &fixed,
+    Coarse(const LinearElasticity &elasticity, const Materials &materials,
+           const MeshLevel &mesh, const LA::Vector &fixed,
            const std::vector<types::global_dof_index> &first_dofs,
            const BasisTransformation &basis, const NodalSupports &supports,
            const bool is_direct)
-      : solver(elasticity, mesh, fixed, first_dofs, basis, supports, is_direct)
+      : solver(elasticity, materials, mesh, fixed, first_dofs, basis, supports, is_direct)
       , fixed(fixed)
       , b(fixed)
       , x(fixed)
@@ -112,9 +113,19 @@ namespace stiction
   Multigrid::Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
                        const DofSubsetHierarchy &supported_nodes,
                        std::vector<BasisTransformation> bases, const bool is_geometric)
-    : unit_(power_of_two(elasticity.materials().largest_shear_modulus() *
+    : Multigrid(elasticity, elasticity.materials(), hierarchy, supported_nodes,
+                std::move(bases), is_geometric)
+  {
+  }
+
+  Multigrid::Multigrid(const LinearElasticity &elasticity, const Materials &materials,
+                       const MeshHierarchy &hierarchy,
+                       const DofSubsetHierarchy &supported_nodes,
+                       std::vector<BasisTransformation> bases, const bool is_geometric)
+    : unit_(power_of_two(materials.largest_shear_modulus() *
                          elasticity.body().bounding_box().side_length(0)))
     , elasticity_(elasticity)
+    , materials_(materials)
     , hierarchy_(hierarchy)
     , supported_nodes_(supported_nodes)
     , bases_(std::move(bases))
@@ -123,17 +134,26 @@ namespace stiction
     , is_factorized_(hierarchy.n_levels(), false)
   {
     bases_.resize(hierarchy.n_levels());
+    if (&materials == &elasticity.materials() && MixedPreconditioner::serves(elasticity))
+      {
+        std::vector<LA::Vector> fixed;
+        for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
+          fixed.push_back(fixed_on(l));
+        mixed_ = std::make_unique<MixedPreconditioner>(
+          elasticity, hierarchy, supported_nodes, bases_, fixed, is_geometric);
+        return;
+      }
     const bool has_background =
       is_geometric && hierarchy.level(0).n_dofs() > max_coarsest;
     if (has_background)
       background_ = std::make_unique<BackgroundMultigrid>(
-        elasticity, hierarchy.level(0), unit_, fixed_on(0), supported_nodes.first_dofs(0),
+        materials, hierarchy.level(0), unit_, fixed_on(0), supported_nodes.first_dofs(0),
         bases_[0]);
     float eigenvalue = 0.f;
     for (unsigned int l = has_background ? 0 : 1; l < hierarchy.n_levels(); ++l)
       {
         levels_[l] =
-          std::make_unique<Level>(elasticity, hierarchy.level(l), unit_, fixed_on(l),
+          std::make_unique<Level>(materials, hierarchy.level(l), unit_, fixed_on(l),
                                   supported_nodes.first_dofs(l), bases_[l]);
         const bool is_estimated = eigenvalue == 0.f ||
                                   hierarchy.level(l).n_dofs() <= max_estimated ||
@@ -158,7 +178,7 @@ namespace stiction
   void Multigrid::forget()
   {
     for (unsigned int l = 0; l < coarse_.size(); ++l)
-      if (is_factorized_[l])
+      if (is_factorized_[l] || mixed_)
         {
           is_factorized_[l] = false;
           coarse_[l].reset();
@@ -185,9 +205,9 @@ namespace stiction
                                                             const NodalSupports &supports,
                                                             const bool is_direct) const
   {
-    return std::make_unique<Coarse>(elasticity_, hierarchy_.level(level), fixed_on(level),
-                                    supported_nodes_.first_dofs(level), bases_[level],
-                                    supports, is_direct);
+    return std::make_unique<Coarse>(elasticity_, materials_, hierarchy_.level(level),
+                                    fixed_on(level), supported_nodes_.first_dofs(level),
+                                    bases_[level], supports, is_direct);
   }
 
   LA::Vector Multigrid::fixed_on(const unsigned int level) const
@@ -227,6 +247,13 @@ namespace stiction
       coarse_solver->set_supports(supports);
     if (coarse_solver)
       return;
+    if (mixed_ && hierarchy_.level(level).n_dofs() > max_coarsest)
+      return mixed_->set_supports(level, supports);
+    if (mixed_)
+      {
+        coarse_solver = make_coarse(level, supports, true);
+        return;
+      }
     if (level == 0)
       return set_coarsest(supports);
     levels_[level]->set_supports(supports);
@@ -249,6 +276,14 @@ namespace stiction
                           const LA::Vector &src)
   {
     // not earlier: without supports bodies may be free to move
+    if (mixed_ && !coarse_[level])
+      {
+        LA::Vector x      = hierarchy_.level(level).zero_vector<double>();
+        is_precise_       = mixed_->vmult(level, x, src);
+        const double size = power_of_two(x.linfty_norm());
+        copy(dst, x, 1. / size);
+        return size;
+      }
     if (!coarse_[level] && !background_ && !coarse_[0])
       set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
     const double scale = power_of_two(src.linfty_norm());

@@ -45,7 +45,7 @@ namespace stiction
     constexpr double stiff_spring = 2.;
   } // namespace
 
-  Multigrid::Level::Level(const LinearElasticity &elasticity, const MeshLevel &mesh,
+  Multigrid::Level::Level(const Materials &materials, const MeshLevel &mesh,
                           const double unit, const LA::Vector &fixed,
                           const std::vector<dealii::types::global_dof_index> &first_dofs,
                           const BasisTransformation &basis)
@@ -53,7 +53,7 @@ namespace stiction
     , b(mesh.zero_vector<float>())
     , unit_(unit)
     , basis_(basis)
-    , K_(mesh, elasticity.materials(), unit)
+    , K_(mesh, materials, unit)
     , inverse_diagonal_(mesh.zero_vector<float>())
     , product_(mesh.zero_vector<float>())
     , direction_(mesh.zero_vector<float>())

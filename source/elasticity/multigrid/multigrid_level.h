@@ -28,7 +28,7 @@ namespace stiction
     ///   level has its own, in which slaves count from the other side only in directions
     ///   in which they are held, and where they have stiff springs: what moves freely is
     ///   smoothed best by itself.
-    Level(const LinearElasticity &elasticity, const MeshLevel &mesh, double unit,
+    Level(const Materials &materials, const MeshLevel &mesh, double unit,
           const LA::Vector &fixed,
           const std::vector<dealii::types::global_dof_index> &first_dofs,
           const BasisTransformation &basis);

@@ -9,6 +9,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include <set>
 #include <stdexcept>
@@ -133,13 +134,16 @@ namespace stiction
 
     dealii::SolverControl control(max_iterations, relative_residual_ * b.l2_norm());
     const auto iterate = [&]() {
-      dealii::SolverCG<LA::Vector> cg(control);
+      const ConstrainedOperator K{elasticity_.stiffness(), fixed};
+      const Preconditioner cycle{*preconditioner_, level_,
+                                 elasticity_.mesh().zero_vector<float>()};
       dst = 0.;
       try
         {
-          cg.solve(ConstrainedOperator{elasticity_.stiffness(), fixed}, dst, b,
-                   Preconditioner{*preconditioner_, level_,
-                                  elasticity_.mesh().zero_vector<float>()});
+          if (preconditioner_->is_linear())
+            dealii::SolverCG<LA::Vector>(control).solve(K, dst, b, cycle);
+          else
+            dealii::SolverFGMRES<LA::Vector>(control).solve(K, dst, b, cycle);
           return true;
         }
       catch (const dealii::SolverControl::NoConvergence &)

@@ -16,7 +16,7 @@ namespace stiction
                                                const Materials &materials,
                                                const double unit)
     : level_(level)
-    , hanging_(level.hanging_nodes())
+    , hanging_(level)
   {
     if (level.is_trilinear() && materials.are_simple())
       level.for_each_cell([&](HexahedralCell cell) {
@@ -50,24 +50,9 @@ namespace stiction
       {
         interpolated_.assign(src.begin(),
                              src.begin() + 3 * std::size_t(level_.n_local_nodes()));
-        for (const auto &[node, others] : hanging_)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              Number &u = interpolated_[3 * std::size_t(node) + c] = Number(0.);
-              for (const auto &[other, weight] : others)
-                u +=
-                  static_cast<Number>(weight) * src.begin()[3 * std::size_t(other) + c];
-            }
+        hanging_.interpolate(interpolated_.data());
         add_product(dst.begin(), interpolated_.data());
-        for (const auto &[node, others] : hanging_)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              Number &force = dst.begin()[3 * std::size_t(node) + c];
-              for (const auto &[other, weight] : others)
-                dst.begin()[3 * std::size_t(other) + c] +=
-                  static_cast<Number>(weight) * force;
-              force = Number(0.);
-            }
+        hanging_.distribute(dst.begin());
       }
     src.zero_out_ghost_values();
     dst.compress(dealii::VectorOperation::add);

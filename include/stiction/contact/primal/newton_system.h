@@ -68,7 +68,8 @@ namespace stiction
     /// So many systems left unfinished, and the next are factorised.
     static constexpr unsigned int max_unfinished = 3;
 
-    /// How many systems were left at max_directions. After a few of them the
+    /// How many systems were left at max_directions, or had a preconditioner that came
+    /// less near than it is meant to. After a few of them the
     /// preconditioner is asked to factorise the level; if it does, this is zero
     /// again.
     unsigned int n_unfinished() const { return n_unfinished_; }

@@ -73,6 +73,15 @@ namespace stiction
     /// Gives a cell, whose material id is set, its material in this unit.
     void assign(HexahedralCell &cell, double unit = 1.) const;
 
+    /// Whether one is isotropic with a Poisson's ratio above 0.4, and ∇·u is replaced.
+    bool are_nearly_incompressible() const;
+
+    /// Such materials with the same shear modulus and Poisson's ratio 0.3.
+    Materials softened() const;
+
+    /// With ∇·u as it is.
+    Materials without_mean_dilatation() const;
+
     /// Whether all of them are.
     bool are_simple() const;
 

@@ -14,7 +14,7 @@
 
 namespace stiction
 {
-  class LinearElasticity;
+  class Materials;
   class MeshLevel;
 
   /// The coarse part of a multigrid cycle for a mesh without levels: the Galerkin
@@ -42,8 +42,8 @@ namespace stiction
     /// @param first_dofs of the nodes that supports may hold, the same on all
     ///   ranks. @param basis whose slaves they are, if it is not the identity.
     ///   Collective.
-    BackgroundMultigrid(const LinearElasticity &elasticity, const MeshLevel &mesh,
-                        double unit, const LA::Vector &fixed,
+    BackgroundMultigrid(const Materials &materials, const MeshLevel &mesh, double unit,
+                        const LA::Vector &fixed,
                         const std::vector<dealii::types::global_dof_index> &first_dofs,
                         const BasisTransformation &basis);
     ~BackgroundMultigrid();

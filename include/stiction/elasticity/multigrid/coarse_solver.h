@@ -18,6 +18,7 @@ namespace stiction
   class AmgPreconditioner;
   class HostVector;
   class LinearElasticity;
+  class Materials;
   class MeshLevel;
   class MumpsFactorization;
   class ConstrainedMatrix;
@@ -35,8 +36,8 @@ namespace stiction
     ///   that supports may hold; the same on all ranks.
     /// @param basis in which the matrix is TᵀKT.
     /// @param is_direct whether to factorise whatever the size. Collective.
-    CoarseSolver(const LinearElasticity &elasticity, const MeshLevel &level,
-                 const LA::Vector &fixed,
+    CoarseSolver(const LinearElasticity &elasticity, const Materials &materials,
+                 const MeshLevel &level, const LA::Vector &fixed,
                  const std::vector<dealii::types::global_dof_index> &supported_nodes,
                  const BasisTransformation &basis, const NodalSupports &supports,
                  bool is_direct);

@@ -14,6 +14,8 @@ namespace stiction
 {
   class BackgroundMultigrid;
   class LinearElasticity;
+  class Materials;
+  class MixedPreconditioner;
   class MeshHierarchy;
   class DofSubsetHierarchy;
 
@@ -53,6 +55,11 @@ namespace stiction
     Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
               const DofSubsetHierarchy &supported_nodes,
               std::vector<BasisTransformation> bases = {}, bool is_geometric = true);
+
+    /// With other materials than those of the body.
+    Multigrid(const LinearElasticity &elasticity, const Materials &materials,
+              const MeshHierarchy &hierarchy, const DofSubsetHierarchy &supported_nodes,
+              std::vector<BasisTransformation> bases, bool is_geometric);
     ~Multigrid();
 
     /// That of a level.
@@ -77,11 +84,18 @@ namespace stiction
     /// @return whether that is something new, and the level small enough.
     bool factorize(unsigned int level);
 
+    /// Whether vmult() is a linear map. Not so for nearly incompressible bodies, for
+    /// which it iterates: see MixedPreconditioner.
+    bool is_linear() const { return mixed_ == nullptr; }
+
     /// dst times the returned number is the approximate inverse times src, a
-    /// symmetric linear map. What src has in held directions is ignored, dst is
+    /// symmetric map. What src has in held directions is ignored, dst is
     /// zero there. The number keeps dst in the range of single precision whatever
     /// the units are. Collective.
     double vmult(unsigned int level, LA::VectorOf<float> &dst, const LA::Vector &src);
+
+    /// Whether the last vmult() was as near as it is meant to be, where it iterates.
+    bool is_precise() const { return is_precise_; }
 
     /// dst is the inverse times src in double precision, on a level where is_direct().
     /// Collective.
@@ -124,6 +138,7 @@ namespace stiction
     /// A power of two near the size of the entries of K, N/m.
     const double unit_;
     const LinearElasticity &elasticity_;
+    const Materials &materials_;
     const MeshHierarchy &hierarchy_;
     const DofSubsetHierarchy &supported_nodes_;
     std::vector<BasisTransformation> bases_;
@@ -132,6 +147,9 @@ namespace stiction
     std::unique_ptr<BackgroundMultigrid> background_; ///< of the coarsest level
     /// That of the coarsest level, and of those that are factorised.
     std::vector<std::unique_ptr<Coarse>> coarse_;
+    std::unique_ptr<MixedPreconditioner>
+      mixed_; ///< in place of all levels but small ones
+    bool is_precise_ = true;
     std::vector<bool> is_factorized_; ///< from the next supports on
   };
 } // namespace stiction

@@ -5,6 +5,7 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/element_matrices.h>
+#include <stiction/elasticity/stiffness/hanging_nodes.h>
 
 #include <Eigen/Core>
 
@@ -50,7 +51,7 @@ namespace stiction
     const MeshLevel &level_;
     CellStiffness<Number> cells_;
     ElementMatrices<Number> elements_;
-    std::vector<MeshLevel::HangingNode> hanging_;
+    HangingNodes hanging_;
     std::vector<std::pair<unsigned int, Eigen::Matrix3d>> hanging_blocks_;
     mutable std::vector<Number> interpolated_; ///< src with values at hanging nodes
   };
