@@ -185,7 +185,15 @@ def parse_options(arguments):
         metavar="MM,MM",
         help="edges of the bracket's tetrahedra (4,2,1: up to two million unknowns)",
     )
+    parser.add_argument(
+        "--poisson",
+        default="0.49,0.499",
+        metavar="NU,NU",
+        help="Poisson ratios of a brick refined three times and of the first distorted "
+        "one, with cell means of the volume strain",
+    )
     options = parser.parse_args(arguments)
+    options.poisson = numbers(options.poisson, "--poisson", float)
     options.sizes = numbers(options.sizes, "--sizes", int)
     options.brackets = numbers(options.brackets, "--brackets", float)
     if min(options.sizes, default=2) < 2:
@@ -230,19 +238,27 @@ def main(arguments):
     )
     reference = 1e6 * refined["seconds"]["contact_solve"] / refined["problem"]["dofs"]
     measure_brick("k = 6, refined once", {"Geometry/Table 1 level": "6"})
+    rubber = [("0.277, cell mean", {"Material/Volume strain": "cell mean"})]
+    rubber += [(f"{nu:g}", {"Material/Poisson ratio": f"{nu:g}"}) for nu in options.poisson]
+    for name, material in rubber:
+        measure_brick(
+            f"brick refined 3 times, {name}",
+            {**REFINED, **loads, **material, "Geometry/Global refinement": "3"},
+        )
     with tempfile.TemporaryDirectory() as directory:
         for name, mesh, n in cases(options.sizes):
             file = os.path.join(directory, "mesh.msh")
             cells, place, middle, *is_there = mesh(n)
             write_mesh(file, cells, place, *is_there)
-            measure_brick(
-                name,
-                {
-                    "Geometry/Type": "file",
-                    "Geometry/Mesh file": file,
-                    **brick_loads("front", "back", "top", "bottom", middle),
-                },
-            )
+            settings = {
+                "Geometry/Type": "file",
+                "Geometry/Mesh file": file,
+                **brick_loads("front", "back", "top", "bottom", middle),
+            }
+            measure_brick(name, settings)
+            if (mesh, n) == (distorted, options.sizes[0]):
+                for nu, material in rubber:
+                    measure_brick(f"{name}, {nu}", {**settings, **material})
         for size in options.brackets:
             file = os.path.join(directory, "mesh.msh")
             write_bracket(file, size)

@@ -292,7 +292,7 @@ namespace stiction
             d.distances = Eigen::VectorXd::Zero(obstacle_r.size());
             precondition(d, r, 1.);
           }
-        is_hard = is_hard || !preconditioner_.is_precise();
+        is_hard = is_hard || !(d.is_exact || preconditioner_.is_precise());
         apply(linearization, d);
 
         const double product = orthogonalize(n, H, obstacle_r);

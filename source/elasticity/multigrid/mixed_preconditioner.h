@@ -42,6 +42,9 @@ namespace stiction
     /// Takes new supports on a level and carries them to the coarser ones. Collective.
     void set_supports(unsigned int level, const NodalSupports &supports);
 
+    /// Forgets supports, as if made anew.
+    void forget() { cycle_.forget(); }
+
     /// dst is so near to the inverse times src that a tenth of the residual is left, if
     /// max_iterations are enough for that. What src has in held directions is ignored.
     /// Collective.

@@ -184,6 +184,8 @@ namespace stiction
           coarse_[l].reset();
         }
     coarse_[0].reset();
+    if (mixed_)
+      mixed_->forget();
     if (background_)
       set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
   }

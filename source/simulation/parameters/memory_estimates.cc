@@ -10,14 +10,16 @@ namespace stiction
   {
     // Mesh and unknowns with a stiffness matrix of up to 81 × 3 entries a node,
     // or what runs with ten million unknowns took without one; element matrices in
-    // both precisions where they are kept and cells are not alike; then all nodes
+    // both precisions where they are kept and cells are not alike, and directions with
+    // pressures of the cells where there are means; then all nodes
     // of all cells for the volume output. One assembled matrix of degree 2 has
     // 64 × 3 entries in the mean and eight nodes a cell.
     const bool is_quadratic = parameters.geometry.element_degree == 2;
     const bool are_kept =
       parameters.has_mean_dilatation() && !parameters.geometry.is_brick();
-    const double trilinear =
-      (parameters.is_matrix_free() ? 2.2e3 : 6e3) + (are_kept ? 7e3 : 0.);
+    const double trilinear = (parameters.is_matrix_free() ? 2.2e3 : 6e3) +
+                             (are_kept ? 7e3 : 0.) +
+                             (parameters.has_mean_dilatation() ? 1e3 : 0.);
     const double matrices = is_quadratic ? 1.3e5 : trilinear;
     const double fields   = parameters.output.has_all_fields() ? 4.3e3 : 2.6e3;
     return n_cells *
