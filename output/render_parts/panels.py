@@ -92,10 +92,10 @@ def cylinder_axis(normals):
     return snapped(vectors[:, 0])
 
 
-def snapped(direction):
+def snapped(direction, near=1e-3):
     """A unit vector, an axis if it nearly is one, mostly upwards along it."""
     direction = direction / np.linalg.norm(direction)
-    direction = np.where(np.abs(direction) < 1e-3, 0, direction)
+    direction = np.where(np.abs(direction) < near, 0, direction)
     direction *= np.sign(direction[np.argmax(np.abs(direction))])
     return direction / np.linalg.norm(direction)
 
@@ -112,7 +112,7 @@ def lay_flat(panel, corners, normals):
 
 def see_along(panel, corners, mean):
     """Project on the plane across the mean normal."""
-    view = snapped(mean)
+    view = snapped(mean, near=0.05)
     view *= -1 if np.argmax(np.abs(view)) == 1 else 1  # x to the right
     up = np.array([0, 0, 1]) if abs(view[2]) < 0.9 else np.array([0, 1, 0])
     up = meshes.unit(up - (up @ view) * view)

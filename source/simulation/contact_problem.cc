@@ -230,6 +230,8 @@ namespace stiction
 
   void ContactProblem::describe_choices() const
   {
+    for (const std::string &what : body_->left_out())
+      log_->line(what);
     std::string elements;
     for (const auto &[kind, n] : body_->cut_elements())
       elements += (elements.empty() ? "" : ", ") + std::to_string(n) + ' ' + kind;

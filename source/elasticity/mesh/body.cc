@@ -85,6 +85,7 @@ namespace stiction
     triangulation_.copy_triangulation(coarse.triangulation());
     quadratic_cells_     = coarse.quadratic_cells();
     cut_elements_        = coarse.cut_elements();
+    left_out_            = coarse.left_out();
     pieces_              = MeshPieces(triangulation_,
                                       [&](const auto &cell) { return coarse.body_name(cell); });
     const auto manifolds = coarse.triangulation().get_manifold_ids();

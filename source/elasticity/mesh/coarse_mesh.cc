@@ -113,11 +113,13 @@ namespace stiction
             triangulation_.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
             quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
             cut_elements_    = mesh.cut_elements;
-            boundaries       = mesh.boundary_names;
-            materials        = mesh.material_names;
-            body_names_      = mesh.body_names;
-            body_of_cell_    = mesh.body_of_cell;
-            how_to_name      = mesh.how_to_name_boundaries;
+            for (const std::string &what : mesh.left_out)
+              left_out_.push_back("Left out of " + shape.mesh_file + ": " + what);
+            boundaries    = mesh.boundary_names;
+            materials     = mesh.material_names;
+            body_names_   = mesh.body_names;
+            body_of_cell_ = mesh.body_of_cell;
+            how_to_name   = mesh.how_to_name_boundaries;
           }
       }
     catch (const ExceptionBase &exception)

@@ -109,6 +109,7 @@ namespace stiction
     std::map<std::string, MeshNames::Id> boundaries, materials;
     std::map<types::material_id, std::string> body_names;
     std::map<std::string, std::size_t> cut_elements;
+    std::vector<std::string> left_out;
     bool is_quadratic = false;
   };
 
@@ -132,6 +133,7 @@ namespace stiction
     if (parts.is_quadratic)
       quadratic_cells_ = QuadraticCells(std::move(parts.nodes));
     cut_elements_     = parts.cut_elements;
+    left_out_         = parts.left_out;
     boundary_names_   = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
     material_names_   = MeshNames("material", parts.material_ids, parts.materials);
     body_of_material_ = parts.body_names;
@@ -210,5 +212,9 @@ namespace stiction
         add_material(first_material + id, placed.name + '.' + material_names_.name(id));
     for (const auto &[kind, n] : cut_elements_)
       parts.cut_elements[kind] += n;
+    for (const std::string &what : left_out_)
+      if (std::find(parts.left_out.begin(), parts.left_out.end(), what) ==
+          parts.left_out.end())
+        parts.left_out.push_back(what);
   }
 } // namespace stiction

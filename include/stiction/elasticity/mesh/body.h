@@ -180,6 +180,9 @@ namespace stiction
       return cut_elements_;
     }
 
+    /// What of mesh files is left out, a line each with the file's name.
+    const std::vector<std::string> &left_out() const { return left_out_; }
+
     /// The boundaries of the mesh, with their names.
     const MeshNames &boundary_names() const { return boundary_names_; }
 
@@ -221,6 +224,7 @@ namespace stiction
     dealii::FESystem<3> fe_;
     QuadraticCells quadratic_cells_;
     std::map<std::string, std::size_t> cut_elements_;
+    std::vector<std::string> left_out_;
     std::string location_; // of the entry that says what the body is
     std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;

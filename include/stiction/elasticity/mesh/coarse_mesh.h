@@ -47,6 +47,9 @@ namespace stiction
       return cut_elements_;
     }
 
+    /// See Body::left_out().
+    const std::vector<std::string> &left_out() const { return left_out_; }
+
     const MeshNames &boundary_names() const { return boundary_names_; }
 
     const MeshNames &material_names() const { return material_names_; }
@@ -75,6 +78,7 @@ namespace stiction
     dealii::Triangulation<3> triangulation_;
     QuadraticCells quadratic_cells_;
     std::map<std::string, std::size_t> cut_elements_;
+    std::vector<std::string> left_out_;
     MeshNames boundary_names_, material_names_;
     std::vector<std::string> body_names_;
     std::vector<std::size_t> body_of_cell_; // in these

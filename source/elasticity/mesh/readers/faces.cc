@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -132,9 +133,11 @@ namespace stiction
         }
   }
 
-  void Faces::require_boundaries_fit(std::vector<CellData<2>> &boundary) const
+  std::map<types::boundary_id, std::size_t> Faces::require_boundaries_fit(
+    std::vector<CellData<2>> &boundary) const
   {
-    std::map<Key, unsigned int> ids;
+    std::map<Key, types::boundary_id> ids;
+    std::map<types::boundary_id, std::size_t> inside, outside;
     for (CellData<2> &quad : boundary)
       {
         const Key key    = sorted(quad.vertices);
@@ -143,17 +146,21 @@ namespace stiction
           throw InputError(
             location_ + ", has a " +
             (quad.vertices.size() == 3 ? "triangle" : "quadrilateral") + " of boundary " +
-            std::to_string(quad.boundary_id) +
+            mesh_.name_of_boundary(quad.boundary_id) +
             " that is no face of a cell, faces and cells must have the same nodes.");
         const auto known = ids.emplace(key, quad.boundary_id);
         if (known.first->second != quad.boundary_id)
-          throw InputError(location_ + ", has a face of " +
-                           describe_cell(mesh_, face->first) + " on the boundaries " +
-                           std::to_string(known.first->second) + " and " +
-                           std::to_string(quad.boundary_id) + ", must be on one.");
+          throw InputError(
+            location_ + ", has a face of " + describe_cell(mesh_, face->first) +
+            " on the boundaries " + mesh_.name_of_boundary(known.first->second) +
+            " and " + mesh_.name_of_boundary(quad.boundary_id) + ", must be on one.");
+        ++(face->second == no_cell ? outside : inside)[quad.boundary_id];
         if (face->second != no_cell)
           quad.boundary_id = numbers::internal_face_boundary_id;
       }
+    for (auto entry = inside.begin(); entry != inside.end();)
+      entry = outside.count(entry->first) > 0 ? std::next(entry) : inside.erase(entry);
+    return inside;
   }
 
   Faces::Key Faces::sorted(const std::vector<unsigned int> &vertices)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,10 @@ namespace stiction
 
     /// Faces of boundaries must be faces of cells, on one boundary each. Those inside,
     /// which are no boundary, are marked as such.
-    void require_boundaries_fit(std::vector<dealii::CellData<2>> &boundary) const;
+    ///
+    /// @return of boundaries with faces inside and outside, how many are inside.
+    std::map<dealii::types::boundary_id, std::size_t> require_boundaries_fit(
+      std::vector<dealii::CellData<2>> &boundary) const;
 
   private:
     // Sorted; the last entry of a triangle is larger than any vertex.

@@ -92,7 +92,10 @@ namespace stiction
       faces.require_conforming();
       faces.require_manifold();
       faces.require_unfolded();
-      faces.require_boundaries_fit(mesh.faces.boundary_quads);
+      for (const auto &[id, n] : faces.require_boundaries_fit(mesh.faces.boundary_quads))
+        mesh.left_out.push_back(std::to_string(n) + (n == 1 ? " face" : " faces") +
+                                " of boundary " + mesh.name_of_boundary(id) +
+                                " inside of the body");
     }
     cut_into_hexahedra(mesh);
     GridTools::consistently_order_cells(mesh.cells);

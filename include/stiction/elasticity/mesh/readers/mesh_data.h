@@ -37,9 +37,21 @@ namespace stiction
     /// How many elements there are of kinds that are no use: "pyramids".
     std::map<std::string, std::size_t> other_elements;
 
+    /// What of the file is left out, a sentence each without the file's name.
+    std::vector<std::string> left_out;
+
     /// How many elements of the file were cut into the cells, by kinds:
     /// "tetrahedra". Empty if the cells are those of the file.
     std::map<std::string, std::size_t> cut_elements;
+
+    /// In quotes if it has one, otherwise the number.
+    std::string name_of_boundary(const dealii::types::boundary_id id) const
+    {
+      for (const auto &[name, number] : boundary_names)
+        if (number == id)
+          return "'" + name + "'";
+      return std::to_string(id);
+    }
   };
 
   /// What a cell is called.

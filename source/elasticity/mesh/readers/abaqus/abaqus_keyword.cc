@@ -44,6 +44,26 @@ namespace stiction
         }
   }
 
+  std::string AbaqusKeyword::of_the_problem() const
+  {
+    static const std::map<std::string, std::string> keywords = {
+      {"*BOUNDARY", "*BOUNDARY"},
+      {"*CLOAD", "*CLOAD"},
+      {"*CONTACT", "*CONTACT"},
+      {"*CONTACTPAIR", "*CONTACT PAIR"},
+      {"*COUPLING", "*COUPLING"},
+      {"*DLOAD", "*DLOAD"},
+      {"*DSLOAD", "*DSLOAD"},
+      {"*ELASTIC", "*ELASTIC"},
+      {"*EQUATION", "*EQUATION"},
+      {"*FRICTION", "*FRICTION"},
+      {"*MPC", "*MPC"},
+      {"*RIGIDBODY", "*RIGID BODY"},
+      {"*TIE", "*TIE"}};
+    const auto found = keywords.find(name);
+    return found == keywords.end() ? "" : found->second;
+  }
+
   std::string AbaqusKeyword::value(const std::string &option) const
   {
     const auto found = options.find(option);

@@ -31,6 +31,10 @@ namespace stiction
     /// The value of an option, empty if it has none or is not there.
     std::string value(const std::string &option) const;
 
+    /// What it says of the problem beside its mesh, as people write it: "*CONTACT PAIR";
+    /// empty: nothing.
+    std::string of_the_problem() const;
+
     std::string name; ///< in capital letters with the star, without blanks: "*ENDPART"
     /// Names in capital letters, values as they are written.
     std::map<std::string, std::string> options;

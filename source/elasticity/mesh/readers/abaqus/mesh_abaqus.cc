@@ -4,8 +4,11 @@
 #include "abaqus_parts.h"
 #include "abaqus_sets.h"
 
+#include <stiction/base/text/in_words.h>
+
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -43,6 +46,10 @@ namespace stiction
             name_materials();
           }
         text_.go_to(end);
+        if (!passed_over_.empty())
+          mesh_.mesh.left_out.push_back(
+            listed({passed_over_.begin(), passed_over_.end()}) +
+            "; materials, loads and contact stand in the parameter file");
         return mesh_.finish();
       }
 
@@ -90,6 +97,8 @@ namespace stiction
         end_of_data();
         keyword_                = AbaqusKeyword(line, text_);
         const std::string &name = keyword_.name;
+        if (const std::string more = keyword_.of_the_problem(); !more.empty())
+          passed_over_.insert(more);
         if (name == "*SURFACE" && is_of_elements())
           surfaces_.push_back({keyword_.value("NAME"), scope_, text_.here(), {}});
         else if (name == "*SURFACE")
@@ -390,6 +399,7 @@ namespace stiction
       AbaqusKeyword keyword_;
       std::string unfinished_;
 
+      std::set<std::string> passed_over_;
       std::vector<Surface> surfaces_;
       std::vector<std::pair<Reference, std::string>> sections_; // with the material
       std::map<std::string, Reference> element_sets_;           // those of *ELEMENT
