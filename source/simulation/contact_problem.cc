@@ -2,7 +2,6 @@
 #include <stiction/base/files.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
-#include <stiction/base/text/in_words.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
@@ -23,16 +22,13 @@
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/checkpoint/checkpoint.h>
 #include <stiction/simulation/checkpoint/checkpoint_files.h>
-#include <stiction/base/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
-#include <stiction/base/cores.h>
 #include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/missing_entries.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/reference_costs.h>
 #include <stiction/simulation/time_steps.h>
 
-#include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
@@ -226,61 +222,6 @@ namespace stiction
       }
     describe_body();
     describe_choices();
-  }
-
-  void ContactProblem::describe_choices() const
-  {
-    for (const std::string &what : body_->left_out())
-      log_->line(what);
-    std::string elements;
-    for (const auto &[kind, n] : body_->cut_elements())
-      elements += (elements.empty() ? "" : ", ") + std::to_string(n) + ' ' + kind;
-    if (!elements.empty())
-      log_->line("Mesh file: " + elements + ", cut into " +
-                 std::to_string(body_->triangulation().n_cells(0)) + " hexahedra");
-    if (!elements.empty() && parameters_.geometry.element_degree == 1)
-      log_->line("Cut elements bend too stiffly, by some 7 % with two elements across a "
-                 "beam and 2 % with three; 'Geometry/Element degree = 2' does not");
-    if (parameters_.material.volume_strain == "automatic" &&
-        parameters_.has_mean_dilatation())
-      log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
-                        parameters_.material.largest_poisson_ratio()));
-  }
-
-  void ContactProblem::describe_machine()
-  {
-    if (!parameters_.performance.print_timing)
-      return;
-    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator_);
-    log_->line(format("stiction %s (deal.II %s, %s, %u rank%s)", STICTION_VERSION,
-                      DEAL_II_PACKAGE_VERSION, STICTION_BUILD_TYPE, n_ranks,
-                      n_ranks == 1 ? "" : "s"));
-    if (!blas_remark().empty())
-      log_->line(blas_remark());
-    const SharedCores shared = shared_cores(communicator_);
-    if (shared.n_ranks > shared.n_cores)
-      log_->line(format("WARNING: %u ranks share %u core%s, which is slower "
-                        "than as many ranks as cores.",
-                        shared.n_ranks, shared.n_cores, shared.n_cores == 1 ? "" : "s"));
-  }
-
-  void ContactProblem::describe_body()
-  {
-    log_->line(format(
-      "Body: %llu cells, %llu nodes, %llu unknowns",
-      static_cast<unsigned long long>(body_->triangulation().n_global_active_cells()),
-      static_cast<unsigned long long>(body_->n_nodes()),
-      static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
-    if (body_->pieces().size() > 1)
-      {
-        std::vector<std::string> names;
-        for (const Piece &piece : body_->pieces())
-          names.push_back(piece.name);
-        log_->line("Several bodies: " + listed(names));
-      }
-    if (body_->n_hanging_nodes() > 0)
-      log_->line(format("Hanging nodes: %llu",
-                        static_cast<unsigned long long>(body_->n_hanging_nodes())));
   }
 
   void ContactProblem::assemble_system()

@@ -45,32 +45,6 @@ namespace stiction
                                    stiffness, parameters_.contact_solver.tolerance);
   }
 
-  void ContactProblem::describe_touching_bodies() const
-  {
-    std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>> pairs;
-    for (const ContactBoundary &boundary : discretization_->surface->boundaries())
-      if (boundary.is_pair())
-        pairs.emplace_back(boundary.id(), boundary.partner());
-    for (const auto &[first, second] : body_->touching_without(pairs))
-      log_->line(
-        "WARNING: bodies '" + first + "' and '" + second +
-        "' touch and are no contact pair, so that they pass through one another; "
-        "pair their boundaries, or merge their nodes if they are one body");
-  }
-
-  void ContactProblem::describe_interference()
-  {
-    const Eigen::VectorXd gaps = discretization_->surface->gaps();
-    const double rounding      = 1e-12 * body_->diameter();
-    const auto n               = (gaps.array() < -rounding).count();
-    if (n > 0)
-      log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
-                        "gives way, by up to ",
-                        static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
-                 with_unit(format("%.3g", -gaps.minCoeff()),
-                           Units::named(parameters_.output.units).length));
-  }
-
   LA::Vector ContactProblem::contact_force() const
   {
     LA::Vector force = discretization_->elasticity->zero_vector();

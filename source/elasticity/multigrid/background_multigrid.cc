@@ -7,7 +7,6 @@
 #include <stiction/elasticity/multigrid/background_grids.h>
 #include <stiction/elasticity/multigrid/background_multigrid.h>
 #include <stiction/elasticity/stiffness/element_stiffness.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>

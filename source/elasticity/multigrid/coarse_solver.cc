@@ -8,7 +8,6 @@
 #include <stiction/elasticity/multigrid/coarse_solver.h>
 #include <stiction/elasticity/stiffness/assembled_stiffness.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
@@ -128,13 +127,11 @@ namespace stiction
     }
   } // namespace
 
-  CoarseSolver::CoarseSolver(const LinearElasticity &elasticity,
-                             const Materials &materials, const MeshLevel &level,
+  CoarseSolver::CoarseSolver(const Materials &materials, const MeshLevel &level,
                              const LA::Vector &fixed, const Indices &supported_nodes,
                              const BasisTransformation &basis,
                              const NodalSupports &supports, const bool is_direct)
-    : elasticity_(elasticity)
-    , level_(level)
+    : level_(level)
     , fixed_(std::make_unique<LA::Vector>(fixed))
     , ground_(basis.ground())
     , always_direct_(is_direct)
@@ -151,7 +148,7 @@ namespace stiction
         masters_.push_back(place->second);
       }
     n_supported_ = nodes.size();
-    stiffness_ = assemble_stiffness(level, materials, elasticity.body().hanging_nodes());
+    stiffness_   = assemble_stiffness(level, materials, level.body().hanging_nodes());
     if (!basis.is_identity())
       stiffness_ = transformed(*stiffness_, basis, level);
     constrained_ = std::make_unique<ConstrainedMatrix>(*stiffness_, fixed, nodes);
@@ -197,7 +194,7 @@ namespace stiction
   std::vector<std::vector<double>> CoarseSolver::held_modes(
     const NodalSupports &supports) const
   {
-    auto modes = rigid_body_modes(elasticity_.body(), level_.node_positions());
+    auto modes = rigid_body_modes(level_.body(), level_.node_positions());
     for (std::vector<double> &mode : modes)
       {
         for (const auto &[dof, place] : support_of_)

@@ -1,5 +1,7 @@
 #include "mixed_preconditioner.h"
 
+#include "held_directions.h"
+
 #include <stiction/elasticity/levels/dof_subset_hierarchy.h>
 #include <stiction/elasticity/levels/mesh_hierarchy.h>
 #include <stiction/elasticity/stiffness/element_stiffness.h>
@@ -8,7 +10,6 @@
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/partitioner.h>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,9 @@ namespace stiction
     // Of the residual of K u = b: more iterations with K gain as much.
     constexpr double reduction = 0.1;
 
-    // Images are made orthogonal to this many before them: with all of them iterations
-    // are a tenth fewer, and take more memory than anything else.
+    // Images in the ring, the new one among them, which is made orthogonal to the others:
+    // with all of them iterations are a tenth fewer, and take more memory than anything
+    // else.
     constexpr unsigned int n_kept = 10;
 
     // Displacements and pressures, or the residuals of both equations.
@@ -59,34 +61,20 @@ namespace stiction
       , basis_(basis)
       , A_(mesh, softened)
       , hanging_(mesh)
-      , fixed_(fixed)
+      , held_(mesh, fixed, first_dofs)
       , forces_(mesh.zero_vector<double>())
     {
-      for (std::size_t i = 0; i < first_dofs.size(); ++i)
-        if (mesh.partitioner()->in_local_range(first_dofs[i]))
-          nodes_.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
       find_cells(materials, softened);
     }
 
-    void set_supports(const NodalSupports &supports) { supports_ = supports; }
+    void set_supports(const NodalSupports &supports) { held_.supports = supports; }
 
     Mixed zero() const
     {
       return {mesh_.zero_vector<double>(), Eigen::VectorXd::Zero(C_.size())};
     }
 
-    // Sets to zero what v has in held directions.
-    void project(LA::Vector &v) const
-    {
-      for (unsigned int k = 0; k < v.locally_owned_size(); ++k)
-        if (fixed_.local_element(k) != 0.)
-          v.local_element(k) = 0.;
-      for (const auto &[k, i] : nodes_)
-        {
-          Eigen::Map<Eigen::Vector3d> at_node(v.begin() + k);
-          at_node = (supports_[i].projection * at_node).eval();
-        }
-    }
+    void project(LA::Vector &v) const { held_.project(v); }
 
     // The left-hand sides of both equations.
     void vmult(Mixed &dst, const Mixed &src)
@@ -97,9 +85,7 @@ namespace stiction
       A_.vmult(dst.u, u);
       basis_.forces_to_relative(dst.u);
       dst.p = volume_strains(u) - C_.cwiseProduct(src.p);
-      for (const auto &[k, i] : nodes_)
-        Eigen::Map<Eigen::Vector3d>(dst.u.begin() + k) +=
-          supports_[i].spring * Eigen::Map<const Eigen::Vector3d>(src.u.begin() + k);
+      held_.add_springs(dst.u, src.u);
       add_forces(dst.u, 1., src.p);
     }
 
@@ -155,7 +141,7 @@ namespace stiction
       forces_.compress(VectorOperation::add);
       basis_.forces_to_relative(forces_);
       dst += forces_;
-      project(dst);
+      held_.project(dst);
     }
 
     static std::size_t unknown(const Cell &cell, const unsigned int k)
@@ -207,9 +193,8 @@ namespace stiction
     const BasisTransformation &basis_;
     StiffnessOperator<double> A_;
     HangingNodes hanging_;
-    LA::Vector fixed_, forces_;                               // the last one is scratch
-    std::vector<std::pair<unsigned int, std::size_t>> nodes_; // unknown, place
-    NodalSupports supports_;
+    HeldDirections held_;
+    LA::Vector forces_;       // scratch
     std::vector<Cell> cells_; // those with pressures
     Eigen::VectorXd C_, D_;
   };

@@ -20,8 +20,8 @@ namespace stiction
   ///
   /// is solved for displacements and pressures of the cells by generalised conjugate
   /// residuals. Their preconditioner is block triangular: a V-cycle for A, and for the
-  /// pressures the diagonal matrix C + D, D⁻¹ being 2μ + λ of A (H. Elman, D. Silvester,
-  /// A. Wathen, Finite Elements and Fast Iterative Solvers, 2014, chapter 4).
+  /// pressures the diagonal matrix C + D, D⁻¹ being (2μ + λ)/volume of A (H. Elman, D.
+  /// Silvester, A. Wathen, Finite Elements and Fast Iterative Solvers, 2014, chapter 4).
   ///
   /// That depends on b in a nonlinear way, if by little.
   class MixedPreconditioner

@@ -1,3 +1,4 @@
+#include "held_directions.h"
 #include "mixed_preconditioner.h"
 #include "multigrid_level.h"
 
@@ -41,6 +42,7 @@ namespace stiction
     {
       return size > 0. ? std::ldexp(1., std::ilogb(size)) : 1.;
     }
+
     // Whether a solver made for one serves the other: the same directions are
     // held, and the springs differ by little.
     bool are_alike(const NodalSupports &a, const NodalSupports &b)
@@ -58,56 +60,39 @@ namespace stiction
   // The coarsest level, in double precision and true units like its solver.
   struct Multigrid::Coarse
   {
-    Coarse(const LinearElasticity &elasticity, const Materials &materials,
-           const MeshLevel &mesh, const LA::Vector &fixed,
+    Coarse(const Materials &materials, const MeshLevel &mesh, const LA::Vector &fixed,
            const std::vector<types::global_dof_index> &first_dofs,
            const BasisTransformation &basis, const NodalSupports &supports,
            const bool is_direct)
-      : solver(elasticity, materials, mesh, fixed, first_dofs, basis, supports, is_direct)
-      , fixed(fixed)
+      : solver(materials, mesh, fixed, first_dofs, basis, supports, is_direct)
+      , held(mesh, fixed, first_dofs)
       , b(fixed)
       , x(fixed)
       , transferred(mesh.zero_vector<float>())
-      , supports(supports)
     {
-      for (std::size_t i = 0; i < first_dofs.size(); ++i)
-        if (mesh.partitioner()->in_local_range(first_dofs[i]))
-          nodes.emplace_back(3 * mesh.local_node(first_dofs[i]), i);
+      held.supports = supports;
     }
 
     void set_supports(const NodalSupports &new_supports)
     {
-      if (are_alike(supports, new_supports))
+      if (are_alike(held.supports, new_supports))
         return;
-      supports = new_supports;
-      solver.set_supports(supports);
-    }
-
-    void project(LA::Vector &v) const
-    {
-      for (unsigned int k = 0; k < v.locally_owned_size(); ++k)
-        if (fixed.local_element(k) != 0.)
-          v.local_element(k) = 0.;
-      for (const auto &node : nodes)
-        {
-          Eigen::Map<Eigen::Vector3d> at_node(v.begin() + node.first);
-          at_node = (supports[node.second].projection * at_node).eval();
-        }
+      held.supports = new_supports;
+      solver.set_supports(new_supports);
     }
 
     // x for b
     void solve()
     {
-      project(b);
+      held.project(b);
       solver.vmult(x, b);
-      project(x);
+      held.project(x);
     }
 
     CoarseSolver solver;
-    LA::Vector fixed, b, x;
+    HeldDirections held;
+    LA::Vector b, x;
     Level::Vector transferred;
-    std::vector<std::pair<unsigned int, std::size_t>> nodes; // unknown, place
-    NodalSupports supports;
   };
 
   Multigrid::Multigrid(const LinearElasticity &elasticity, const MeshHierarchy &hierarchy,
@@ -207,9 +192,9 @@ namespace stiction
                                                             const NodalSupports &supports,
                                                             const bool is_direct) const
   {
-    return std::make_unique<Coarse>(elasticity_, materials_, hierarchy_.level(level),
-                                    fixed_on(level), supported_nodes_.first_dofs(level),
-                                    bases_[level], supports, is_direct);
+    return std::make_unique<Coarse>(materials_, hierarchy_.level(level), fixed_on(level),
+                                    supported_nodes_.first_dofs(level), bases_[level],
+                                    supports, is_direct);
   }
 
   LA::Vector Multigrid::fixed_on(const unsigned int level) const
@@ -243,19 +228,15 @@ namespace stiction
   void Multigrid::set_supports(const unsigned int level, const NodalSupports &supports)
   {
     auto &coarse_solver = coarse_[level];
-    if (is_factorized_[level] && !is_direct(level))
+    const bool is_small = mixed_ && hierarchy_.level(level).n_dofs() <= max_coarsest;
+    if ((is_factorized_[level] || is_small) && !is_direct(level))
       coarse_solver = make_coarse(level, supports, true);
     else if (coarse_solver)
       coarse_solver->set_supports(supports);
     if (coarse_solver)
       return;
-    if (mixed_ && hierarchy_.level(level).n_dofs() > max_coarsest)
-      return mixed_->set_supports(level, supports);
     if (mixed_)
-      {
-        coarse_solver = make_coarse(level, supports, true);
-        return;
-      }
+      return mixed_->set_supports(level, supports);
     if (level == 0)
       return set_coarsest(supports);
     levels_[level]->set_supports(supports);
@@ -277,7 +258,6 @@ namespace stiction
   double Multigrid::vmult(const unsigned int level, LA::VectorOf<float> &dst,
                           const LA::Vector &src)
   {
-    // not earlier: without supports bodies may be free to move
     if (mixed_ && !coarse_[level])
       {
         LA::Vector x      = hierarchy_.level(level).zero_vector<double>();
@@ -286,6 +266,7 @@ namespace stiction
         copy(dst, x, 1. / size);
         return size;
       }
+    // not earlier: without supports bodies may be free to move
     if (!coarse_[level] && !background_ && !coarse_[0])
       set_coarsest(NodalSupports(supported_nodes_.first_dofs(0).size()));
     const double scale = power_of_two(src.linfty_norm());

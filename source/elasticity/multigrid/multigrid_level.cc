@@ -2,7 +2,6 @@
 #include "multigrid_level.h"
 
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>

@@ -88,8 +88,8 @@ namespace
       if (elasticity.constraints().is_constrained(dof))
         fixed(dof) = 1.;
     NodalSupports supports(T.slaves().size());
-    CoarseSolver solver(elasticity, elasticity.materials(), elasticity.mesh(), fixed,
-                        T.slaves(), T, supports, true);
+    CoarseSolver solver(elasticity.materials(), elasticity.mesh(), fixed, T.slaves(), T,
+                        supports, true);
     bool is_exact = solver.is_direct();
     for (const std::size_t stride : {1, 2, 5})
       {

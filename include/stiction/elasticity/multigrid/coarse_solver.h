@@ -17,7 +17,6 @@ namespace stiction
 {
   class AmgPreconditioner;
   class HostVector;
-  class LinearElasticity;
   class Materials;
   class MeshLevel;
   class MumpsFactorization;
@@ -36,8 +35,8 @@ namespace stiction
     ///   that supports may hold; the same on all ranks.
     /// @param basis in which the matrix is TᵀKT.
     /// @param is_direct whether to factorise whatever the size. Collective.
-    CoarseSolver(const LinearElasticity &elasticity, const Materials &materials,
-                 const MeshLevel &level, const LA::Vector &fixed,
+    CoarseSolver(const Materials &materials, const MeshLevel &level,
+                 const LA::Vector &fixed,
                  const std::vector<dealii::types::global_dof_index> &supported_nodes,
                  const BasisTransformation &basis, const NodalSupports &supports,
                  bool is_direct);
@@ -60,7 +59,6 @@ namespace stiction
     /// The rigid-body modes, without the directions that are held.
     std::vector<std::vector<double>> held_modes(const NodalSupports &supports) const;
 
-    const LinearElasticity &elasticity_;
     const MeshLevel &level_;
     std::unique_ptr<LA::Vector> fixed_;
     const Eigen::VectorXd ground_; ///< of the masters of the basis

@@ -23,7 +23,7 @@ namespace stiction
   /// supports that change: of P K P + S on the range of P, with P the projections
   /// (prescribed displacements included) and S the springs. On each level of the mesh;
   /// the last level is the mesh itself. It is a geometric V-cycle without matrices, in
-  /// single precision.
+  /// single precision; for nearly incompressible bodies see MixedPreconditioner.
   ///
   /// Smoother: Chebyshev polynomials of the fourth kind (J. Lottes, Optimal
   /// polynomial smoothers for multigrid V-cycles, 2022), which need the largest
@@ -56,7 +56,7 @@ namespace stiction
               const DofSubsetHierarchy &supported_nodes,
               std::vector<BasisTransformation> bases = {}, bool is_geometric = true);
 
-    /// With other materials than those of the body.
+    /// With other materials than those of the body, which must outlive the object.
     Multigrid(const LinearElasticity &elasticity, const Materials &materials,
               const MeshHierarchy &hierarchy, const DofSubsetHierarchy &supported_nodes,
               std::vector<BasisTransformation> bases, bool is_geometric);
@@ -84,12 +84,12 @@ namespace stiction
     /// @return whether that is something new, and the level small enough.
     bool factorize(unsigned int level);
 
-    /// Whether vmult() is a linear map. Not so for nearly incompressible bodies, for
-    /// which it iterates: see MixedPreconditioner.
+    /// Whether vmult() is a linear map, and symmetric. Not so for nearly incompressible
+    /// bodies, for which it iterates.
     bool is_linear() const { return mixed_ == nullptr; }
 
-    /// dst times the returned number is the approximate inverse times src, a
-    /// symmetric map. What src has in held directions is ignored, dst is
+    /// dst times the returned number is the approximate inverse times src.
+    /// What src has in held directions is ignored, dst is
     /// zero there. The number keeps dst in the range of single precision whatever
     /// the units are. Collective.
     double vmult(unsigned int level, LA::VectorOf<float> &dst, const LA::Vector &src);

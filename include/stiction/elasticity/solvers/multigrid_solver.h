@@ -10,9 +10,9 @@ namespace stiction
 {
   class Multigrid;
 
-  /// K⁻¹ by conjugate gradients without a matrix, preconditioned with
-  /// multigrid; with a factorisation where that does not converge and the mesh is
-  /// small enough for one.
+  /// K⁻¹ by conjugate gradients without a matrix, preconditioned with multigrid, or
+  /// flexible GMRES where that is not linear; with a factorisation where that does not
+  /// converge and the mesh is small enough for one.
   class MultigridSolver : public StiffnessSolver
   {
   public:

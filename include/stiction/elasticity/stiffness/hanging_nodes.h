@@ -3,6 +3,7 @@
 
 #include <stiction/elasticity/mesh/mesh_level.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace stiction

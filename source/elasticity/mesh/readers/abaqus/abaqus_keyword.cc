@@ -64,6 +64,18 @@ namespace stiction
     return found == keywords.end() ? "" : found->second;
   }
 
+  void AbaqusKeyword::require_all_is_here(const TextScanner &text) const
+  {
+    if (name == "*INCLUDE" || ((name == "*NODE" || name == "*ELEMENT") && has("INPUT")))
+      text.refuse("another file is included, must be one file");
+    if (name == "*SYSTEM" || (name == "*NODE" && has("SYSTEM")))
+      text.refuse("coordinates are in another system, must be Cartesian ones");
+    if (name == "*NGEN" || name == "*NFILL" || name == "*NCOPY" || name == "*NMAP" ||
+        name == "*ELGEN" || name == "*ELCOPY")
+      text.refuse("nodes or elements are made by " + name +
+                  ", must be written one by one");
+  }
+
   std::string AbaqusKeyword::value(const std::string &option) const
   {
     const auto found = options.find(option);

@@ -35,6 +35,10 @@ namespace stiction
     /// empty: nothing.
     std::string of_the_problem() const;
 
+    /// Refuses a keyword without whose data, which are not in the file, the mesh would be
+    /// another one.
+    void require_all_is_here(const TextScanner &text) const;
+
     std::string name; ///< in capital letters with the star, without blanks: "*ENDPART"
     /// Names in capital letters, values as they are written.
     std::map<std::string, std::string> options;

@@ -116,28 +116,13 @@ namespace stiction
           sections_.emplace_back(refer_to(keyword_.value("ELSET")),
                                  keyword_.value("MATERIAL"));
         else
-          refuse_what_is_elsewhere();
+          keyword_.require_all_is_here(text_);
       }
 
       bool is_of_elements() const
       {
         const std::string type = upper(keyword_.value("TYPE"));
         return type.empty() || type == "ELEMENT";
-      }
-
-      // Without these lines the mesh would be another one.
-      void refuse_what_is_elsewhere() const
-      {
-        const std::string &name = keyword_.name;
-        if (name == "*INCLUDE" ||
-            ((name == "*NODE" || name == "*ELEMENT") && keyword_.has("INPUT")))
-          text_.refuse("another file is included, must be one file");
-        if (name == "*SYSTEM" || (name == "*NODE" && keyword_.has("SYSTEM")))
-          text_.refuse("coordinates are in another system, must be Cartesian ones");
-        if (name == "*NGEN" || name == "*NFILL" || name == "*NCOPY" || name == "*NMAP" ||
-            name == "*ELGEN" || name == "*ELCOPY")
-          text_.refuse("nodes or elements are made by " + name +
-                       ", must be written one by one");
       }
 
       void begin_instance()

@@ -1,0 +1,99 @@
+// What a problem says of itself before it is solved.
+
+#include <stiction/base/blas_choice.h>
+#include <stiction/base/cores.h>
+#include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
+#include <stiction/base/units.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/simulation/contact_problem.h>
+#include <stiction/simulation/parameters/parameters.h>
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/mpi.h>
+
+namespace stiction
+{
+  void ContactProblem::describe_choices() const
+  {
+    for (const std::string &what : body_->left_out())
+      log_->line(what);
+    std::string elements;
+    for (const auto &[kind, n] : body_->cut_elements())
+      elements += (elements.empty() ? "" : ", ") + std::to_string(n) + ' ' + kind;
+    if (!elements.empty())
+      log_->line("Mesh file: " + elements + ", cut into " +
+                 std::to_string(body_->triangulation().n_cells(0)) + " hexahedra");
+    if (!elements.empty() && parameters_.geometry.element_degree == 1)
+      log_->line("Cut elements bend too stiffly, by some 7 % with two elements across a "
+                 "beam and 2 % with three; 'Geometry/Element degree = 2' does not");
+    if (parameters_.material.volume_strain == "automatic" &&
+        parameters_.has_mean_dilatation())
+      log_->line(format("Volume strain: cell mean, since a Poisson ratio is %g",
+                        parameters_.material.largest_poisson_ratio()));
+  }
+
+  void ContactProblem::describe_machine()
+  {
+    if (!parameters_.performance.print_timing)
+      return;
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator_);
+    log_->line(format("stiction %s (deal.II %s, %s, %u rank%s)", STICTION_VERSION,
+                      DEAL_II_PACKAGE_VERSION, STICTION_BUILD_TYPE, n_ranks,
+                      n_ranks == 1 ? "" : "s"));
+    if (!blas_remark().empty())
+      log_->line(blas_remark());
+    const SharedCores shared = shared_cores(communicator_);
+    if (shared.n_ranks > shared.n_cores)
+      log_->line(format("WARNING: %u ranks share %u core%s, which is slower "
+                        "than as many ranks as cores.",
+                        shared.n_ranks, shared.n_cores, shared.n_cores == 1 ? "" : "s"));
+  }
+
+  void ContactProblem::describe_body()
+  {
+    log_->line(format(
+      "Body: %llu cells, %llu nodes, %llu unknowns",
+      static_cast<unsigned long long>(body_->triangulation().n_global_active_cells()),
+      static_cast<unsigned long long>(body_->n_nodes()),
+      static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    if (body_->pieces().size() > 1)
+      {
+        std::vector<std::string> names;
+        for (const Piece &piece : body_->pieces())
+          names.push_back(piece.name);
+        log_->line("Several bodies: " + listed(names));
+      }
+    if (body_->n_hanging_nodes() > 0)
+      log_->line(format("Hanging nodes: %llu",
+                        static_cast<unsigned long long>(body_->n_hanging_nodes())));
+  }
+
+  void ContactProblem::describe_touching_bodies() const
+  {
+    std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>> pairs;
+    for (const ContactBoundary &boundary : discretization_->surface->boundaries())
+      if (boundary.is_pair())
+        pairs.emplace_back(boundary.id(), boundary.partner());
+    for (const auto &[first, second] : body_->touching_without(pairs))
+      log_->line(
+        "WARNING: bodies '" + first + "' and '" + second +
+        "' touch and are no contact pair, so that they pass through one another; "
+        "pair their boundaries, or merge their nodes if they are one body");
+  }
+
+  void ContactProblem::describe_interference()
+  {
+    const Eigen::VectorXd gaps = discretization_->surface->gaps();
+    const double rounding      = 1e-12 * body_->diameter();
+    const auto n               = (gaps.array() < -rounding).count();
+    if (n > 0)
+      log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
+                        "gives way, by up to ",
+                        static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
+                 with_unit(format("%.3g", -gaps.minCoeff()),
+                           Units::named(parameters_.output.units).length));
+  }
+} // namespace stiction
