@@ -154,7 +154,8 @@ namespace stiction
             location_ + ", has a face of " + describe_cell(mesh_, face->first) +
             " on the boundaries " + mesh_.name_of_boundary(known.first->second) +
             " and " + mesh_.name_of_boundary(quad.boundary_id) + ", must be on one.");
-        ++(face->second == no_cell ? outside : inside)[quad.boundary_id];
+        if (known.second)
+          ++(face->second == no_cell ? outside : inside)[quad.boundary_id];
         if (face->second != no_cell)
           quad.boundary_id = numbers::internal_face_boundary_id;
       }
