@@ -5,6 +5,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/levels/dof_subset_hierarchy.h>
 #include <stiction/elasticity/levels/mesh_hierarchy.h>
+#include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/contact_conditions.h>
@@ -335,15 +336,22 @@ namespace stiction
     state.w = penetration_and_slip(state.u, state.distances);
   }
 
-  NodalConstraint ContactLevel::support(const Eigen::Index node,
+  double ContactLevel::regularization(const LinearElasticity &elasticity)
+  {
+    return elasticity.materials().are_nearly_incompressible() ? 1e-2 : 1e-4;
+  }
+
+  NodalConstraint ContactLevel::support(const Eigen::Index node, const bool has_factors,
                                         const Eigen::Matrix3d &projection,
-                                        const Eigen::Matrix3d &spring,
-                                        const double part) const
+                                        const Eigen::Matrix3d &spring) const
   {
     const ContactFrame &frame     = B_.frames()[node];
     const Eigen::Matrix3d R       = frame.axes();
     const Eigen::Vector3d is_free = (frame.scales().array() > 0.).matrix().cast<double>();
     const Eigen::Matrix3d M       = frame.scales().asDiagonal() * R;
+
+    const double part =
+      has_factors ? regularization_of_factors : regularization(elasticity_);
 
     NodalConstraint support;
     support.projection = R.transpose() * (projection * is_free.asDiagonal()).eval() * R;

@@ -66,7 +66,7 @@ namespace stiction
         if (elasticity.free_motions().of(node.piece).second > 0)
           is_free(node.dofs[0]) = 1.;
       const Eigen::Index n = other.A.cols();
-      return ContactLevel::regularization *
+      return ContactLevel::regularization(elasticity) *
              other.dofs.restriction(is_free).head(n).cwiseProduct(
                other.A.transpose() * surface.stiffness().foundation(
                                        surface.areas(), elasticity.body().diameter()));

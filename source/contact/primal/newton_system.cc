@@ -113,15 +113,13 @@ namespace stiction
 
   void NewtonSystem::set_supports(const PrimalActiveSet &linearization)
   {
-    const double part = preconditioner_.is_direct(level_)
-                          ? ContactLevel::regularization_of_factors
-                          : ContactLevel::regularization;
+    const bool is_direct = preconditioner_.is_direct(level_);
     NodalSupports supports;
     for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
       {
         const PrimalActiveSet::Node &node = linearization.nodes[i];
         supports.push_back(
-          problem_.support(i, node.projection, symmetric_part(node.spring), part));
+          problem_.support(i, is_direct, node.projection, symmetric_part(node.spring)));
       }
     preconditioner_.set_supports(level_, supports);
   }
@@ -281,8 +279,9 @@ namespace stiction
     Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
     unsigned int n          = 0;
-    bool is_finished = square == 0., is_hard = false;
-    while (n < capacity && !is_finished)
+    unsigned int n_imprecise = 0;
+    bool is_finished = square == 0., turns = false;
+    while (n < capacity && !is_finished && !turns)
       {
         Direction &d = new_direction(n);
         if (n < felt.size())
@@ -292,7 +291,8 @@ namespace stiction
             d.distances = Eigen::VectorXd::Zero(obstacle_r.size());
             precondition(d, r, 1.);
           }
-        is_hard = is_hard || !(d.is_exact || preconditioner_.is_precise());
+        if (!d.is_exact && !preconditioner_.is_precise())
+          ++n_imprecise;
         apply(linearization, d);
 
         const double product = orthogonalize(n, H, obstacle_r);
@@ -312,13 +312,10 @@ namespace stiction
         is_finished = n >= felt.size() && (stop({n, norms[1], contact_r, state.lambda,
                                                  state.w, std::sqrt(square) / start}) ||
                                            square == 0.);
+        turns       = n_imprecise == max_unfinished && turns_to_factors();
       }
-    if ((!is_finished || is_hard) && ++n_unfinished_ >= max_unfinished && factorizes_ &&
-        preconditioner_.factorize(level_))
-      {
-        is_factorized_ = true;
-        n_unfinished_  = 0;
-      }
+    if (!is_finished && !turns && ++n_unfinished_ >= max_unfinished)
+      turns_to_factors();
 
     // u is moved along the preconditioned vectors, R is the residual wherever
     // nothing was replaced in it
@@ -329,6 +326,15 @@ namespace stiction
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);
     return n;
+  }
+
+  bool NewtonSystem::turns_to_factors()
+  {
+    if (!factorizes_ || !preconditioner_.factorize(level_))
+      return false;
+    is_factorized_ = true;
+    n_unfinished_  = 0;
+    return true;
   }
 
   NewtonSystem::Direction &NewtonSystem::new_direction(const unsigned int n)

@@ -61,13 +61,24 @@ namespace stiction
       , basis_(basis)
       , A_(mesh, softened)
       , hanging_(mesh)
-      , held_(mesh, fixed, first_dofs)
+      , held_(mesh, fixed, with_masters(first_dofs, basis))
       , forces_(mesh.zero_vector<double>())
     {
       find_cells(materials, softened);
     }
 
-    void set_supports(const NodalSupports &supports) { held_.supports = supports; }
+    // With springs to the ground, without which bodies that hold each other, and that
+    // nothing else holds, make the equations singular.
+    void set_supports(const NodalSupports &supports)
+    {
+      held_.supports = supports;
+      for (Eigen::Index j = 0; j < basis_.ground().size(); ++j)
+        {
+          held_.supports.emplace_back();
+          held_.supports.back().spring =
+            basis_.ground()(j) * Eigen::Matrix3d::Identity();
+        }
+    }
 
     Mixed zero() const
     {
@@ -111,6 +122,13 @@ namespace stiction
       std::array<unsigned int, 8> nodes;
       std::array<double, 24> b; // its row of B
     };
+
+    static BasisTransformation::Dofs with_masters(BasisTransformation::Dofs nodes,
+                                                  const BasisTransformation &basis)
+    {
+      nodes.insert(nodes.end(), basis.masters().begin(), basis.masters().end());
+      return nodes;
+    }
 
     // B u, of absolute displacements, which get hanging ones.
     Eigen::VectorXd volume_strains(LA::Vector &u) const

@@ -217,6 +217,11 @@ namespace stiction
     return coarse_[level] && coarse_[level]->solver.is_direct();
   }
 
+  bool Multigrid::is_linear(const unsigned int level) const
+  {
+    return mixed_ == nullptr || coarse_[level] != nullptr;
+  }
+
   bool Multigrid::factorize(const unsigned int level)
   {
     if (is_direct(level) || hierarchy_.level(level).n_dofs() > max_factorized)

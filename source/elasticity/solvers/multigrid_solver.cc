@@ -20,7 +20,8 @@ namespace stiction
 {
   namespace
   {
-    constexpr unsigned int max_iterations = 500;
+    // A preconditioner that iterates gains a digit each time where it is of use.
+    constexpr unsigned int max_iterations = 500, max_of_iterated = 50;
 
     // K with the rows and columns of the given unknowns left out.
     struct ConstrainedOperator
@@ -89,8 +90,7 @@ namespace stiction
       for (const auto dof : elasticity.anchors())
         if (dof - dof % 3 == nodes[i])
           supports_[i].projection(dof % 3, dof % 3) = 0.;
-    if (!nodes.empty())
-      preconditioner_->set_supports(level_, supports_);
+    preconditioner_->set_supports(level_, supports_);
   }
 
   MultigridSolver::MultigridSolver(const LinearElasticity &elasticity,
@@ -132,15 +132,17 @@ namespace stiction
           prescribed.local_element(k) = src.local_element(k) / diagonal.local_element(k);
       }
 
-    dealii::SolverControl control(max_iterations, relative_residual_ * b.l2_norm());
+    dealii::SolverControl control(0, relative_residual_ * b.l2_norm());
     const auto iterate = [&]() {
+      const bool is_linear = preconditioner_->is_linear(level_);
+      control.set_max_steps(is_linear ? max_iterations : max_of_iterated);
       const ConstrainedOperator K{elasticity_.stiffness(), fixed};
       const Preconditioner cycle{*preconditioner_, level_,
                                  elasticity_.mesh().zero_vector<float>()};
       dst = 0.;
       try
         {
-          if (preconditioner_->is_linear())
+          if (is_linear)
             dealii::SolverCG<LA::Vector>(control).solve(K, dst, b, cycle);
           else
             dealii::SolverFGMRES<LA::Vector>(control).solve(K, dst, b, cycle);
@@ -158,8 +160,8 @@ namespace stiction
         is_solved = iterate();
       }
     if (!is_solved)
-      throw std::runtime_error("conjugate gradients with multigrid did not converge in " +
-                               std::to_string(max_iterations) +
+      throw std::runtime_error("iterations with multigrid did not converge in " +
+                               std::to_string(control.max_steps()) +
                                " iterations, use 'Stiffness solver/Type = mumps'.");
     dst += prescribed;
     return control.last_step();

@@ -126,20 +126,22 @@ namespace stiction
     /// A body may be softer against bending than against shortening by its
     /// slenderness to the third power, and springs that are stiffer than the body
     /// are no approximation of it; softer ones leave more to iterations, but not to a
-    /// factorisation.
-    static constexpr double regularization = 1e-4, regularization_of_factors = 1e-8;
+    /// factorisation. Where rubber moves far, the rounding of a preconditioner in single
+    /// precision changes its volume, which resists by hundreds of times more.
+    static double regularization(const LinearElasticity &elasticity);
+    static constexpr double regularization_of_factors = 1e-8;
 
     /// How the contact nodes move under the motions of the body that can be driven,
     /// 3m × any: all free ones but those that nothing ever resists.
     const Eigen::MatrixXd &driven_motions() const { return driven_; }
 
-    /// A support given in contact variables: @p projection a diagonal one that
-    /// treats both tangents alike, @p spring of forces y for displacements w; with this
-    /// @p part of the foundation.
+    /// A support given in contact variables, with the regularization of a preconditioner,
+    /// or that of one with factors: @p projection a diagonal one that treats both
+    /// tangents alike, @p spring of forces y for displacements w.
     NodalConstraint support(
-      Eigen::Index node, const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
-      const Eigen::Matrix3d &spring = Eigen::Matrix3d::Zero(),
-      double part                   = regularization) const;
+      Eigen::Index node, bool has_factors = false,
+      const Eigen::Matrix3d &projection = Eigen::Matrix3d::Identity(),
+      const Eigen::Matrix3d &spring     = Eigen::Matrix3d::Zero()) const;
 
     /// The scales of the certificate for a displacement u with R = f − Ku and
     /// λ = BR.

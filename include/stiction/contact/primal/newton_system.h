@@ -65,11 +65,11 @@ namespace stiction
     unsigned int solve(ContactState &state, const PrimalActiveSet &linearization,
                        const std::function<bool(const Progress &)> &stop);
 
-    /// So many systems left unfinished, and the next are factorised.
+    /// So many systems left unfinished, or in one of them so many preconditioned vectors
+    /// that are less near than they are meant to, and the next are factorised.
     static constexpr unsigned int max_unfinished = 3;
 
-    /// How many systems were left at max_directions, or had a preconditioner that came
-    /// less near than it is meant to. After a few of them the
+    /// How many systems were left at max_directions. After a few of them the
     /// preconditioner is asked to factorise the level; if it does, this is zero
     /// again.
     unsigned int n_unfinished() const { return n_unfinished_; }
@@ -104,6 +104,9 @@ namespace stiction
     };
 
     Direction &new_direction(unsigned int n);
+
+    /// Whether the next systems are factorised from now on.
+    bool turns_to_factors();
 
     /// Makes @p sign times the preconditioned v the vector of d. A factorisation is
     /// worth double precision: a body that moves as a whole by far more than it is

@@ -84,9 +84,9 @@ namespace stiction
     /// @return whether that is something new, and the level small enough.
     bool factorize(unsigned int level);
 
-    /// Whether vmult() is a linear map, and symmetric. Not so for nearly incompressible
-    /// bodies, for which it iterates.
-    bool is_linear() const { return mixed_ == nullptr; }
+    /// Whether vmult() on this level is a linear map, and symmetric. Not so for nearly
+    /// incompressible bodies, for which it iterates.
+    bool is_linear(unsigned int level) const;
 
     /// dst times the returned number is the approximate inverse times src.
     /// What src has in held directions is ignored, dst is
