@@ -37,15 +37,6 @@ namespace stiction
                         b.innerIndexPtr());
     }
 
-    // Â on each of three blocks.
-    template<typename Matrix>
-    Eigen::VectorXd by_blocks(const Matrix &A, const Eigen::VectorXd &v)
-    {
-      Eigen::VectorXd image(3 * A.rows());
-      for (Eigen::Index c = 0; c < 3; ++c)
-        image.segment(c * A.rows(), A.rows()) = A * v.segment(c * A.cols(), A.cols());
-      return image;
-    }
   } // namespace
 
   ContactOperator::ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames,
@@ -82,7 +73,7 @@ namespace stiction
     Eigen::VectorXd w =
       at_all_nodes(frames_, dofs_.restriction(u), &ContactFrame::displacement_to_local);
     if (has_other_side())
-      w -= at_all_nodes(frames_, by_blocks(other_.A, other_.dofs.restriction(u)),
+      w -= at_all_nodes(frames_, other_.A * other_.dofs.restriction(u),
                         &ContactFrame::other_side_to_local);
     return w;
   }
@@ -91,15 +82,15 @@ namespace stiction
   {
     Eigen::VectorXd relative = dofs_.restriction(u);
     if (has_other_side())
-      relative -= by_blocks(other_.A, other_.dofs.restriction(u));
+      relative -= other_.A * other_.dofs.restriction(u);
     return relative;
   }
 
   Eigen::VectorXd ContactOperator::forces_on_other_side(
     const Eigen::VectorXd &lambda) const
   {
-    return -by_blocks(other_.A.transpose(),
-                      at_all_nodes(frames_, lambda, &ContactFrame::force_on_other_side));
+    return -other_.A.transpose() *
+           at_all_nodes(frames_, lambda, &ContactFrame::force_on_other_side);
   }
 
   void ContactOperator::add_transpose(const double factor, const Eigen::VectorXd &lambda,
@@ -157,8 +148,8 @@ namespace stiction
         rotate_to_local(C);
         return C;
       }
-    const Eigen::Index m = n_nodes(), n = other_.A.cols();
-    const auto all = all_dofs().dofs();
+    const Eigen::Index m = n_nodes();
+    const auto all       = all_dofs().dofs();
     std::map<dealii::types::global_dof_index, Eigen::Index> column;
     for (std::size_t j = 0; j < all.size(); ++j)
       column[all[j]] = static_cast<Eigen::Index>(j);
@@ -173,10 +164,9 @@ namespace stiction
           for (Eigen::Index r = 0; r < 3; ++r)
             {
               entries.emplace_back(i + r * m, i + c * m, own(r));
-              for (decltype(other_.A)::InnerIterator a(other_.A, i); a; ++a)
-                entries.emplace_back(
-                  i + r * m, column.at(other_.dofs.dofs()[a.col() + c * n]),
-                  -of_other(r) * a.value() * other_.is_free(a.col() + c * n));
+              for (decltype(other_.A)::InnerIterator a(other_.A, i + c * m); a; ++a)
+                entries.emplace_back(i + r * m, column.at(other_.dofs.dofs()[a.col()]),
+                                     -of_other(r) * a.value() * other_.is_free(a.col()));
             }
         }
     Eigen::SparseMatrix<double, Eigen::RowMajor> B(3 * m, C.rows());

@@ -7,10 +7,12 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
+#include <stiction/contact/pairs/rigid_turn.h>
 #include <stiction/contact/pairs/slave_side.h>
 #include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -315,13 +317,19 @@ namespace stiction
         number = static_cast<Eigen::Index>(masters.size());
         masters.push_back(dof);
       }
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (const Mortar *const mortar = mortars_[nodes_[i].boundary].get())
-        for (decltype(mortar->A)::InnerIterator a(mortar->A,
-                                                  mortar->row_of(nodes_[i].first_dof));
-             a; ++a)
-          entries.emplace_back(i, column.at(mortar->masters[a.col()]), a.value());
+    using Matrix        = decltype(Mortar::A);
+    const auto by_nodes = [&](const Matrix Mortar::*const of_mortar) {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < n_nodes(); ++i)
+        if (const Mortar *const mortar = mortars_[nodes_[i].boundary].get())
+          for (Matrix::InnerIterator a(mortar->*of_mortar,
+                                       mortar->row_of(nodes_[i].first_dof));
+               a; ++a)
+            entries.emplace_back(i, column.at(mortar->masters[a.col()]), a.value());
+      Matrix matrix(n_nodes(), static_cast<Eigen::Index>(masters.size()));
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    };
 
     ContactOperator::OtherSide other;
     other.dofs         = DofSubset::of_nodes(masters);
@@ -329,9 +337,20 @@ namespace stiction
     for (const auto dof : other.dofs.dofs())
       if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
         is_free(dof) = 1.;
-    other.is_free = other.dofs.restriction(is_free);
-    other.A.resize(n_nodes(), static_cast<Eigen::Index>(masters.size()));
-    other.A.setFromTriplets(entries.begin(), entries.end());
+    other.is_free     = other.dofs.restriction(is_free);
+    other.weights     = by_nodes(&Mortar::A);
+    LA::Vector places = elasticity.zero_vector();
+    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        places(node.dofs[c]) = node.position[c];
+    Eigen::VectorXd positions(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const Point<3> &p = nodes_[i].position;
+        set_at_node(positions, i, Eigen::Vector3d(p[0], p[1], p[2]));
+      }
+    other.A = with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps), positions,
+                               other.dofs.restriction(places));
     return other;
   }
 
@@ -340,12 +359,12 @@ namespace stiction
     if (!B_.has_other_side())
       return; // Eigen knows no product of sparse matrices without columns
     const auto &other = B_.other_side();
-    for (Eigen::Index j = 0; j < other.A.cols(); ++j)
+    for (Eigen::Index j = 0; j < other.weights.cols(); ++j)
       opposite_node_of_dof_[other.dofs.dofs()[j]] = j;
     Eigen::VectorXd areas(n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       areas(i) = nodes_[i].area;
-    to_other_side_                 = other.A.transpose() * areas.asDiagonal();
+    to_other_side_                 = other.weights.transpose() * areas.asDiagonal();
     const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
     for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
       to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;

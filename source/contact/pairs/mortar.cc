@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -39,7 +40,7 @@ namespace stiction
     struct Share
     {
       Dof slave, master; // invalid: to D and to the gap
-      double value, gap, smallest, largest, modulus;
+      double value, overlap, gap, smallest, largest, modulus;
     };
 
     BoundingBox<3> box_around(const std::vector<Point<3>> &points)
@@ -177,25 +178,31 @@ namespace stiction
         return;
       const Eigen::MatrixXd to_dual = d.asDiagonal() * m.fullPivLu().inverse();
       Eigen::VectorXd gap           = Eigen::VectorXd::Zero(n);
-      std::map<Dof, Eigen::VectorXd> M;
+      std::map<Dof, Eigen::MatrixX2d> M; // and the overlaps
       for (const CoveredPoint &point : points)
         {
           const FaceShape shape(slave.degree, point.at.first);
           const FaceShape other(point.master->degree, point.at.second);
-          const Eigen::VectorXd psi =
-            point.at.weight * to_dual *
-            Eigen::Map<const Eigen::VectorXd>(shape.value.data(), n);
+          const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
+          const Eigen::VectorXd psi = point.at.weight * to_dual * phi;
           gap += point.at.gap * psi;
           for (unsigned int j = 0; j < point.master->n_nodes(); ++j)
-            M.try_emplace(point.master->dofs[j], Eigen::VectorXd::Zero(n))
-              .first->second += other.value[j] * psi;
+            {
+              auto &columns =
+                M.try_emplace(point.master->dofs[j], Eigen::MatrixX2d::Zero(n, 2))
+                  .first->second;
+              columns.col(0) += other.value[j] * psi;
+              columns.col(1) +=
+                point.at.weight * std::abs(other.value[j]) * phi.cwiseAbs();
+            }
         }
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          shares.push_back({slave.dofs[i], numbers::invalid_dof_index, d(i), gap(i),
+          shares.push_back({slave.dofs[i], numbers::invalid_dof_index, d(i), 0., gap(i),
                             smallest, largest, modulus});
-          for (const auto &[master, column] : M)
-            shares.push_back({slave.dofs[i], master, column(i), 0., 0., 0., 0.});
+          for (const auto &[master, columns] : M)
+            shares.push_back(
+              {slave.dofs[i], master, columns(i, 0), columns(i, 1), 0., 0., 0., 0.});
         }
     }
 
@@ -302,13 +309,15 @@ namespace stiction
     const auto n      = static_cast<Eigen::Index>(on_slave.size());
     Eigen::VectorXd D = Eigen::VectorXd::Zero(n), weighted = D, moduli = D,
                     smallest = Eigen::VectorXd::Constant(n, 1e300), largest = -smallest;
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Eigen::Triplet<double>> entries, common;
     for (const Share &share : shares)
       {
         const auto i = number(on_slave, share.slave);
         if (share.master != numbers::invalid_dof_index)
           {
-            entries.emplace_back(i, number(on_master, share.master), share.value);
+            const auto j = number(on_master, share.master);
+            entries.emplace_back(i, j, share.value);
+            common.emplace_back(i, j, share.overlap);
             continue;
           }
         D(i) += share.value;
@@ -317,8 +326,9 @@ namespace stiction
         largest(i)  = std::max(largest(i), share.largest);
         moduli(i)   = std::max(moduli(i), share.modulus);
       }
-    SparseMatrix M(n, static_cast<Eigen::Index>(on_master.size()));
+    SparseMatrix M(n, static_cast<Eigen::Index>(on_master.size())), W = M;
     M.setFromTriplets(entries.begin(), entries.end());
+    W.setFromTriplets(common.begin(), common.end());
     for (Eigen::Index i = 0; i < n; ++i)
       if (D(i) > 0.)
         weighted(i) = D(i) * std::clamp(weighted(i) / D(i), smallest(i), largest(i));
@@ -330,7 +340,9 @@ namespace stiction
     if (slaves.empty())
       return;
     const SparseMatrix C         = of_slave.matrix(on_slave);
-    const SparseMatrix M_hanging = C.transpose() * M * of_master.matrix(on_master);
+    const SparseMatrix C_master  = of_master.matrix(on_master);
+    const SparseMatrix M_hanging = C.transpose() * M * C_master;
+    overlaps                     = C.cwiseAbs().transpose() * W * C_master.cwiseAbs();
     areas                        = C.transpose() * D;
     youngs_moduli                = Eigen::VectorXd::Zero(areas.size());
     for (Eigen::Index j = 0; j < C.cols(); ++j)

@@ -32,7 +32,7 @@ namespace stiction
       if (!B.has_other_side())
         return {};
       const ContactOperator::OtherSide &other = B.other_side();
-      const Eigen::Index m = B.n_nodes(), n = other.A.cols();
+      const Eigen::Index m = B.n_nodes(), n = other.weights.cols();
       std::vector<Eigen::Triplet<double>> entries;
       for (Eigen::Index i = 0; i < m; ++i)
         for (unsigned int b = 0; b < 3; ++b)
@@ -40,10 +40,11 @@ namespace stiction
             const ContactFrame &frame   = B.frames()[i];
             const Eigen::Vector3d moved = frame.displacement_to_cartesian(
               frame.other_side_to_local(Eigen::Vector3d::Unit(b)));
-            for (decltype(other.A)::InnerIterator entry(other.A, i); entry; ++entry)
+            for (decltype(other.A)::InnerIterator entry(other.A, i + b * m); entry;
+                 ++entry)
               for (unsigned int a = 0; a < 3; ++a)
                 if (std::abs(moved(a)) > rounding)
-                  entries.emplace_back(3 * i + a, 3 * entry.col() + b,
+                  entries.emplace_back(3 * i + a, 3 * (entry.col() % n) + entry.col() / n,
                                        entry.value() * moved(a));
           }
       BasisTransformation::Matrix N(3 * m, 3 * n);
@@ -65,11 +66,12 @@ namespace stiction
       for (const Body::Node &node : elasticity.body().locally_owned_nodes())
         if (elasticity.free_motions().of(node.piece).second > 0)
           is_free(node.dofs[0]) = 1.;
-      const Eigen::Index n = other.A.cols();
+      const Eigen::Index n = other.weights.cols();
       return ContactLevel::regularization(elasticity) *
              other.dofs.restriction(is_free).head(n).cwiseProduct(
-               other.A.transpose() * surface.stiffness().foundation(
-                                       surface.areas(), elasticity.body().diameter()));
+               other.weights.transpose() *
+               surface.stiffness().foundation(surface.areas(),
+                                              elasticity.body().diameter()));
     }
 
     // Those of all levels.

@@ -48,8 +48,7 @@ namespace stiction
       sizes.push_back(size_of(nodes, cell));
     const bool is_graded = quantile(sizes, 0.95) > graded * quantile(sizes, 0.05);
     edge_                = 2. * quantile(sizes, is_graded ? 0.01 : 0.5);
-    if (is_graded)
-      choose_lattices(cells, sizes);
+    choose_lattices(cells, sizes, is_graded ? 1. : graded);
 
     for (unsigned int c = 0; c < 3; ++c)
       {
@@ -84,7 +83,7 @@ namespace stiction
 
   void CubeLattices::choose_lattices(
     const std::vector<std::array<unsigned int, 8>> &cells,
-    const std::vector<double> &sizes)
+    const std::vector<double> &sizes, const double small)
   {
     std::vector<std::pair<double, int>> sums(nodes_.size());
     for (std::size_t e = 0; e < cells.size(); ++e)
@@ -94,8 +93,10 @@ namespace stiction
           ++sums[node].second;
         }
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      lattice_of_[i] =
-        std::max(0, static_cast<int>(std::lround(std::log2(
-                      2. * sums[i].first / (std::max(sums[i].second, 1) * edge_)))));
+      {
+        const double size = 2. * sums[i].first / (std::max(sums[i].second, 1) * edge_);
+        if (size > small)
+          lattice_of_[i] = static_cast<int>(std::lround(std::log2(size)));
+      }
   }
 } // namespace stiction

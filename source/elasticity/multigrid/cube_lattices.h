@@ -55,9 +55,10 @@ namespace stiction
     Cube cube(std::size_t node) const;
 
   private:
-    /// Each node gets cubes of about twice the mean size of the cells around it.
+    /// Each node gets cubes of about twice the mean size of the cells around it, or the
+    /// smallest where these are no more than @p small times as large as they should be.
     void choose_lattices(const std::vector<std::array<unsigned int, 8>> &cells,
-                         const std::vector<double> &sizes);
+                         const std::vector<double> &sizes, double small);
 
     const std::vector<std::array<double, 3>> &nodes_;
     std::vector<int> lattice_of_;

@@ -29,7 +29,8 @@ namespace stiction
     {
       DofSubset dofs;          ///< by blocks
       Eigen::VectorXd is_free; ///< 0 for each of them that is prescribed, otherwise 1
-      Eigen::SparseMatrix<double, Eigen::RowMajor> A; ///< Â, m × their number
+      Eigen::SparseMatrix<double, Eigen::RowMajor> weights; ///< m × their number
+      Eigen::SparseMatrix<double, Eigen::RowMajor> A;       ///< Â, by blocks
     };
 
     /// @param dofs the displacement unknowns of the nodes, by blocks.

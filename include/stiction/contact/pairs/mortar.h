@@ -40,7 +40,8 @@ namespace stiction
 
     /// The master nodes.
     std::vector<dealii::types::global_dof_index> masters;
-    Eigen::SparseMatrix<double, Eigen::RowMajor> A; ///< Â, slaves × masters
+    Eigen::SparseMatrix<double, Eigen::RowMajor> A;        ///< Â, slaves × masters
+    Eigen::SparseMatrix<double, Eigen::RowMajor> overlaps; ///< ∫ |φ_i φ_j|, as many
 
     /// Finds them. Collective.
     Mortar(const LinearElasticity &elasticity,
