@@ -36,7 +36,6 @@ namespace stiction
              std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(),
                         b.innerIndexPtr());
     }
-
   } // namespace
 
   ContactOperator::ContactOperator(DofSubset dofs, std::vector<ContactFrame> frames,

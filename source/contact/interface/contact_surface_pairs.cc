@@ -94,7 +94,7 @@ namespace stiction
       return least;
     }
 
-    // Of the size of faces: a tie across a wider gap would pass on no moment.
+    // Of the size of faces: what is between the sides of a tie counts as rigid.
     constexpr double widest_tie = 0.25;
 
     // Throws InputError if a tied pair is too far apart to be one.
@@ -112,8 +112,8 @@ namespace stiction
           "' is up to " + format("%.3g", distance) + " away from '" +
           pair.partner_name() + "', to which it is tied, must be within " +
           format("%.3g", widest_tie * size) +
-          ", a quarter of the size of its faces: across a gap a tie passes "
-          "on no moment.");
+          ", a quarter of the size of its faces: what is between would count as "
+          "rigid.");
     }
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick.
@@ -317,7 +317,7 @@ namespace stiction
         number = static_cast<Eigen::Index>(masters.size());
         masters.push_back(dof);
       }
-    using Matrix        = decltype(Mortar::A);
+    using Matrix        = decltype(Mortar::weights);
     const auto by_nodes = [&](const Matrix Mortar::*const of_mortar) {
       std::vector<Eigen::Triplet<double>> entries;
       for (Eigen::Index i = 0; i < n_nodes(); ++i)
@@ -338,7 +338,7 @@ namespace stiction
       if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
         is_free(dof) = 1.;
     other.is_free     = other.dofs.restriction(is_free);
-    other.weights     = by_nodes(&Mortar::A);
+    other.weights     = by_nodes(&Mortar::weights);
     LA::Vector places = elasticity.zero_vector();
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
       for (unsigned int c = 0; c < 3; ++c)

@@ -16,7 +16,7 @@ namespace stiction
       held(dof) = elasticity.is_prescribed(dof) ? 1. : 0.;
     const Eigen::VectorXd slaves  = DofSubset::of_nodes(mortar.slaves).restriction(held);
     const Eigen::VectorXd masters = DofSubset::of_nodes(mortar.masters).restriction(held);
-    const Eigen::Index m = mortar.A.rows(), n = mortar.A.cols();
+    const Eigen::Index m = mortar.weights.rows(), n = mortar.weights.cols();
     unsigned int n_nodes = 0;
     for (Eigen::Index i = 0; i < m; ++i)
       {
@@ -25,7 +25,7 @@ namespace stiction
           if (slaves(i + c * m) > 0.)
             {
               double all = 0., free = 0.;
-              for (decltype(mortar.A)::InnerIterator a(mortar.A, i); a; ++a)
+              for (decltype(mortar.weights)::InnerIterator a(mortar.weights, i); a; ++a)
                 {
                   all += std::abs(a.value());
                   free += std::abs(a.value()) * (1. - masters(a.col() + c * n));

@@ -33,7 +33,7 @@ namespace stiction
     // Of the diameter of a face: the gap varies by less along it.
     constexpr double steepest = 10.;
 
-    // Entries of Â that come of long chains of hanging nodes: less is rounding.
+    // Entries of the weights that come of long chains of hanging nodes: less is rounding.
     constexpr double no_weight = 1e-15;
 
     // What one slave face adds: sent to all ranks as it is.
@@ -352,16 +352,16 @@ namespace stiction
       {
         const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
         const Eigen::SparseLU<SparseMatrix> inverse(D_hanging);
-        A    = SparseMatrix(inverse.solve(M_hanging));
-        gaps = inverse.solve(C.transpose() * weighted);
+        weights = SparseMatrix(inverse.solve(M_hanging));
+        gaps    = inverse.solve(C.transpose() * weighted);
       }
     else
       {
         const Eigen::VectorXd inverse = areas.cwiseInverse();
-        A                             = inverse.asDiagonal() * M_hanging;
+        weights                       = inverse.asDiagonal() * M_hanging;
         gaps                          = inverse.cwiseProduct(C.transpose() * weighted);
       }
-    A.prune(1., no_weight);
+    weights.prune(1., no_weight);
   }
 
   Eigen::Index Mortar::row_of(const types::global_dof_index slave) const

@@ -15,8 +15,8 @@ namespace stiction
     constexpr double rounding = 1e-11;
 
     // Of the largest moment of inertia: nodes in a line do not say how they turn about
-    // it.
-    constexpr double no_inertia = 1e-6;
+    // it, those of a face that is a million times as long as wide do.
+    constexpr double no_inertia = 1e-13;
 
     Eigen::Matrix3d cross(const Eigen::Vector3d &v)
     {
@@ -51,7 +51,9 @@ namespace stiction
             for (Eigen::Index c = 0; c < 3; ++c)
               entries.emplace_back(i + c * m, a.col() + c * n, a.value());
           }
-        const double sum       = overlaps.row(i).sum();
+        const double sum = overlaps.row(i).sum();
+        if (sum == 0.)
+          continue; // a rigid obstacle
         Eigen::Vector3d centre = Eigen::Vector3d::Zero();
         for (Matrix::InnerIterator w(overlaps, i); w; ++w)
           centre += w.value() / sum * at_node(opposite, w.col());

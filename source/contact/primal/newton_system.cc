@@ -275,10 +275,10 @@ namespace stiction
     const std::size_t N = r.locally_owned_size();
 
     const std::vector<Eigen::Index> felt = felt_obstacles(linearization);
-    const auto capacity     = max_directions + static_cast<unsigned int>(felt.size());
-    Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
-    Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
-    unsigned int n          = 0;
+    const auto capacity      = max_directions + static_cast<unsigned int>(felt.size());
+    Eigen::MatrixXd H        = Eigen::MatrixXd::Identity(capacity, capacity);
+    Eigen::VectorXd amounts  = Eigen::VectorXd::Zero(capacity);
+    unsigned int n           = 0;
     unsigned int n_imprecise = 0;
     bool is_finished = square == 0., turns = false;
     while (n < capacity && !is_finished && !turns)
@@ -330,7 +330,10 @@ namespace stiction
 
   bool NewtonSystem::turns_to_factors()
   {
-    if (!factorizes_ || !preconditioner_.factorize(level_))
+    is_too_hard_ = !factorizes_;
+    if (is_too_hard_)
+      return true;
+    if (!preconditioner_.factorize(level_))
       return false;
     is_factorized_ = true;
     n_unfinished_  = 0;

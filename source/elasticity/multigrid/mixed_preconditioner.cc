@@ -75,8 +75,7 @@ namespace stiction
       for (Eigen::Index j = 0; j < basis_.ground().size(); ++j)
         {
           held_.supports.emplace_back();
-          held_.supports.back().spring =
-            basis_.ground()(j) * Eigen::Matrix3d::Identity();
+          held_.supports.back().spring = basis_.ground()(j) * Eigen::Matrix3d::Identity();
         }
     }
 

@@ -29,8 +29,9 @@ namespace stiction
     {
       DofSubset dofs;          ///< by blocks
       Eigen::VectorXd is_free; ///< 0 for each of them that is prescribed, otherwise 1
-      Eigen::SparseMatrix<double, Eigen::RowMajor> weights; ///< m × their number
-      Eigen::SparseMatrix<double, Eigen::RowMajor> A;       ///< Â, by blocks
+      /// W of the mortar, m × their number: how areas and tractions are shared.
+      Eigen::SparseMatrix<double, Eigen::RowMajor> weights;
+      Eigen::SparseMatrix<double, Eigen::RowMajor> A; ///< Â, by blocks
     };
 
     /// @param dofs the displacement unknowns of the nodes, by blocks.

@@ -18,12 +18,13 @@ namespace stiction
   /// How the nodes of one surface, the slave, see the displacement of another one, the
   /// master, that lies opposite to it: the dual mortar method of Wohlmuth (2000),
   ///
-  ///     D_ii = ∫ φ_i,   M_ij = ∫ ψ_i φ_j,   Â = D⁻¹ M,
+  ///     D_ii = ∫ φ_i,   M_ij = ∫ ψ_i φ_j,   W = D⁻¹ M,
   ///
   /// with ψ_i dual to the shape functions φ_i on the part of each slave face that is
-  /// covered. All integrals of a face are sums over the same points, so that Â keeps
+  /// covered. All integrals of a face are sums over the same points, so that W keeps
   /// constants, and linear functions where the surfaces are the same plane, whatever the
-  /// quadrature: forces λ on the slave and −Âᵀλ on the master balance.
+  /// quadrature: forces λ on the slave and −Wᵀλ on the master add to none. For their
+  /// moments see with_rigid_turns().
   ///
   /// Where nodes hang on others by u = C û, D is CᵀDC and M is CᵀMC.
   struct Mortar
@@ -40,7 +41,7 @@ namespace stiction
 
     /// The master nodes.
     std::vector<dealii::types::global_dof_index> masters;
-    Eigen::SparseMatrix<double, Eigen::RowMajor> A;        ///< Â, slaves × masters
+    Eigen::SparseMatrix<double, Eigen::RowMajor> weights;  ///< W, slaves × masters
     Eigen::SparseMatrix<double, Eigen::RowMajor> overlaps; ///< ∫ |φ_i φ_j|, as many
 
     /// Finds them. Collective.

@@ -6,20 +6,19 @@
 
 namespace stiction
 {
-  /// What the nodes of one surface see of the displacement of another one, such that both
-  /// can turn together: weights Â alone keep translations, but rotations only where
-  /// x = Σ_j Â_ij x_j, not across a gap or where facets stand apart. There the surface
+  /// Â: what the nodes of one surface see of the displacement of another one, such that
+  /// both can turn together. Weights W alone keep translations, but rotations only where
+  /// x = Σ_j W_ij x_j, not across a gap or where facets stand apart. There the surface
   /// opposite is carried on to x as a rigid body,
   ///
-  ///     u(x_i) = Σ_j Â_ij u_j + ω_i × d_i,   d_i = x_i − Σ_j Â_ij x_j,
+  ///     (Âu)(x_i) = Σ_j W_ij u_j + ω_i × d_i,   d_i = x_i − Σ_j W_ij x_j,
   ///
   /// ω_i the rotation that fits the u_j opposite best in the sense of least squares,
-  /// weighted with the overlaps. With that, forces λ on the slave and the transposed ones
-  /// on the other side
-  /// have no moment (M. A. Puso, T. A. Laursen, A mortar segment-to-segment contact
+  /// weighted with the overlaps. With that, forces λ on the slave and −Âᵀλ on the other
+  /// side have no moment (M. A. Puso, T. A. Laursen, A mortar segment-to-segment contact
   /// method for large deformation solid mechanics, 2004, on why it matters).
   ///
-  /// @param weights Â, m × n, whose rows sum to 1. @param overlaps ∫ |φ_i φ_j| of the
+  /// @param weights W, m × n, whose rows sum to 1. @param overlaps ∫ |φ_i φ_j| of the
   /// shape
   ///   functions of both, above zero for more than a line of nodes j.
   /// @param positions, opposite of the nodes of both, in m, by blocks (x; y; z).

@@ -81,7 +81,7 @@ namespace stiction
     bool is_easy() const { return !is_factorized_ && n_unfinished_ == 0; }
 
     /// Whether it would ask, but is not to.
-    bool is_too_hard() const { return !factorizes_ && n_unfinished_ >= max_unfinished; }
+    bool is_too_hard() const { return is_too_hard_; }
 
   private:
     /// What an iteration adds: A d = v for the direction d, which is known as
@@ -105,7 +105,7 @@ namespace stiction
 
     Direction &new_direction(unsigned int n);
 
-    /// Whether the next systems are factorised from now on.
+    /// Whether systems are factorised from the next one on, or are too hard.
     bool turns_to_factors();
 
     /// Makes @p sign times the preconditioned v the vector of d. A factorisation is
@@ -154,7 +154,7 @@ namespace stiction
     std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
     LA::Vector residual_, step_;                         ///< scratch
     unsigned int n_unfinished_ = 0;
-    bool is_factorized_        = false;
+    bool is_factorized_ = false, is_too_hard_ = false;
   };
 } // namespace stiction
 
