@@ -189,10 +189,13 @@ namespace stiction
     const EnergyBalance::Step all = steps_->energy();
     log_->line(format("Certified steps: %zu, ", steps_->steps().size()) +
                label("work", Units::named(parameters_.output.units).energy) +
-               format(" of loads %.6g, supports %.6g, obstacles %.6g; dissipated %.6g, "
+               format(" of loads %.6g, supports %.6g, %s %.6g; dissipated %.6g, "
                       "elastic energy %.6g, time stepping and initial interference %.6g.",
-                      all.loads, all.supports, all.obstacles, all.dissipation,
-                      all.elastic_energy, all.time_stepping));
+                      all.loads, all.supports,
+                      discretization_->surface->has_obstacles() ? "obstacles"
+                                                                : "growing interference",
+                      all.obstacles, all.dissipation, all.elastic_energy,
+                      all.time_stepping));
   }
 
   std::string ContactProblem::files_to_open() const

@@ -44,6 +44,7 @@ namespace stiction
     while (!comment_.empty() && line_.rfind(comment_, 0) == 0);
     // a message that quotes it would end there
     std::replace(line_.begin(), line_.end(), '\0', '?');
+    std::replace(line_.begin(), line_.end(), '\t', ' ');
     return true;
   }
 

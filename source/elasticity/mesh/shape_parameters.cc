@@ -3,11 +3,23 @@
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/shape_parameters.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
+#include <string>
 
 namespace stiction
 {
-  namespace Patterns = dealii::Patterns;
+  namespace Patterns  = dealii::Patterns;
+  namespace Utilities = dealii::Utilities;
+
+  namespace
+  {
+    const std::string generators =
+      "hyper_cube|hyper_rectangle|hyper_L|hyper_ball|hyper_ball_balanced|"
+      "half_hyper_ball|quarter_hyper_ball|hyper_shell|half_hyper_shell|"
+      "quarter_hyper_shell|cylinder|truncated_cone";
+  }
 
   ShapeParameters::ShapeParameters(const std::string &section)
     : ParameterAcceptor(section)
@@ -45,16 +57,12 @@ namespace stiction
     add_number(*this, "Length", length,
                "Length of the cylinder, from z = 0; it gets coarse cells "
                "about as long as its radius. Unit: of length.");
-    add_parameter(
-      "Generator", generator,
-      "Name of a function of deal.II's GridGenerator: one of those "
-      "that make a single body of hexahedra from numbers and "
-      "points.",
-      prm,
-      Patterns::Selection("hyper_cube|hyper_rectangle|hyper_L|hyper_ball|"
-                          "hyper_ball_balanced|half_hyper_ball|quarter_hyper_ball|"
-                          "hyper_shell|half_hyper_shell|quarter_hyper_shell|"
-                          "cylinder|truncated_cone|"));
+    add_parameter("Generator", generator,
+                  "Name of a function of deal.II's GridGenerator: one of those "
+                  "that make a single body of hexahedra from numbers and "
+                  "points, " +
+                    Utilities::replace_in_string(generators, "|", ", ") + ".",
+                  prm, Patterns::Selection(generators + "|"));
     add_parameter("Generator arguments", generator_arguments,
                   "Arguments of the generator after the mesh, separated by "
                   "':', points and lists by ','. The last one is often "

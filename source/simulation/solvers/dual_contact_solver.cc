@@ -128,7 +128,8 @@ namespace stiction
       setting_.elasticity.free_motions().n() > 0 && slip_bound.largest_coefficient() > 0.;
     return certified_solve(
       *method_, Q, slip_bound, verifier, tolerance, chosen.maximum_iterations,
-      (friction_holds ? "see whether the loads ask for more than friction bears, or "
+      (friction_holds ? "see whether the loads ask for more than friction bears or a "
+                        "support is missing, or "
                       : "") +
         other_method(tried_),
       observer, lambda);
@@ -313,7 +314,8 @@ namespace stiction
            ? "no place of the obstacle was found where it presses with its "
              "force, "
            : "no place of the body was found where contact holds it (do the "
-             "loads ask for more than friction bears, is a gap too large?), ") +
+             "loads ask for more than friction bears, is a gap too large, is a support "
+             "missing?), ") +
         other_method(tried_);
     status.converged = false;
     state            = best;

@@ -272,7 +272,8 @@ namespace stiction
             throw InputError(location_ + ", " + describe_cell(mesh_, other / n) +
                              " and " + describe_cell(mesh_, cell) + " meet at a single " +
                              name +
-                             ", cells that touch must be connected by faces around it; "
+                             ", cells that touch must be connected by faces around it "
+                             "(is one of them twisted, do they cut a face otherwise?); "
                              "bodies that meet there alone need nodes of their own, or a "
                              "file each in sections 'Body NAME'.");
         }
