@@ -22,7 +22,7 @@ namespace stiction
       "semismooth Newton on the displacements, without Q, for about the "
       "price of two elastic solves; where its steps come no closer, they take turns "
       "with an interior point method, and where that does not help, newton "
-      "goes on for bodies up to 100,000 unknowns. gauss "
+      "goes on for bodies up to 200,000 unknowns. gauss "
       "seidel: the paper's ALGORITHM GS, alternating between the normal "
       "forces (half-lines) and the tangential forces (discs, ALGORITHM "
       "QPQ). mpgp: conjugate gradients with projections on half-lines "

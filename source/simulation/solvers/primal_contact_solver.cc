@@ -32,6 +32,10 @@ namespace stiction
     // Up to here it is where multigrid is no good: the other one factorises in each step.
     constexpr unsigned int medium_contact = 6000;
 
+    // Up to so many unknowns of the bodies the one factorisation of the other takes half a
+    // minute, and three gigabytes.
+    constexpr dealii::types::global_dof_index max_handed_over = 200000;
+
     const std::set<std::string> both_methods = {"newton", "newton multigrid"};
   } // namespace
 
@@ -145,7 +149,7 @@ namespace stiction
 
   bool PrimalContactSolver::can_hand_over() const
   {
-    return setting_.elasticity.mesh().n_dofs() <= Multigrid::max_factorized &&
+    return setting_.elasticity.mesh().n_dofs() <= max_handed_over &&
            (setting_.parameters.dual_operator.form != "assembled" ||
             has_memory_to_hand_over(
               setting_.parameters,
