@@ -32,8 +32,8 @@ namespace stiction
     // Up to here it is where multigrid is no good: the other one factorises in each step.
     constexpr unsigned int medium_contact = 6000;
 
-    // Up to so many unknowns of the bodies the one factorisation of the other takes half a
-    // minute, and three gigabytes.
+    // Up to so many unknowns of the bodies the one factorisation of the other takes half
+    // a minute, and three gigabytes.
     constexpr dealii::types::global_dof_index max_handed_over = 200000;
 
     const std::set<std::string> both_methods = {"newton", "newton multigrid"};
