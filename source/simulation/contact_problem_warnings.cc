@@ -131,9 +131,8 @@ namespace stiction
             std::to_string(n_slipping[piece]) +
             " nodes that touch, and nothing else holds it: only the shape of the "
             "surfaces, which on round ones is that of facets, keeps it where it is; see "
-            "whether it bears the loads on a finer mesh, or with 'Geometry/Element "
-            "degree "
-            "= 2'.");
+            "whether it bears the loads on a finer mesh, or with "
+            "'Geometry/Element degree = 2'.");
     }
 
     void add_deformation(const Deformation &deformation, Warnings &warnings)

@@ -18,9 +18,9 @@ namespace stiction
   /// side have no moment (M. A. Puso, T. A. Laursen, A mortar segment-to-segment contact
   /// method for large deformation solid mechanics, 2004, on why it matters).
   ///
-  /// @param weights W, m × n, whose rows sum to 1. @param overlaps ∫ |φ_i φ_j| of the
-  /// shape
-  ///   functions of both, above zero for more than a line of nodes j.
+  /// @param weights W, m × n, whose rows sum to 1.
+  /// @param overlaps ∫ |φ_i φ_j| of the shape functions of both, above zero for more than
+  ///   a line of nodes j.
   /// @param positions, opposite of the nodes of both, in m, by blocks (x; y; z).
   /// @return 3m × 3n, by blocks. Rows whose d_i is rounding hold the weights alone.
   Eigen::SparseMatrix<double, Eigen::RowMajor> with_rigid_turns(
