@@ -4,11 +4,6 @@
 // does. Without supports a torque that another one does not balance is refused before
 // anything is solved.
 
-#include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
-
-#include <deal.II/lac/la_parallel_vector.h>
-
 #include "how_it_ends.h"
 #include "several_bodies.h"
 
@@ -86,22 +81,12 @@ namespace
         section("Contact solver", {"Tolerance = 1e-8"}));
   }
 
-  double torque(const Run &run)
-  {
-    const auto &elasticity = run.problem->elasticity();
-    double sum             = 0.;
-    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
-      sum += node.position[0] * elasticity.load()(node.dofs[1]) -
-             node.position[1] * elasticity.load()(node.dofs[0]);
-    return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
-  }
-
   void check(const std::string &what, const Settings &settings)
   {
     const Run light(fit(0.1), settings);
     const auto &surface = light.problem->contact_surface();
     const double normal = light.problem->state().lambda.head(surface.n_nodes()).sum();
-    const double limit  = 0.1 * friction * normal * radius / torque(light);
+    const double limit  = 0.1 * friction * normal * radius / moment_of_loads(light)[2];
     out() << what << ": 99 % of the limit " << how_it_ends(fit(0.99 * limit), settings)
           << ", 101 % " << how_it_ends(fit(1.01 * limit), settings) << std::endl;
   }

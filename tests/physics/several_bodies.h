@@ -1,9 +1,13 @@
 #ifndef stiction_tests_several_bodies_h
 #define stiction_tests_several_bodies_h
 
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
 #include "tests.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <fstream>
 #include <string>
@@ -42,6 +46,21 @@ inline bool certified_alone(const Run &run)
 {
   const auto solver = run.summary()["solver"];
   return run.converged && solver["fallbacks"] == 0 && !solver.contains("handed_over_to");
+}
+
+// About the origin. Collective.
+inline dealii::Tensor<1, 3> moment_of_loads(const Run &run)
+{
+  const auto &elasticity = run.problem->elasticity();
+  dealii::Tensor<1, 3> sum;
+  for (const stiction::Body::Node &node : elasticity.body().locally_owned_nodes())
+    {
+      dealii::Tensor<1, 3> f;
+      for (unsigned int c = 0; c < 3; ++c)
+        f[c] = elasticity.load()(node.dofs[c]);
+      sum += cross_product_3d(node.position, f);
+    }
+  return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
 }
 
 #endif

@@ -5,11 +5,6 @@
 // a gap between the surfaces, of degree 2, of tetrahedra, on levels, by the methods
 // for pairs.
 
-#include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
-
-#include <deal.II/lac/la_parallel_vector.h>
-
 #include "cut_block_file.h"
 #include "several_bodies.h"
 
@@ -71,17 +66,8 @@ namespace
   // Of the reactions and the loads, relative to those of the loads.
   double missing_moment(const Run &run)
   {
-    const auto &elasticity = run.problem->elasticity();
-    dealii::Tensor<1, 3> loads, all;
-    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
-      {
-        dealii::Tensor<1, 3> f;
-        for (unsigned int c = 0; c < 3; ++c)
-          f[c] = elasticity.load()(node.dofs[c]);
-        loads += cross_product_3d(node.position, f);
-      }
-    loads = dealii::Utilities::MPI::sum(loads, MPI_COMM_WORLD);
-    all   = loads;
+    const dealii::Tensor<1, 3> loads = moment_of_loads(run);
+    dealii::Tensor<1, 3> all         = loads;
     for (const auto &support : run.summary()["reactions"]["boundaries"])
       for (unsigned int c = 0; c < 3; ++c)
         all[c] += support["moment"][c].get<double>();

@@ -135,8 +135,9 @@ namespace stiction
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
-    B_ = ContactOperator(DofSubset::of_nodes(first_dofs_of(nodes_)),
-                         {nodes_.begin(), nodes_.end()}, other_side(elasticity));
+    const DofSubset own = DofSubset::of_nodes(first_dofs_of(nodes_));
+    B_ =
+      ContactOperator(own, {nodes_.begin(), nodes_.end()}, other_side(elasticity, own));
     find_weights_of_other_side();
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));
   }

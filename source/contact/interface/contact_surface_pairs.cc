@@ -5,6 +5,7 @@
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
@@ -302,7 +303,7 @@ namespace stiction
   }
 
   ContactOperator::OtherSide ContactSurface::other_side(
-    const LinearElasticity &elasticity) const
+    const LinearElasticity &elasticity, const DofSubset &own) const
   {
     std::map<types::global_dof_index, Eigen::Index> column;
     for (const auto &mortar : mortars_)
@@ -343,14 +344,8 @@ namespace stiction
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
       for (unsigned int c = 0; c < 3; ++c)
         places(node.dofs[c]) = node.position[c];
-    Eigen::VectorXd positions(3 * n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      {
-        const Point<3> &p = nodes_[i].position;
-        set_at_node(positions, i, Eigen::Vector3d(p[0], p[1], p[2]));
-      }
-    other.A = with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps), positions,
-                               other.dofs.restriction(places));
+    other.A = with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps),
+                               own.restriction(places), other.dofs.restriction(places));
     return other;
   }
 

@@ -1,7 +1,7 @@
 #include <stiction/contact/pairs/rigid_turn.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <vector>
 
@@ -23,16 +23,6 @@ namespace stiction
       Eigen::Matrix3d V;
       V << 0., -v(2), v(1), v(2), 0., -v(0), -v(1), v(0), 0.;
       return V;
-    }
-
-    Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d &symmetric)
-    {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(symmetric);
-      const Eigen::Vector3d values = eigen.eigenvalues();
-      const Eigen::Vector3d inverse =
-        (values.array() > no_inertia * values(2)).select(values.cwiseInverse(), 0.);
-      return eigen.eigenvectors() * inverse.asDiagonal() *
-             eigen.eigenvectors().transpose();
     }
   } // namespace
 
@@ -65,7 +55,10 @@ namespace stiction
           }
         if (d.squaredNorm() <= rounding * rounding * inertia.trace())
           continue;
-        const Eigen::Matrix3d turn = -cross(d) * pseudo_inverse(inertia);
+        Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d> inverse;
+        inverse.setThreshold(no_inertia);
+        inverse.compute(inertia);
+        const Eigen::Matrix3d turn = -cross(d) * inverse.pseudoInverse();
         for (Matrix::InnerIterator w(overlaps, i); w; ++w)
           {
             const Eigen::Matrix3d C =

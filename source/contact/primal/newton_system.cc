@@ -275,11 +275,10 @@ namespace stiction
     const std::size_t N = r.locally_owned_size();
 
     const std::vector<Eigen::Index> felt = felt_obstacles(linearization);
-    const auto capacity      = max_directions + static_cast<unsigned int>(felt.size());
-    Eigen::MatrixXd H        = Eigen::MatrixXd::Identity(capacity, capacity);
-    Eigen::VectorXd amounts  = Eigen::VectorXd::Zero(capacity);
-    unsigned int n           = 0;
-    unsigned int n_imprecise = 0;
+    const auto capacity     = max_directions + static_cast<unsigned int>(felt.size());
+    Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
+    Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
+    unsigned int n = 0, n_imprecise = 0;
     bool is_finished = square == 0., turns = false;
     while (n < capacity && !is_finished && !turns)
       {

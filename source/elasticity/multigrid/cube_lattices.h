@@ -56,7 +56,7 @@ namespace stiction
 
   private:
     /// Each node gets cubes of about twice the mean size of the cells around it, or the
-    /// smallest where these are no more than @p small times as large as they should be.
+    /// smallest ones if that is up to @p small times their edge.
     void choose_lattices(const std::vector<std::array<unsigned int, 8>> &cells,
                          const std::vector<double> &sizes, double small);
 

@@ -5,7 +5,6 @@
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
-#include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>

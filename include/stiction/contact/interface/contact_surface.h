@@ -282,7 +282,9 @@ namespace stiction
     bool place_in_pair(ContactNode &node) const;
     /// Gives the nodes that are left their numbers and makes B.
     void number_nodes(const LinearElasticity &elasticity);
-    ContactOperator::OtherSide other_side(const LinearElasticity &elasticity) const;
+    /// @param own the unknowns of the contact nodes.
+    ContactOperator::OtherSide other_side(const LinearElasticity &elasticity,
+                                          const DofSubset &own) const;
     void find_weights_of_other_side();
 
     /// U − u since the end of the last step, by blocks (x; y; z).
