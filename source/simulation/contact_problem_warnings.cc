@@ -7,15 +7,12 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/deformation.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/qp/advice.h>
-#include <stiction/qp/node_status.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
 
 #include <deal.II/base/numbers.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +34,9 @@ namespace stiction
     // Of the pressure where something lies opposite: edges of punches make two or three
     // times that, by the mesh.
     constexpr double high_beyond_edge = 10.;
+
+    // Of the strain energy.
+    constexpr double much_from_facets = 0.02;
 
     // A warning is given if more than this part of a force acts without friction.
     constexpr double much_without_friction = 0.01;
@@ -96,43 +96,17 @@ namespace stiction
                            "of the undeformed bodies.");
     }
 
-    // Of bodies that pairs alone hold, where every node that touches slips.
-    void add_sliding_bodies(const LinearElasticity &elasticity,
-                            const ContactSurface &surface,
-                            const std::vector<NodeStatus> &statuses, Warnings &warnings)
+    void add_facets(const ContactBoundary &pair, const double share, Warnings &warnings)
     {
-      const Body &body = elasticity.body();
-      std::vector<std::set<unsigned int>> bodies_of;
-      for (const ContactBoundary &boundary : surface.boundaries())
-        {
-          bodies_of.push_back(body.pieces_at(boundary.id()));
-          if (boundary.is_pair())
-            bodies_of.back().merge(body.pieces_at(boundary.partner()));
-        }
-      std::vector<unsigned int> n_slipping(body.pieces().size());
-      std::set<unsigned int> held;
-      for (std::size_t i = 0; i < statuses.size(); ++i)
-        {
-          const unsigned int b = surface.nodes()[i].boundary;
-          if (statuses[i].normal == NormalStatus::open)
-            continue;
-          if (statuses[i].tangential == TangentialStatus::slip &&
-              surface.boundaries()[b].is_pair())
-            for (const unsigned int piece : bodies_of[b])
-              ++n_slipping[piece];
-          else
-            held.insert(bodies_of[b].begin(), bodies_of[b].end());
-        }
-      for (unsigned int piece = 0; piece < n_slipping.size(); ++piece)
-        if (n_slipping[piece] > 0 && held.count(piece) == 0 &&
-            elasticity.free_motions().of(piece).second > 0)
-          warnings.push_back(
-            "body '" + body.pieces()[piece].name + "' slips at all " +
-            std::to_string(n_slipping[piece]) +
-            " nodes that touch, and nothing else holds it: only the shape of the "
-            "surfaces, which on round ones is that of facets, keeps it where it is; see "
-            "whether it bears the loads on a finer mesh, or with "
-            "'Geometry/Element degree = 2'.");
+      if (share > much_from_facets)
+        warnings.push_back(
+          "'" + pair.name() + "' slid on '" + pair.partner_name() +
+          format(
+            "' until facets wedged, which have %.2g %% of the strain energy: were "
+            "the surface as round as it is but for them, friction might not hold the "
+            "loads; see whether less is held on a finer mesh, or on one that follows "
+            "the surface (second order, 'Geometry/Element degree = 2').",
+            100. * share));
     }
 
     void add_deformation(const Deformation &deformation, Warnings &warnings)
@@ -194,8 +168,11 @@ namespace stiction
             {
               add_edge(pair, surface.beyond_edge(pair, state_.lambda), warnings);
               add_slide(pair, surface.slide(pair, state_), units, warnings);
+              add_facets(pair,
+                         surface.climbed_facets(pair, state_) /
+                           certificate_->strain_energy(),
+                         warnings);
             }
-        add_sliding_bodies(elasticity(), surface, node_statuses(), warnings);
         deformation.include(largest_deformation(*body_, state_.u));
       }
     add_deformation(deformation, warnings);

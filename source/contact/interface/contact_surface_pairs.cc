@@ -6,6 +6,7 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/contact/pairs/climbed_facets.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
@@ -284,6 +285,31 @@ namespace stiction
     if (opposite.pressure > 0.)
       result.peak = std::max(1., beyond.pressure / opposite.pressure);
     return result;
+  }
+
+  double ContactSurface::climbed_facets(const ContactBoundary &pair,
+                                        const State &state) const
+  {
+    const Eigen::VectorXd moved = relative_displacement(state);
+    std::vector<Eigen::Index> pressed;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (boundaries_[nodes_[i].boundary].id() == pair.id() && state.lambda(i) > 0.)
+        pressed.push_back(i);
+    const auto n = static_cast<Eigen::Index>(pressed.size());
+    Eigen::MatrixX3d positions(n, 3), normals(n, 3), slip(n, 3);
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        const ContactNode &node = nodes_[pressed[k]];
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            positions(k, c) = node.position[c];
+            normals(k, c)   = node.normal[c];
+          }
+        slip.row(k) = -at_node(moved, pressed[k]).transpose();
+      }
+    return n == 0 ? 0.
+                  : stiction::climbed_facets(positions, normals, slip, areas_(pressed),
+                                             state.lambda(pressed));
   }
 
   ContactSurface::Slide ContactSurface::slide(const ContactBoundary &pair,

@@ -12,7 +12,7 @@ namespace stiction
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
     // Of the size of what is opposite: less is rounding.
-    constexpr double rounding = 1e-11;
+    constexpr double no_arm = 1e-11;
 
     // Of the largest moment of inertia: nodes in a line do not say how they turn about
     // it, those of a face that is a million times as long as wide do.
@@ -53,7 +53,7 @@ namespace stiction
             const Eigen::Matrix3d R = cross(at_node(opposite, w.col()) - centre);
             inertia -= w.value() / sum * R * R;
           }
-        if (d.squaredNorm() <= rounding * rounding * inertia.trace())
+        if (d.squaredNorm() <= no_arm * no_arm * inertia.trace())
           continue;
         Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d> inverse;
         inverse.setThreshold(no_inertia);

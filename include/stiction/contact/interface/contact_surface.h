@@ -227,6 +227,10 @@ namespace stiction
     BeyondEdge beyond_edge(const ContactBoundary &pair,
                            const Eigen::VectorXd &lambda) const;
 
+    /// The energy from facets of a contact boundary that is a pair, J, see
+    /// stiction::climbed_facets(). Collective.
+    double climbed_facets(const ContactBoundary &pair, const State &state) const;
+
     /// How far a pressed node of a pair is at most from where it was on the other side,
     /// along the surface, and the mean distance of these nodes, m. Collective.
     struct Slide
