@@ -35,6 +35,9 @@ namespace stiction
     // times that, by the mesh.
     constexpr double high_beyond_edge = 10.;
 
+    // Of the moments of all forces of a pair.
+    constexpr double much_across_gap = 0.02;
+
     // Of the strain energy.
     constexpr double much_from_facets = 0.02;
 
@@ -94,6 +97,19 @@ namespace stiction
                            " times the distance of nodes: gaps, normals and what lies "
                            "opposite remain those "
                            "of the undeformed bodies.");
+    }
+
+    void add_gap(const ContactBoundary &pair, const ContactSurface::AcrossGap &across,
+                 const Units &units, Warnings &warnings)
+    {
+      if (across.moment_part > much_across_gap)
+        warnings.push_back(
+          "friction between '" + pair.name() + "' and '" + pair.partner_name() +
+          "' acts across the " + with_unit(format("%.2g", across.gap), units.length) +
+          format(" between their meshes: that has a moment, %.2g %% of that of all "
+                 "contact forces, which bodies that touch do not have; 'Translation' "
+                 "brings them together.",
+                 100. * across.moment_part));
     }
 
     void add_facets(const ContactBoundary &pair, const double share, Warnings &warnings)
@@ -168,6 +184,7 @@ namespace stiction
             {
               add_edge(pair, surface.beyond_edge(pair, state_.lambda), warnings);
               add_slide(pair, surface.slide(pair, state_), units, warnings);
+              add_gap(pair, surface.across_gap(pair, state_.lambda), units, warnings);
               add_facets(pair,
                          surface.climbed_facets(pair, state_) /
                            certificate_->strain_energy(),

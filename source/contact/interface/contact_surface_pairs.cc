@@ -6,7 +6,6 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
-#include <stiction/contact/pairs/climbed_facets.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
@@ -31,9 +30,6 @@ namespace stiction
   {
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
-
-    // A node with less is beyond the edge of what lies opposite, but for rounding.
-    constexpr double covered = 0.499;
 
     // Of the area of a surface: more than the first is all of it, less than the second is
     // a smaller one.
@@ -264,70 +260,6 @@ namespace stiction
     return true;
   }
 
-  ContactSurface::BeyondEdge ContactSurface::beyond_edge(
-    const ContactBoundary &pair, const Eigen::VectorXd &lambda) const
-  {
-    struct
-    {
-      double force = 0., pressure = 0.;
-    } beyond, opposite;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (boundaries_[nodes_[i].boundary].id() == pair.id())
-        {
-          auto &there        = nodes_[i].cover < covered ? beyond : opposite;
-          const double force = std::max(lambda(i), 0.);
-          there.force += force;
-          there.pressure = std::max(there.pressure, force / areas_(i));
-        }
-    BeyondEdge result;
-    if (beyond.force > 0.)
-      result.share = beyond.force / (beyond.force + opposite.force);
-    if (opposite.pressure > 0.)
-      result.peak = std::max(1., beyond.pressure / opposite.pressure);
-    return result;
-  }
-
-  double ContactSurface::climbed_facets(const ContactBoundary &pair,
-                                        const State &state) const
-  {
-    const Eigen::VectorXd moved = relative_displacement(state);
-    std::vector<Eigen::Index> pressed;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (boundaries_[nodes_[i].boundary].id() == pair.id() && state.lambda(i) > 0.)
-        pressed.push_back(i);
-    const auto n = static_cast<Eigen::Index>(pressed.size());
-    Eigen::MatrixX3d positions(n, 3), normals(n, 3), slip(n, 3);
-    for (Eigen::Index k = 0; k < n; ++k)
-      {
-        const ContactNode &node = nodes_[pressed[k]];
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            positions(k, c) = node.position[c];
-            normals(k, c)   = node.normal[c];
-          }
-        slip.row(k) = -at_node(moved, pressed[k]).transpose();
-      }
-    return n == 0 ? 0.
-                  : stiction::climbed_facets(positions, normals, slip, areas_(pressed),
-                                             state.lambda(pressed));
-  }
-
-  ContactSurface::Slide ContactSurface::slide(const ContactBoundary &pair,
-                                              const State &state) const
-  {
-    const Eigen::VectorXd moved = relative_displacement(state);
-    double way = 0., area = 0., n = 0.;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (const ContactNode &node = nodes_[i];
-          boundaries_[node.boundary].id() == pair.id() && state.lambda(i) > 0.)
-        {
-          way = std::max(way, (node.axes() * at_node(moved, i)).tail<2>().norm());
-          area += areas_(i);
-          n += 1.;
-        }
-    return {way, n > 0. ? std::sqrt(area / n) : 1.};
-  }
-
   ContactOperator::OtherSide ContactSurface::other_side(
     const LinearElasticity &elasticity, const DofSubset &own) const
   {
@@ -370,8 +302,12 @@ namespace stiction
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
       for (unsigned int c = 0; c < 3; ++c)
         places(node.dofs[c]) = node.position[c];
-    other.A = with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps),
-                               own.restriction(places), other.dofs.restriction(places));
+    std::vector<unsigned int> pairs;
+    for (const ContactNode &node : nodes_)
+      pairs.push_back(node.boundary);
+    other.A =
+      with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps),
+                       own.restriction(places), other.dofs.restriction(places), pairs);
     return other;
   }
 

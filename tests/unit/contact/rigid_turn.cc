@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <vector>
 
 using namespace stiction;
 using Eigen::Index;
@@ -50,6 +51,7 @@ namespace
 int main()
 {
   RandomNumbers random(5);
+  const std::vector<unsigned int> surfaces(m, 0);
   double rigid = 0., without = 0., in_line = 0., about_line = 0.;
   for (unsigned int k = 0; k < 50; ++k)
     {
@@ -63,23 +65,46 @@ int main()
       const Vector3d turn   = random_matrix(random, 3, 1, -1.);
 
       const auto error_of = [&](const Vector3d &turned) -> double {
-        return (with_rigid_turns(A, W, places, opposite) * moved(opposite, way, turned) -
+        return (with_rigid_turns(A, W, places, opposite, surfaces) *
+                  moved(opposite, way, turned) -
                 moved(places, way, turned))
           .norm();
       };
-      rigid   = std::max(rigid, error_of(turn));
-      without = std::max(
-        without,
-        (MatrixXd(with_rigid_turns(A, W, by_blocks(weights) * opposite, opposite)) -
-         by_blocks(weights))
-          .norm());
+      rigid = std::max(rigid, error_of(turn));
+      without =
+        std::max(without, (MatrixXd(with_rigid_turns(A, W, by_blocks(weights) * opposite,
+                                                     opposite, surfaces)) -
+                           by_blocks(weights))
+                            .norm());
       opposite.tail(2 * n).setZero(); // along x
       in_line    = std::max(in_line, error_of({0., turn(1), turn(2)}));
       about_line = std::max(about_line, error_of({1., 0., 0.}));
     }
+
+  // the first two nodes face the first three opposite, the others the other ones
+  MatrixXd apart = MatrixXd::Zero(m, n);
+  apart.topLeftCorner(2, 3).setConstant(1. / 3.);
+  apart.bottomRightCorner(m - 2, n - 3).setConstant(1. / (n - 3.));
+  const Matrix W        = apart.sparseView();
+  const VectorXd places = random_matrix(random, 3 * m, 1, -1.);
+  VectorXd opposite     = random_matrix(random, 3 * n, 1, -1.);
+  const auto mixed      = [&](const std::vector<unsigned int> &numbers) {
+    const MatrixXd A(with_rigid_turns(W, W, places, opposite, numbers));
+    double sum = 0.;
+    for (Index r = 0; r < 3; ++r)
+      for (Index c = 0; c < 3; ++c)
+        sum += A.block(r * m, c * n + 3, 2, n - 3).norm();
+    return sum;
+  };
+  opposite.array() += 10.;
+  const double of_one = mixed(surfaces), of_two = mixed({0, 0, 1, 1, 1});
+
   const auto yes = [](const bool is_so) { return is_so ? "yes" : "no"; };
   std::cout << "rigid motions to 1e-12 " << yes(rigid < 1e-12)
             << "\nweights alone where they are enough " << yes(without < 1e-12)
             << "\nin a line: turns across to 1e-12 " << yes(in_line < 1e-12)
-            << ", not about it " << yes(about_line > 0.1) << std::endl;
+            << ", not about it " << yes(about_line > 0.1)
+            << "\nacross a wide gap nodes of a surface see what its others do "
+            << yes(of_one > 0.1) << ", not those of another one " << yes(of_two == 0.)
+            << std::endl;
 }

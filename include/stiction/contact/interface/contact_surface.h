@@ -227,6 +227,16 @@ namespace stiction
     BeyondEdge beyond_edge(const ContactBoundary &pair,
                            const Eigen::VectorXd &lambda) const;
 
+    /// Friction across the gap in which the meshes of a pair are made has a moment that
+    /// bodies which touch do not have.
+    struct AcrossGap
+    {
+      double gap         = 0.; ///< the mean, weighted with friction, m
+      double moment_part = 0.; ///< over Σ |λ_i| |x_i − c|, c the centre of pressure
+    };
+    AcrossGap across_gap(const ContactBoundary &pair,
+                         const Eigen::VectorXd &lambda) const;
+
     /// The energy from facets of a contact boundary that is a pair, J, see
     /// stiction::climbed_facets(). Collective.
     double climbed_facets(const ContactBoundary &pair, const State &state) const;
