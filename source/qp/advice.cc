@@ -1,4 +1,5 @@
 #include <stiction/qp/advice.h>
+#include <stiction/qp/contact_scales.h>
 #include <stiction/qp/sets/slip_bound.h>
 
 #include <algorithm>
@@ -30,6 +31,15 @@ namespace stiction
     out << ", or lower the coefficient of friction: with " << coefficient
         << " there may be no solution or several";
     return out.str();
+  }
+
+  std::string advice_on_rounding(const double residual)
+  {
+    return residual <= largest_tolerance
+             ? "rounding prevents a smaller one, raise 'Contact solver/Tolerance' above "
+               "that"
+             : "rounding prevents a smaller one, as something moves much farther than it "
+               "is strained: see whether supports, contact and friction hold all bodies";
   }
 
   std::string warning_on_friction(const double coefficient)

@@ -83,9 +83,9 @@ namespace stiction
                               const ContactConditions &conditions,
                               const std::string &advice)
     {
-      if (is_rounding(conditions.contact_figures().kkt_residual, conditions.rounding()))
-        return "rounding prevents a smaller one, raise 'Contact solver/Tolerance' above "
-               "that";
+      if (const double residual = conditions.contact_figures().kkt_residual;
+          is_rounding(residual, conditions.rounding()))
+        return advice_on_rounding(residual);
       return (result.reason.empty() ? "the method makes no further progress"
                                     : result.reason) +
              ", " + advice;

@@ -11,9 +11,6 @@ namespace stiction
 {
   namespace
   {
-    // That 'Contact solver/Tolerance' may have.
-    constexpr double largest_tolerance = 1e-2;
-
     // std::max that keeps a NaN
     void raise(double &largest, const double value)
     {

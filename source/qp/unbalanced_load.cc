@@ -106,15 +106,10 @@ namespace stiction::qp
         , m_(slip_bound.n_nodes())
         , size_(size)
       {
-        for (Eigen::Index i = 0; i < m_; ++i)
-          has_given_ = has_given_ || slip_bound.is_given(i);
       }
 
-      // Whether there is given friction. It acts as a whole or in part: the amounts of
-      // all its candidates add up to one with that of none().
-      bool has_given() const { return has_given_; }
-
-      // No given friction.
+      // No given friction. That acts as a whole or in part: the amounts of all its
+      // candidates add up to one with this one's.
       Candidate none() const { return candidate({}, size_); }
 
       // The one that gains most, without work if none does.
@@ -123,7 +118,7 @@ namespace stiction::qp
         const Eigen::VectorXd motion = G_ * left.head(G_.cols());
         double gain                  = least_gain * left.norm();
         Candidate next               = best_of_node(motion, gain);
-        if (!has_given_)
+        if (!slip_bound_.has_given())
           return next;
         Candidate given = given_against(motion);
         return given.work.dot(left) > gain * given.work.norm() ? given : next;
@@ -196,7 +191,6 @@ namespace stiction::qp
       const SlipBound &slip_bound_;
       Eigen::Index m_;
       double size_;
-      bool has_given_ = false;
     };
 
     // λ, with no more than all of the given friction.
@@ -233,7 +227,7 @@ namespace stiction::qp
     b.head(n)            = e;
     Eigen::VectorXd left = b;
     std::vector<Candidate> used;
-    if (search.has_given())
+    if (slip_bound.has_given())
       {
         b(n) = size;
         used.push_back(search.none());

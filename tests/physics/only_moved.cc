@@ -1,11 +1,40 @@
 // A body that its support moves as a whole, along a foundation that it just
 // touches or away from it: there are no forces but the rounding of K u, and
 // every method certifies that there are none. Pressed on by a millionth of its
-// size, all of it slips, and all methods find the same forces.
+// size, all of it slips, and all methods find the same forces. A body that another one
+// takes along, glued to it or pushed, moves like that one.
 
-#include "tests.h"
+#include "several_bodies.h"
 
 #include <array>
+
+namespace
+{
+  void take_along(const std::string &law, const std::string &moved)
+  {
+    const Run run(
+      file("along.prm",
+           brick("lower", "2,2,1", "4,4,2", "0;0;-1") +
+             brick("upper", "2,2,1", "3,3,2", "0;0;0") +
+             section("Boundary conditions",
+                     {"Prescribed displacement = lower.bottom : " + moved}) +
+             section("Contact pair joint",
+                     {"Boundary = upper.bottom", "Obstacle = boundary : lower.top",
+                      "Law = " + law,
+                      "Coefficient = " + std::string(law == "coulomb" ? "0.3" : "")})),
+      {"Contact solver/Method=newton multigrid"});
+    double farthest = 0.;
+    for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        farthest = std::max(farthest, std::abs(run.problem->state().u(node.dofs[c]) -
+                                               (c == 2 ? 1e-3 : 0.)));
+    out() << law << ", by itself " << yes(certified_alone(run)) << ", forces "
+          << (run.problem->state().lambda.isZero(0.) ? "none" : "some")
+          << ", all of both moved alike to 1e-12 "
+          << yes(dealii::Utilities::MPI::max(farthest, MPI_COMM_WORLD) < 1e-12)
+          << std::endl;
+  }
+} // namespace
 
 int main(int argc, char *argv[])
 {
@@ -33,4 +62,6 @@ int main(int argc, char *argv[])
                   << ", undecided " << contact["undecided"] << std::endl;
           }
       }
+  for (const std::string law : {"tied", "coulomb", "frictionless"})
+    take_along(law, "0;0;1e-3");
 }

@@ -17,6 +17,9 @@ namespace stiction
   /// there may be no solution or several, otherwise nothing.
   std::string advice_on_friction(const qp::SlipBound &slip_bound);
 
+  /// Why a method ends where rounding leaves this residual, and what may help.
+  std::string advice_on_rounding(double residual);
+
   /// What a certificate does not say of a solution: that there may be others,
   /// where the coefficient of friction is that large; otherwise nothing.
   ///

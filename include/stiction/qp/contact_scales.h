@@ -15,6 +15,9 @@ namespace stiction
   /// Forces of up to this many times the rounding of K u are nothing else.
   constexpr double only_rounding = 100.;
 
+  /// That 'Contact solver/Tolerance' may have.
+  constexpr double largest_tolerance = 1e-2;
+
   /// Up to where a residual may be a matter of rounding, not of the method. On its
   /// way to the residual rounding grows by what linear systems are conditioned: on
   /// bodies of one material by some thousands.

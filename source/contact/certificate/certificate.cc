@@ -139,9 +139,9 @@ namespace stiction
     double S            = nonzero(std::max({sums.loads, sums.reactions, contact_forces}));
     double S_u0         = sums.energy;
     const double u_size = u.linfty_norm();
-    // of a body that is only moved by its supports, and touches nothing, S is
-    // rounding: then what the displacement would take if it strained the body
-    if (sums.loads == 0. && contact_forces == 0. && slip_bound_.isZero(0.) &&
+    // of bodies that are only moved by supports, and touch nothing or move together, S is
+    // rounding: then what the displacement would take if it strained them
+    if (sums.loads == 0. &&
         (gradient_.head(surface_.n_nodes()).array() >= -rounding_of_gaps * u_size)
           .all() &&
         S < only_rounding * sums.rounding)

@@ -133,7 +133,7 @@ namespace stiction
             residual = measure(state, tolerance);
             lambda   = state.lambda;
             observer(statistics_, residual);
-            if (!has_stepped && touches_only(state) && drop_rounding(state, residual))
+            if (touches_only(state) && drop_rounding(state, residual))
               return {};
             history.push_back(residual.value());
             pace.add(statistics_.n_steps(), residual.value());
@@ -161,8 +161,7 @@ namespace stiction
           {
             // a step may have thrown a body far away that contact alone holds
             stands_still_ = problem_.driven_motions().cols() > 0;
-            return "rounding prevents a smaller one, raise 'Contact "
-                   "solver/Tolerance' above that";
+            return advice_on_rounding(residual.value());
           }
 
         // change ρ, and every second time fall back as well, or go on with that where
@@ -206,9 +205,7 @@ namespace stiction
                                   const ContactResidual &residual) const
   {
     const bool is_rounding =
-      problem_.driven_motions().cols() == 0 &&
-      problem_.slip_bound().constant().isZero(0.) &&
-      problem_.motion().forces().isZero(0.) &&
+      !problem_.slip_bound().has_given() && problem_.motion().forces().isZero(0.) &&
       residual.force_scale < only_rounding * problem_.rounding_of_forces(state.u);
     if (is_rounding)
       {

@@ -40,6 +40,11 @@ namespace stiction::qp
     return (constant_.array() == tied).any();
   }
 
+  bool SlipBound::has_given() const
+  {
+    return (constant_.array() > 0. && constant_.array() != tied).any();
+  }
+
   Eigen::VectorXd SlipBound::at(const Eigen::VectorXd &lambda) const
   {
     if (!is_coulomb_)

@@ -84,9 +84,10 @@ namespace stiction
         const auto now  = item.value().get<std::string>();
         const auto then = identity.at("entries").value(item.key(), std::string());
         if (item.key() != mesh_file && without_blanks(now) != without_blanks(then))
-          throw InputError(parameters.source.describe(item.key()) +
-                           ", must be what it was in the checkpoint " + checkpoint +
-                           ", '" + then + "'.");
+          throw InputError(
+            parameters.source.describe(item.key()) +
+            ", must be what it was in the checkpoint " + checkpoint +
+            (then.empty() ? ", where it has no value." : ", '" + then + "'."));
       }
     if (here.value("mesh_files", json()) != identity.value("mesh_files", json()))
       throw InputError(parameters.source.file() +

@@ -3,6 +3,8 @@
 #include <stiction/elasticity/mesh/placed_body.h>
 #include <stiction/simulation/parameters/parameters.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <sstream>
 
 namespace stiction
@@ -40,6 +42,13 @@ namespace stiction
       check_body();
     this->output.check(source);
 
+    // the file that was used can be read back only with the last time of a list
+    if (const auto last = time.steps.rfind(','); last != std::string::npos)
+      {
+        prm.enter_subsection("Time");
+        prm.set("End", dealii::Utilities::trim(time.steps.substr(last + 1)));
+        prm.leave_subsection();
+      }
     std::ostringstream out;
     prm.print_parameters(out, dealii::ParameterHandler::ShortPRM |
                                 dealii::ParameterHandler::KeepDeclarationOrder);

@@ -66,6 +66,9 @@ namespace stiction::qp
       return constant_(node) > 0. && !is_tied(node);
     }
 
+    /// Whether friction can act without pressure anywhere.
+    bool has_given() const;
+
     /// Whether no tangential force can act at a node at all.
     bool is_frictionless(const Eigen::Index node) const
     {
