@@ -39,6 +39,8 @@ PICTURES = {
     "contact alone: the top one is about to slip, and its pair sticks in the middle only.",
     "several_bodies/two_spheres": "Two equal balls pressed on one another and moved "
     "aside: the middle of the circle sticks.",
+    "several_bodies/press_fit": "A hub shrunk onto a hollow shaft and turned: friction "
+    "is used up first where the shaft is held.",
     "several_bodies/pin_in_hole": "A lug pulled over a pin with clearance: the hole, "
     "unrolled, touches the pin on less than half of its way round.",
     "several_bodies/glued_pad": "A pad of rubber glued under a block of steel, pressed on "

@@ -26,7 +26,8 @@ some of them. The second one shows the pressure, and where tied boundaries are p
 Of a run of several steps this is the last one, and history.png beside it
 (PICTURE_history.png, if the picture has another name) has the curves of
 history.csv: the forces on the body over t, and over displacements of obstacles
-that moved. With --frames DIRECTORY/frame_0001.png and so on are the pictures of
+that moved, or their moments where the forces add up to nothing, and what friction
+dissipates. With --frames DIRECTORY/frame_0001.png and so on are the pictures of
 all certified steps of which there are files, all with the same scales, for an
 animation.
 """

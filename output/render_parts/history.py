@@ -1,4 +1,4 @@
-"""The curves of a history: forces over time and over how obstacles moved."""
+"""The curves of a history: forces, and what friction dissipates."""
 
 import csv
 import os
@@ -9,12 +9,14 @@ from matplotlib.figure import Figure
 
 from . import Unusable
 from .page import NORMAL, SMALL, TEXT
-from .words import exponent_of, label, number, plain
+from .words import NO_FORCE, exponent_of, label, number, plain
 
 AXES = "xyz"
 COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components
 LINES = ("-", "--", ":", "-.")  # of the contact boundaries
-NOTHING = 1e-9  # parts of the largest component that are rounding
+SINGLE = {"torque": ("torque on the body", "moment"),  # words, kind of unit
+          "dissipated_total": ("dissipated by friction", "energy")}
+NOTHING = 1e-6  # parts of the largest component that are rounding
 HARDLY = 1e-2  # parts of the largest displacement over which no curve is drawn
 WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches
 
@@ -49,42 +51,52 @@ def moved(rows):
     return [c for c in range(3) if ways[c] > HARDLY * np.abs(places).max()]
 
 
+def force_or_moment(boundaries):
+    """What a history shows: moments where all forces add up to rounding."""
+    largest = {what: max(np.abs(rows[what]).max() for rows in boundaries.values())
+               for what in ("normal_force", "force_x", "force_y", "force_z")}
+    pressing = largest.pop("normal_force")
+    return "moment" if 0 < max(largest.values()) < NO_FORCE * pressing else "force"
+
+
 def diagrams(boundaries):
-    """What is drawn: words of the abscissa, its unit (None: of lengths), and for
-    each boundary the abscissa and its rows."""
-    result = [("t", "", {name: (rows["t"], rows)
-                         for name, rows in boundaries.items()})]
+    """What is drawn: quantity, words of the abscissa, its unit (None: of lengths), and
+    for each boundary the abscissa and its rows."""
+    what = force_or_moment(boundaries)
+    over_time = {name: (rows["t"], rows) for name, rows in boundaries.items()}
+    result = [(what, "t", "", over_time)]
     for c, axis in enumerate(AXES):
         curves = {name: (rows["obstacle_" + axis], rows)
                   for name, rows in boundaries.items() if c in moved(rows)}
         if curves:
-            result.append((f"obstacle displacement along {axis}", None, curves))
+            result.append((what, f"obstacle displacement along {axis}", None, curves))
     curves = {name: (rows["obstacle_angle"], rows)
               for name, rows in boundaries.items() if np.ptp(rows["obstacle_angle"]) > 0}
     if curves:
-        result.append(("obstacle turned by", "rad", curves))
+        result.append(("torque", "obstacle turned by", "rad", curves))
+    if any(rows["slip_area"].max() > 0 for rows in boundaries.values()):
+        result.append(("dissipated_total", "t", "", over_time))
     return result
 
 
-def ordinates(words, curves):
+def ordinates(what, curves):
     """What is drawn over the abscissa: words, kind of unit, and the curves of
     each boundary by label and colour."""
-    if words == "obstacle turned by":
-        return "torque on the body", "moment", {
-            name: {"": (COLORS[0], rows["torque"])}
-            for name, (_, rows) in curves.items()}
-    forces = {name: np.array([rows["force_" + axis] for axis in AXES])
+    if what in SINGLE:
+        return (*SINGLE[what], {name: {"": (COLORS[0], rows[what])}
+                                for name, (_, rows) in curves.items()})
+    forces = {name: np.array([rows[f"{what}_{axis}"] for axis in AXES])
               for name, (_, rows) in curves.items()}
     largest = max(np.abs(force).max() for force in forces.values())
-    return "force on the body", "force", {
+    return f"{what} on the body", what, {
         name: {AXES[c]: (COLORS[c], force[c]) for c in range(3)
                if np.abs(force[c]).max() > NOTHING * largest}
         for name, force in forces.items()}
 
 
-def draw_curves(axes, words, unit, curves, units):
+def draw_curves(axes, what, words, unit, curves, units):
     """A diagram."""
-    what, kind, lines = ordinates(words, curves)
+    ordinate, kind, lines = ordinates(what, curves)
     largest = max((np.abs(values).max() for those in lines.values()
                    for _, values in those.values()), default=0)
     furthest = max(np.abs(place).max() for place, _ in curves.values())
@@ -98,7 +110,7 @@ def draw_curves(axes, words, unit, curves, units):
     axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
     axes.set_xlabel(label(words, units["length"] if unit is None else unit,
                           exponents[0]), size=NORMAL, color=TEXT)
-    axes.set_ylabel(label(what, units[kind], exponents[1]), size=NORMAL, color=TEXT)
+    axes.set_ylabel(label(ordinate, units[kind], exponents[1]), size=NORMAL, color=TEXT)
     if axes.get_legend_handles_labels()[0]:
         axes.legend(fontsize=SMALL, frameon=False, labelcolor=TEXT)
     for side in ("top", "right"):

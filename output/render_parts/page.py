@@ -16,7 +16,7 @@ from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from . import panels as contact_panels
-from .words import exponent_of, label, number, plain, quantity
+from .words import NO_FORCE, exponent_of, label, number, plain, quantity
 
 WIDTH, MARGIN, HEADER = 12.8, 0.3, 0.95
 LEFT, RIGHT, ROOM = 0.3, 6.55, 6.05  # two columns and their width
@@ -201,6 +201,10 @@ def contact_force(run, contact):
         if len(parts) > 1:
             return f"{len(parts)} pairs"
         contact, where = parts[0], f"contact force on {plain(parts[0]['name'])} "
+        # those of a fit add up to nothing
+        if max(map(abs, contact["force_on_body"])) < NO_FORCE * contact["normal_force"]:
+            return (where.replace("force", "moment")
+                    + quantity(run.units["moment"], *contact["moment"]))
     return where + quantity(run.units["force"], *contact["force_on_body"])
 
 

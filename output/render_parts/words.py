@@ -2,6 +2,8 @@
 
 import math
 
+NO_FORCE = 1e-6  # parts of the normal force that are rounding
+
 
 def exponent_of(largest):
     """The power of ten in steps of three that numbers are written with."""
@@ -20,7 +22,8 @@ def label(words, unit, exponent=0):
 def units_of(summary):
     """The units of what a picture shows, empty where the summary names none."""
     said = summary.get("units", {})
-    return {kind: said.get(kind, "") for kind in ("length", "force", "moment", "stress")}
+    return {kind: said.get(kind, "") for kind in ("length", "force", "moment",
+                                             "stress", "energy")}
 
 
 def number(value):

@@ -3,6 +3,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/pair_figures.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -49,26 +50,27 @@ namespace stiction
 
     using Warnings = std::vector<std::string>;
 
-    void add_edge(const ContactBoundary &pair, const ContactSurface::BeyondEdge &beyond,
+    void add_edge(const ContactBoundary &pair, const PairFigures &figures,
                   Warnings &warnings)
     {
       const char *const name  = pair.name().c_str();
       const char *const other = pair.partner_name().c_str();
       const std::string remedy =
         "let the other side bear the forces ('Slave side'), or make cells finer there.";
-      if (beyond.peak > high_beyond_edge)
+      if (figures.peak_beyond_edge > high_beyond_edge)
         warnings.push_back(
           format("the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
                  "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
                  "trusted; %.0f %% of the force acts there; ",
-                 name, other, beyond.peak, name, 100. * beyond.share) +
+                 name, other, figures.peak_beyond_edge, name,
+                 100. * figures.share_beyond_edge) +
           remedy);
-      else if (beyond.share > much_beyond_edge)
+      else if (figures.share_beyond_edge > much_beyond_edge)
         warnings.push_back(
           format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
                  "beyond the edge of what lies opposite, by up to a cell: a body tips "
                  "late, and pressures at such an edge are too large; ",
-                 100. * beyond.share, name, other, name) +
+                 100. * figures.share_beyond_edge, name, other, name) +
           remedy);
     }
 
@@ -86,30 +88,30 @@ namespace stiction
                               : "."));
     }
 
-    void add_slide(const ContactBoundary &pair, const ContactSurface::Slide &slide,
+    void add_slide(const ContactBoundary &pair, const PairFigures &figures,
                    const Units &units, Warnings &warnings)
     {
-      if (slide.way > slide.spacing)
+      if (figures.way > figures.spacing)
         warnings.push_back("nodes of '" + pair.name() + "' are " +
-                           with_unit(format("%.2g", slide.way), units.length) +
+                           with_unit(format("%.2g", figures.way), units.length) +
                            " from where they were on '" + pair.partner_name() + "', " +
-                           format("%.1f", slide.way / slide.spacing) +
+                           format("%.1f", figures.way / figures.spacing) +
                            " times the distance of nodes: gaps, normals and what lies "
                            "opposite remain those "
                            "of the undeformed bodies.");
     }
 
-    void add_gap(const ContactBoundary &pair, const ContactSurface::AcrossGap &across,
+    void add_gap(const ContactBoundary &pair, const PairFigures &figures,
                  const Units &units, Warnings &warnings)
     {
-      if (across.moment_part > much_across_gap)
+      if (figures.moment_across_gap > much_across_gap)
         warnings.push_back(
           "friction between '" + pair.name() + "' and '" + pair.partner_name() +
-          "' acts across the " + with_unit(format("%.2g", across.gap), units.length) +
+          "' acts across the " + with_unit(format("%.2g", figures.gap), units.length) +
           format(" between their meshes: that has a moment, %.2g %% of that of all "
                  "contact forces, which bodies that touch do not have; 'Translation' "
                  "brings them together.",
-                 100. * across.moment_part));
+                 100. * figures.moment_across_gap));
     }
 
     void add_facets(const ContactBoundary &pair, const double share, Warnings &warnings)
@@ -182,13 +184,11 @@ namespace stiction
         for (const ContactBoundary &pair : surface.boundaries())
           if (pair.is_pair() && !pair.is_tied())
             {
-              add_edge(pair, surface.beyond_edge(pair, state_.lambda), warnings);
-              add_slide(pair, surface.slide(pair, state_), units, warnings);
-              add_gap(pair, surface.across_gap(pair, state_.lambda), units, warnings);
-              add_facets(pair,
-                         surface.climbed_facets(pair, state_) /
-                           certificate_->strain_energy(),
-                         warnings);
+              const PairFigures figures = pair_figures(surface, pair, state_);
+              add_edge(pair, figures, warnings);
+              add_slide(pair, figures, units, warnings);
+              add_gap(pair, figures, units, warnings);
+              add_facets(pair, figures.climbed / certificate_->strain_energy(), warnings);
             }
         deformation.include(largest_deformation(*body_, state_.u));
       }

@@ -32,8 +32,13 @@ namespace stiction
     constexpr double least_cover = 1e-3;
 
     // Of the area of a surface: more than the first is all of it, less than the second is
-    // a smaller one.
-    constexpr double all_of_it = 0.999, smaller = 0.99;
+    // a smaller one. Facets of round surfaces do not cover each other to the last digit,
+    // and their areas grow when the mesh is refined.
+    struct Parts
+    {
+      double all_of_it, smaller;
+    };
+    constexpr Parts of_planes = {0.999, 0.99}, of_facets = {0.98, 0.9};
 
     // Of the largest area of a node: less is a sliver, whose gap may be anything.
     constexpr double sliver = 1e-3;
@@ -57,13 +62,32 @@ namespace stiction
       return sum;
     }
 
-    // Whether a flat surface ends within another one, which goes on beyond its edges.
+    double mean_diameter(const std::vector<SurfaceFace> &faces)
+    {
+      double size = 0.;
+      for (const SurfaceFace &face : faces)
+        size += face.diameter() / static_cast<double>(faces.size());
+      return size;
+    }
+
+    double largest_gap(const Mortar &mortar)
+    {
+      return mortar.slaves.empty() ? 0. : mortar.gaps.cwiseAbs().maxCoeff();
+    }
+
+    // Whether a surface ends within another one, which goes on beyond its edges: flat
+    // ones, and curved ones that fit, as a hub on its shaft.
     bool ends_within(const LinearElasticity &elasticity,
                      const std::vector<SurfaceFace> &inner,
                      const std::vector<SurfaceFace> &outer)
     {
-      return is_flat(inner) && is_flat(outer) && area(inner) < smaller * area(outer) &&
-             Mortar(elasticity, inner, outer).areas.sum() > all_of_it * area(inner);
+      const bool are_planes = is_flat(inner) && is_flat(outer);
+      const Parts &parts    = are_planes ? of_planes : of_facets;
+      if (area(inner) >= parts.smaller * area(outer))
+        return false;
+      const Mortar mortar(elasticity, inner, outer);
+      return mortar.areas.sum() > parts.all_of_it * area(inner) &&
+             (are_planes || largest_gap(mortar) < mean_diameter(inner));
     }
 
     // Forces act at nodes of the slave side, so that a contact ends where it should if
@@ -99,11 +123,7 @@ namespace stiction
     void require_close(const ContactBoundary &pair, const Mortar &mortar,
                        const std::vector<SurfaceFace> &slaves)
     {
-      double size = 0.;
-      for (const SurfaceFace &face : slaves)
-        size += face.diameter() / static_cast<double>(slaves.size());
-      const double distance =
-        mortar.slaves.empty() ? 0. : mortar.gaps.cwiseAbs().maxCoeff();
+      const double size = mean_diameter(slaves), distance = largest_gap(mortar);
       if (distance > widest_tie * size)
         throw InputError(
           pair.source().describe("Friction/Law") + ", boundary '" + pair.name() +
@@ -253,10 +273,11 @@ namespace stiction
       return false;
     node.cover          = mortar.areas(i) / node.area;
     node.area           = mortar.areas(i);
+    node.mesh_gap       = mortar.gaps(i);
     node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
     const ContactBoundary &boundary = boundaries_[node.boundary];
     node.gap                        = boundary.initial_gap(node.position) +
-               (boundary.keeps_mesh_gap() && !boundary.is_tied() ? mortar.gaps(i) : 0.);
+               (boundary.keeps_mesh_gap() && !boundary.is_tied() ? node.mesh_gap : 0.);
     return true;
   }
 

@@ -97,8 +97,14 @@ namespace stiction
           }
         else if (shape.type == "cylinder")
           {
-            make_cylinder(*shape.radius, *shape.length);
             boundaries = {{"side", 0}, {"bottom", 1}, {"top", 2}};
+            if (shape.inner_radius)
+              {
+                make_tube(*shape.inner_radius, *shape.radius, *shape.length);
+                boundaries["inside"] = 3;
+              }
+            else
+              make_cylinder(*shape.radius, *shape.length);
           }
         else if (shape.type == "half ball")
           {
@@ -163,6 +169,26 @@ namespace stiction
       [&](const Point<3> &p) { return Point<3>(p[1], p[2], p[0] + .5 * length); },
       triangulation_);
     triangulation_.set_manifold(0, CylindricalManifold<3>(2));
+  }
+
+  void CoarseMesh::make_tube(const double inner, const double outer, const double length)
+  {
+    const double around = numbers::PI * (inner + outer), thickness = outer - inner;
+    const double n_around = std::clamp(4. * std::round(around / thickness / 4.), 8., 48.);
+    const double n_along  = std::max(1., std::round(length * n_around / around));
+    GridGenerator::cylinder_shell(triangulation_, length, inner, outer,
+                                  static_cast<unsigned int>(n_around),
+                                  static_cast<unsigned int>(n_along));
+    for (const auto &face : triangulation_.active_face_iterators())
+      if (face->at_boundary())
+        {
+          const double z = face->center()[2] / length;
+          const double r = std::hypot(face->vertex(0)[0], face->vertex(0)[1]);
+          face->set_boundary_id(z < 1e-6                    ? 1
+                                : z > 1. - 1e-6             ? 2
+                                : r < 0.5 * (inner + outer) ? 3
+                                                            : 0);
+        }
   }
 
   void CoarseMesh::make_half_ball(const double radius)

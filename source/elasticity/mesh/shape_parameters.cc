@@ -32,7 +32,8 @@ namespace stiction
       "brick: (0,Lx) x (0,Ly) x (0,Lz), 0 left: x = 0, 1 right: x = Lx, "
       "2 front: y = 0, 3 back: y = Ly, 4 bottom: z = 0, 5 top: z = Lz. "
       "cylinder: around the z axis, 0 side, 1 bottom: z = 0, 2 top: z = "
-      "Length. half ball: the lower half of a ball that touches z = 0 from "
+      "Length, with 'Inner radius' a tube, 3 inside. half ball: the lower half of a ball "
+      "that touches z = 0 from "
       "above, with its centre at (0, 0, Radius), 0 curved, 1 flat: the face z "
       "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
       "have the numbers it gives them. file: a mesh from 'Mesh "
@@ -54,6 +55,10 @@ namespace stiction
                   prm, Patterns::List(Patterns::Integer(1, 100000), 0, 3));
     add_number(*this, "Radius", radius,
                "Radius of the cylinder or the half ball. Unit: of length.");
+    add_number(*this, "Inner radius", inner_radius,
+               "Of the hole along the axis of the cylinder, none if it is not set. "
+               "Coarse cells are about as wide and long as the wall is thick, but at "
+               "most 48 around the axis. Unit: of length.");
     add_number(*this, "Length", length,
                "Length of the cylinder, from z = 0; it gets coarse cells "
                "about as long as its radius. Unit: of length.");
@@ -152,6 +157,12 @@ namespace stiction
                      entry("Length"),
                      "must be a number > 0, at most 10000 times the radius and at "
                      "least a 10000th of it");
+    source.require(!inner_radius || is_cylinder, entry("Inner radius"),
+                   "is that of a cylinder, must not be there with other types");
+    source.require(!inner_radius || (*inner_radius >= 1e-3 * *radius &&
+                                     *inner_radius <= 0.999 * *radius),
+                   entry("Inner radius"),
+                   "must be from a thousandth of 'Radius' to 0.999 times it");
   }
 
   void ShapeParameters::require_shape(const ParameterFile &source) const

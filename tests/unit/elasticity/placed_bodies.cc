@@ -95,6 +95,10 @@ int main(int argc, char *argv[])
   constexpr double pi = dealii::numbers::PI;
   compare("cylinder", "set Type = cylinder\nset Radius = 1\nset Length = 2\n", 2. * pi,
           1e-2);
+  compare("tube",
+          "set Type = cylinder\nset Radius = 1\nset Inner radius = 0.5\n"
+          "set Length = 2\n",
+          1.5 * pi, 1e-3);
   compare("half ball", "set Type = half ball\nset Radius = 1\n", 2. / 3. * pi, 1e-2);
   dealii::Triangulation<3> shell;
   dealii::GridGenerator::hyper_shell(shell, dealii::Point<3>(), 1., 2., 6);

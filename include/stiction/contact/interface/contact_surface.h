@@ -50,7 +50,8 @@ namespace stiction
     double area = 0.;
     /// Of a pair: of what is around it, how much has something opposite. With less than
     /// half a node is beyond the edge of what lies opposite, or next to a corner of it.
-    double cover = 1.;
+    double cover    = 1.;
+    double mesh_gap = 0.; ///< of a pair, between the meshes along the normal, m
     /// The largest of the cells behind it, Pa; of a pair that of the softer body.
     double youngs_modulus = 0.;
     double coefficient    = 0.; ///< F of Coulomb's law
@@ -215,39 +216,6 @@ namespace stiction
 
     /// Whether the forces of a pair are on a side that is much stiffer.
     bool has_stiff_slaves() const { return has_stiff_slaves_; }
-
-    /// What nodes of a contact boundary that is a pair bear beyond the edge of what lies
-    /// opposite.
-    struct BeyondEdge
-    {
-      double share = 0.; ///< of the normal force
-      /// The largest pressure there, over the largest of the other nodes, at least 1.
-      double peak = 1.;
-    };
-    BeyondEdge beyond_edge(const ContactBoundary &pair,
-                           const Eigen::VectorXd &lambda) const;
-
-    /// Friction across the gap in which the meshes of a pair are made has a moment that
-    /// bodies which touch do not have.
-    struct AcrossGap
-    {
-      double gap         = 0.; ///< the mean, weighted with friction, m
-      double moment_part = 0.; ///< over Σ |λ_i| |x_i − c|, c the centre of pressure
-    };
-    AcrossGap across_gap(const ContactBoundary &pair,
-                         const Eigen::VectorXd &lambda) const;
-
-    /// The energy from facets of a contact boundary that is a pair, J, see
-    /// stiction::climbed_facets(). Collective.
-    double climbed_facets(const ContactBoundary &pair, const State &state) const;
-
-    /// How far a pressed node of a pair is at most from where it was on the other side,
-    /// along the surface, and the mean distance of these nodes, m. Collective.
-    struct Slide
-    {
-      double way = 0., spacing = 1.;
-    };
-    Slide slide(const ContactBoundary &pair, const State &state) const;
 
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }

@@ -67,6 +67,7 @@ namespace stiction
 
     void make_cylinder(double radius, double length);
 
+    void make_tube(double inner, double outer, double length);
     void make_half_ball(double radius);
 
     void generate(const ShapeParameters &shape);

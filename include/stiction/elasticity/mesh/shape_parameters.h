@@ -34,7 +34,7 @@ namespace stiction
     std::string type                       = "";
     std::vector<double> lengths            = {};
     std::vector<unsigned int> subdivisions = {};
-    std::optional<double> radius, length;
+    std::optional<double> radius, inner_radius, length;
     std::string generator           = "";
     std::string generator_arguments = "";
     std::string mesh_file           = "";

@@ -1,0 +1,36 @@
+#ifndef stiction_contact_certificate_pair_figures_h
+#define stiction_contact_certificate_pair_figures_h
+
+namespace stiction
+{
+  class ContactBoundary;
+  class ContactSurface;
+  struct State;
+
+  /// What tells of a pair how far an answer is to be trusted that is right on its mesh.
+  struct PairFigures
+  {
+    /// Of the normal force, at nodes beyond the edge of what lies opposite.
+    double share_beyond_edge = 0.;
+    /// The largest pressure there, over the largest of the other nodes, at least 1.
+    double peak_beyond_edge = 1.;
+
+    /// How far a pressed node is at most from where it was on the other side, along the
+    /// surface, and the mean distance of these nodes, m.
+    double way = 0., spacing = 1.;
+
+    /// Friction across the gap in which the meshes are made has a moment that bodies
+    /// which touch do not have: the gap, its mean weighted with friction, in m, and that
+    /// moment over Σ |λ_i| |x_i − c|, c the centre of pressure.
+    double gap = 0., moment_across_gap = 0.;
+
+    /// The energy from facets, J, see climbed_facets().
+    double climbed = 0.;
+  };
+
+  /// Of a contact boundary that is a pair. Collective.
+  PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
+                           const State &state);
+} // namespace stiction
+
+#endif
