@@ -212,9 +212,10 @@ namespace stiction
     catch (const ExceptionBase &)
       {
         throw InputError(shape.location + ", does not take 'Generator arguments' = '" +
-                         shape.generator_arguments +
-                         "', must get what deal.II's GridGenerator::" + shape.generator +
-                         "() has after the mesh, separated by ':'.");
+                         shape.generator_arguments + "', must be '" +
+                         shape.generator_takes() +
+                         "' with a value each, 'x, y, z' for points, true or false for "
+                         "colorize and attach_spherical_manifold.");
       }
     if (generated.n_active_cells() == 0)
       throw InputError(shape.location + ", makes a mesh without cells.");

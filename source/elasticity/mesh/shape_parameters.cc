@@ -3,23 +3,44 @@
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/shape_parameters.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace stiction
 {
-  namespace Patterns  = dealii::Patterns;
-  namespace Utilities = dealii::Utilities;
+  namespace Patterns = dealii::Patterns;
 
   namespace
   {
-    const std::string generators =
-      "hyper_cube|hyper_rectangle|hyper_L|hyper_ball|hyper_ball_balanced|"
-      "half_hyper_ball|quarter_hyper_ball|hyper_shell|half_hyper_shell|"
-      "quarter_hyper_shell|cylinder|truncated_cone";
-  }
+    const std::string ball  = "center : radius",
+                      shell = "center : inner_radius : outer_radius : n_cells : colorize",
+                      box   = "left : right : colorize";
+
+    // deal.II's generators and what they have after the mesh.
+    const std::map<std::string, std::string> generators = {
+      {"hyper_cube", box},
+      {"hyper_rectangle", "p1 : p2 : colorize"},
+      {"hyper_L", box},
+      {"hyper_ball", ball + " : attach_spherical_manifold"},
+      {"hyper_ball_balanced", ball},
+      {"half_hyper_ball", ball},
+      {"quarter_hyper_ball", ball},
+      {"hyper_shell", shell},
+      {"half_hyper_shell", shell},
+      {"quarter_hyper_shell", shell},
+      {"cylinder", "radius : half_length"},
+      {"truncated_cone", "radius_0 : radius_1 : half_length"}};
+
+    std::string all_generators(const std::string &separator, const bool with_arguments)
+    {
+      std::string all;
+      for (const auto &[name, arguments] : generators)
+        all += (all.empty() ? "" : separator) + name +
+               (with_arguments ? " (" + arguments + ")" : "");
+      return all;
+    }
+  } // namespace
 
   ShapeParameters::ShapeParameters(const std::string &section)
     : ParameterAcceptor(section)
@@ -66,12 +87,12 @@ namespace stiction
                   "Name of a function of deal.II's GridGenerator: one of those "
                   "that make a single body of hexahedra from numbers and "
                   "points, " +
-                    Utilities::replace_in_string(generators, "|", ", ") + ".",
-                  prm, Patterns::Selection(generators + "|"));
+                    all_generators(", ", true) + ".",
+                  prm, Patterns::Selection(all_generators("|", false) + "|"));
     add_parameter("Generator arguments", generator_arguments,
-                  "Arguments of the generator after the mesh, separated by "
-                  "':', points and lists by ','. The last one is often "
-                  "'colorize': with 'true' the boundaries get different "
+                  "All arguments of the generator, separated by ':', such as '0, 0, 0 : "
+                  "1 : 2 : 6 : true' of a shell; center, p1 and p2 are points. With "
+                  "colorize = true boundaries get different "
                   "numbers, as deal.II documents for each generator.",
                   prm, Patterns::Anything());
     add_parameter("Mesh file", mesh_file,
@@ -101,6 +122,12 @@ namespace stiction
            : type == "generator" ? entry("Generator")
            : is_brick()          ? entry("Lengths")
                                  : entry("Type");
+  }
+
+  std::string ShapeParameters::generator_takes() const
+  {
+    const auto found = generators.find(generator);
+    return found == generators.end() ? "" : found->second;
   }
 
   double ShapeParameters::n_coarse_cells() const
@@ -188,9 +215,7 @@ namespace stiction
     need(type != "generator" || !generator.empty(), "Generator",
          "one of deal.II, such as 'set Generator = hyper_cube'");
     need(type != "generator" || !generator_arguments.empty(), "Generator arguments",
-         "what GridGenerator::" + generator +
-           "() has after the mesh, separated by ':', such as 'set Generator "
-           "arguments = 0 : 1 : true'");
+         "its arguments, 'set Generator arguments = " + generator_takes() + "'");
     need(type != "file" || !mesh_file.empty(), "Mesh file",
          "the file of the mesh, such as 'set Mesh file = part.msh'");
   }

@@ -24,6 +24,9 @@ namespace stiction
     /// file.
     std::string entry_of_shape() const;
 
+    /// What the generator has to be given: "center : radius".
+    std::string generator_takes() const;
+
     /// Of the brick; of other shapes, whose mesh is not made yet, 1. A double, because
     /// it may be anything before it is checked.
     double n_coarse_cells() const;
