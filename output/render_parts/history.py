@@ -9,14 +9,14 @@ from matplotlib.figure import Figure
 
 from . import Unusable
 from .page import NORMAL, SMALL, TEXT
-from .words import NO_FORCE, exponent_of, label, number, plain
+from .words import ROUNDING, exponent_of, label, number, plain
 
 AXES = "xyz"
 COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components
 LINES = ("-", "--", ":", "-.")  # of the contact boundaries
-SINGLE = {"torque": ("torque on the body", "moment"),  # words, kind of unit
+SINGLE = {"normal_force": ("normal force", "force"),
+          "torque": ("torque on the body", "moment"),  # words, kind of unit
           "dissipated_total": ("dissipated by friction", "energy")}
-NOTHING = 1e-6  # parts of the largest component that are rounding
 HARDLY = 1e-2  # parts of the largest displacement over which no curve is drawn
 WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches
 
@@ -52,11 +52,18 @@ def moved(rows):
 
 
 def force_or_moment(boundaries):
-    """What a history shows: moments where all forces add up to rounding."""
-    largest = {what: max(np.abs(rows[what]).max() for rows in boundaries.values())
-               for what in ("normal_force", "force_x", "force_y", "force_z")}
-    pressing = largest.pop("normal_force")
-    return "moment" if 0 < max(largest.values()) < NO_FORCE * pressing else "force"
+    """What a history shows: moments where all forces add up to rounding, and how
+    hard bodies are pressed together where moments do as well."""
+    def largest(*columns):
+        return max(np.abs(rows[column]).max()
+                   for rows in boundaries.values() for column in columns)
+
+    pressing = largest("normal_force")
+    length = np.sqrt(largest("open_area") + largest("slip_area") + largest("stick_area"))
+    if largest(*("force_" + axis for axis in AXES)) >= ROUNDING * pressing:
+        return "force"
+    turning = largest(*("moment_" + axis for axis in AXES))
+    return "moment" if turning > ROUNDING * pressing * length else "normal_force"
 
 
 def diagrams(boundaries):
@@ -90,7 +97,7 @@ def ordinates(what, curves):
     largest = max(np.abs(force).max() for force in forces.values())
     return f"{what} on the body", what, {
         name: {AXES[c]: (COLORS[c], force[c]) for c in range(3)
-               if np.abs(force[c]).max() > NOTHING * largest}
+               if np.abs(force[c]).max() > ROUNDING * largest}
         for name, force in forces.items()}
 
 

@@ -16,7 +16,7 @@ from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from . import panels as contact_panels
-from .words import NO_FORCE, exponent_of, label, number, plain, quantity
+from .words import ROUNDING, exponent_of, label, number, plain, quantity
 
 WIDTH, MARGIN, HEADER = 12.8, 0.3, 0.95
 LEFT, RIGHT, ROOM = 0.3, 6.55, 6.05  # two columns and their width
@@ -196,16 +196,15 @@ def names_of(run):
 
 def contact_force(run, contact):
     """That on the one body, or on one of the bodies of a single pair."""
-    parts, where = contact["boundaries"], "contact force on the body "
+    parts, where = contact["boundaries"], "the body"
     if all(part.get("opposite") for part in parts):
         if len(parts) > 1:
             return f"{len(parts)} pairs"
-        contact, where = parts[0], f"contact force on {plain(parts[0]['name'])} "
-        # those of a fit add up to nothing
-        if max(map(abs, contact["force_on_body"])) < NO_FORCE * contact["normal_force"]:
-            return (where.replace("force", "moment")
-                    + quantity(run.units["moment"], *contact["moment"]))
-    return where + quantity(run.units["force"], *contact["force_on_body"])
+        contact, where = parts[0], plain(parts[0]["name"])
+    what, values = "force", contact["force_on_body"]
+    if max(map(abs, values)) < ROUNDING * contact["normal_force"]:  # those of a fit
+        what, values = "moment", contact["moment"]
+    return f"contact {what} on {where} " + quantity(run.units[what], *values)
 
 
 def draw_header(page, run):

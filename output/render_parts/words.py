@@ -2,7 +2,7 @@
 
 import math
 
-NO_FORCE = 1e-6  # parts of the normal force that are rounding
+ROUNDING = 1e-6  # parts of what is largest that tolerances leave open
 
 
 def exponent_of(largest):
@@ -22,8 +22,8 @@ def label(words, unit, exponent=0):
 def units_of(summary):
     """The units of what a picture shows, empty where the summary names none."""
     said = summary.get("units", {})
-    return {kind: said.get(kind, "") for kind in ("length", "force", "moment",
-                                             "stress", "energy")}
+    return {kind: said.get(kind, "") for kind in ("length", "force", "moment", "stress",
+                                              "energy")}
 
 
 def number(value):

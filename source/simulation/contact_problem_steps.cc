@@ -255,8 +255,9 @@ namespace stiction
     const auto &[elasticity, surface, solver] = *discretization_;
     state_.history                            = history_after(state_, *surface);
     largest_deformation_.include(largest_deformation(*body_, state_.u));
-    state_.scales.force  = std::max(state_.scales.force, certificate_->force_scale());
-    state_.scales.energy = std::max(state_.scales.energy, certificate_->energy_scale());
+    if (!certificate_->bears_nothing())
+      state_.scales = {std::max(state_.scales.force, certificate_->force_scale()),
+                       std::max(state_.scales.energy, certificate_->energy_scale())};
     ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));
     if (steps_)

@@ -34,12 +34,12 @@ namespace stiction
 
     // Of the pressure where something lies opposite: edges of punches make two or three
     // times that, by the mesh.
-    constexpr double high_beyond_edge = 10.;
+    constexpr double high_beyond_edge = 5.;
 
     // Of the moments of all forces of a pair.
     constexpr double much_across_gap = 0.02;
 
-    // Of the strain energy.
+    // Of the strain energy of the bodies of a pair.
     constexpr double much_from_facets = 0.02;
 
     // A warning is given if more than this part of a force acts without friction.
@@ -57,20 +57,20 @@ namespace stiction
       const char *const other = pair.partner_name().c_str();
       const std::string remedy =
         "let the other side bear the forces ('Slave side'), or make cells finer there.";
-      if (figures.peak_beyond_edge > high_beyond_edge)
+      if (figures.share_beyond_edge > much_beyond_edge)
+        warnings.push_back(
+          format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
+                 "beyond the edge of what lies opposite, by up to a cell: a body tips "
+                 "late, and pressures at such an edge are too large; ",
+                 100. * figures.share_beyond_edge, name, other, name) +
+          remedy);
+      else if (figures.peak_beyond_edge > high_beyond_edge)
         warnings.push_back(
           format("the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
                  "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
                  "trusted; %.0f %% of the force acts there; ",
                  name, other, figures.peak_beyond_edge, name,
                  100. * figures.share_beyond_edge) +
-          remedy);
-      else if (figures.share_beyond_edge > much_beyond_edge)
-        warnings.push_back(
-          format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
-                 "beyond the edge of what lies opposite, by up to a cell: a body tips "
-                 "late, and pressures at such an edge are too large; ",
-                 100. * figures.share_beyond_edge, name, other, name) +
           remedy);
     }
 
@@ -109,8 +109,8 @@ namespace stiction
           "friction between '" + pair.name() + "' and '" + pair.partner_name() +
           "' acts across the " + with_unit(format("%.2g", figures.gap), units.length) +
           format(" between their meshes: that has a moment, %.2g %% of that of all "
-                 "contact forces, which bodies that touch do not have; 'Translation' "
-                 "brings them together.",
+                 "contact forces about its axis, which bodies that touch do not have; "
+                 "make them where they touch.",
                  100. * figures.moment_across_gap));
     }
 
@@ -188,7 +188,12 @@ namespace stiction
               add_edge(pair, figures, warnings);
               add_slide(pair, figures, units, warnings);
               add_gap(pair, figures, units, warnings);
-              add_facets(pair, figures.climbed / certificate_->strain_energy(), warnings);
+              double energy = 0.; // of the bodies of the pair
+              auto pieces   = body_->pieces_at(pair.id());
+              pieces.merge(body_->pieces_at(pair.partner()));
+              for (const unsigned int piece : pieces)
+                energy += certificate_->strain_energy(piece);
+              add_facets(pair, figures.climbed / energy, warnings);
             }
         deformation.include(largest_deformation(*body_, state_.u));
       }

@@ -34,6 +34,54 @@ namespace
           << yes(dealii::Utilities::MPI::max(farthest, MPI_COMM_WORLD) < 1e-12)
           << std::endl;
   }
+
+  // A foam of the modulus 0.01 on a steel block that is moved by 10, below a cap of foam
+  // that is moved as far and pressed by 0.001 of 20: both bear 5e-5, which is rounding
+  // beside steel.
+  void press_foam()
+  {
+    const std::string steel = "210000", foam = "0.01", none = "0;0;0;0;0;1;0";
+    const auto pair = [](const std::string &above, const std::string &below) {
+      return section("Contact pair " + above,
+                     {"Boundary = " + above + ".bottom",
+                      "Obstacle = boundary : " + below + ".top", "Law = frictionless"});
+    };
+    const Run run(
+      file("foam.prm",
+           brick("steel", "10,10,10", "3,3,3", "0;0;-10", none, steel) +
+             brick("foam", "10,10,10", "2,2,2", "0;0;0", none, foam) +
+             brick("cap", "10,10,10", "3,3,3", "0;0;10", none, foam) +
+             section("Boundary conditions",
+                     {"Prescribed displacement = steel.bottom : 10;0;0 | cap.top : "
+                      "10;0;-0.001 | foam.left : 10; free; free"}) +
+             pair("foam", "steel") + pair("cap", "foam")),
+      {"Contact solver/Method=newton multigrid", "Material/Poisson ratio=0"});
+    const auto &lambda   = run.problem->state().lambda;
+    const double bearing = lambda.head(run.problem->contact_surface().n_nodes()).sum();
+    out() << "foam below a cap: certified " << yes(run.converged)
+          << ", not without force "
+          << yes(!run.converged || std::abs(bearing / 1e-4 - 1.) < 1e-2) << std::endl;
+  }
+
+  // A cube of 10 that is moved by 300, and bears 1 N in the next step.
+  void load_later(const std::string &method)
+  {
+    const Run run(
+      file("later.prm",
+           section("Geometry", {"Type = brick", "Lengths = 10,10,10",
+                                "Subdivisions = 3,3,3", "Global refinement = 1"}) +
+             section("Material", {"Young's modulus = 210000", "Poisson ratio = 0.3"}) +
+             section("Time", {"Steps = 1, 2"}) +
+             section("Boundary conditions",
+                     {"Prescribed displacement = top : 300*min(t,1); 0; free",
+                      "Traction = right : 0; 0; -1e-2*max(t-1,0)",
+                      "Contact boundary = bottom", "Obstacle = foundation"}) +
+             section("Friction", {"Law = coulomb", "Coefficient = 0.3"})),
+      {"Contact solver/Method=" + method});
+    const double force = run.summary()["contact"]["normal_force"].get<double>();
+    out() << method << ", loaded after it was moved: certified only if right "
+          << yes(!run.converged || std::abs(force - 1.) < 1e-5) << std::endl;
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -64,4 +112,7 @@ int main(int argc, char *argv[])
       }
   for (const std::string law : {"tied", "coulomb", "frictionless"})
     take_along(law, "0;0;1e-3");
+  press_foam();
+  for (const std::string method : {"newton", "newton multigrid", "gauss seidel"})
+    load_later(method);
 }

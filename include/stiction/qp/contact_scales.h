@@ -15,6 +15,9 @@ namespace stiction
   /// Forces of up to this many times the rounding of K u are nothing else.
   constexpr double only_rounding = 100.;
 
+  /// What rounding leaves of gaps that a displacement makes, as a part of it.
+  constexpr double rounding_of_gaps = 1e-12;
+
   /// That 'Contact solver/Tolerance' may have.
   constexpr double largest_tolerance = 1e-2;
 

@@ -18,10 +18,6 @@ namespace stiction
 
   namespace
   {
-    // What rounding leaves of gaps that a prescribed displacement makes, as a
-    // part of it.
-    constexpr double rounding_of_gaps = 1e-12;
-
     // Of the forces and energies of earlier steps: less is nothing.
     constexpr double small_beside_earlier = 1e-6;
 
@@ -34,12 +30,14 @@ namespace stiction
       double loads = 0., reactions = 0.; // of the lengths of nodal forces
       double imbalance = 0.;
       double rounding  = 0.; // of K u
-      double energy    = 0.; // uᵀKu
-      double work      = 0.; // of loads and reactions
-      double force     = 0.; // the largest resultant of a body
-      double moment    = 0.; // the same, about the centre of all
-      // of each body the lengths of loads, contact forces and reactions
-      std::vector<double> forces_on_bodies;
+      // the most that K u is at a node, over K_jj times the largest displacement
+      double resistance = 0.;
+      double energy     = 0.; // uᵀKu
+      double work       = 0.; // of loads and reactions
+      double force      = 0.; // the largest resultant of a body
+      double moment     = 0.; // the same, about the centre of all
+      // of each body the lengths of loads, contact forces and reactions, and uᵀKu
+      std::vector<double> of_bodies;
       std::vector<double> resultants; // of each body the force
     };
 
@@ -52,10 +50,11 @@ namespace stiction
       const LA::Vector Ku    = elasticity.internal_force(u);
       const LA::Vector K     = elasticity.stiffness_diagonal();
       const Point<3> centre  = body.bounding_box().center();
+      const double u_size    = u.linfty_norm();
       NodeSums sums;
       // of each body first the force, then the moment
       std::vector<double> resultants(6 * body.pieces().size());
-      std::vector<double> forces(3 * body.pieces().size()); // as sums.forces_on_bodies
+      std::vector<double> of_bodies(4 * body.pieces().size()); // as sums.of_bodies
       for (const Body::Node &node : body.locally_owned_nodes())
         {
           Tensor<1, 3> applied, contact, reaction, residual, all, inside, held;
@@ -65,6 +64,8 @@ namespace stiction
               const double f = load(dof);
               (elasticity.is_prescribed(dof) ? held : inside)[c] =
                 unit_roundoff * K(dof) * u(dof);
+              sums.resistance =
+                std::max(sums.resistance, std::abs(Ku(dof)) / (K(dof) * u_size));
               applied[c] = f;
               contact[c] = contact_force(dof);
               all[c]     = f + contact[c];
@@ -77,13 +78,13 @@ namespace stiction
               else
                 residual[c] = all[c] - Ku(dof);
               sums.work += f * u(dof);
-              sums.energy += u(dof) * Ku(dof);
+              of_bodies[4 * node.piece + 3] += u(dof) * Ku(dof);
             }
           sums.loads += applied.norm();
           sums.reactions += reaction.norm();
-          forces[3 * node.piece] += applied.norm();
-          forces[3 * node.piece + 1] += contact.norm();
-          forces[3 * node.piece + 2] += reaction.norm();
+          of_bodies[4 * node.piece] += applied.norm();
+          of_bodies[4 * node.piece + 1] += contact.norm();
+          of_bodies[4 * node.piece + 2] += reaction.norm();
           // a smaller residual than the rounding of its terms says nothing, such
           // as one that is zero because λ was made from K u
           sums.imbalance += std::max(residual.norm(), inside.norm());
@@ -95,13 +96,17 @@ namespace stiction
               resultants[6 * node.piece + 3 + c] += moment[c];
             }
         }
-      std::array<double, 6> all = {{sums.loads, sums.reactions, sums.imbalance,
-                                    sums.rounding, sums.energy, sums.work}};
+      std::array<double, 5> all = {
+        {sums.loads, sums.reactions, sums.imbalance, sums.rounding, sums.work}};
       Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
                           body.communicator(), ArrayView<double>(all.data(), all.size()));
       Utilities::MPI::sum(resultants, body.communicator(), resultants);
-      Utilities::MPI::sum(forces, body.communicator(), forces);
-      sums = {all[0], all[1], all[2], all[3], all[4], all[5], 0., 0., forces, {}};
+      Utilities::MPI::sum(of_bodies, body.communicator(), of_bodies);
+      sums.resistance = Utilities::MPI::max(sums.resistance, body.communicator());
+      for (std::size_t i = 3; i < of_bodies.size(); i += 4)
+        sums.energy += of_bodies[i];
+      sums = {all[0], all[1], all[2],    all[3], sums.resistance, sums.energy, all[4],
+              0.,     0.,     of_bodies, {}};
       for (std::size_t i = 0; i < resultants.size(); i += 6)
         {
           const double *const r = &resultants[i];
@@ -141,10 +146,10 @@ namespace stiction
     const double u_size = u.linfty_norm();
     // of bodies that are only moved by supports, and touch nothing or move together, S is
     // rounding: then what the displacement would take if it strained them
-    if (sums.loads == 0. &&
-        (gradient_.head(surface_.n_nodes()).array() >= -rounding_of_gaps * u_size)
-          .all() &&
-        S < only_rounding * sums.rounding)
+    bears_nothing_ = sums.rounding > 0. && sums.loads == 0. && contact_forces == 0. &&
+                     sums.resistance <= reach_of_rounding(unit_roundoff) &&
+                     (gradient_.head(m).array() >= -rounding_of_gaps * u_size).all();
+    if (bears_nothing_)
       {
         S    = sums.rounding / unit_roundoff;
         S_u0 = S * u_size;
@@ -159,7 +164,7 @@ namespace stiction
     const auto n_bodies = static_cast<unsigned int>(sums.resultants.size());
     for (unsigned int p = 0; n_bodies > 1 && p < n_bodies; ++p)
       {
-        const double *const on_body = &sums.forces_on_bodies[3 * p];
+        const double *const on_body = &sums.of_bodies[4 * p];
         const double most           = *std::max_element(on_body, on_body + 3);
         if (on_body[0] > no_load * std::max(S, state.scales.force) &&
             sums.resultants[p] > worst_balanced_.lacking * most)
@@ -171,7 +176,9 @@ namespace stiction
     force_scale_   = S;
     energy_scale_  = S_u0;
     strain_energy_ = sums.energy / 2.;
-    load_work_     = sums.work;
+    for (unsigned int p = 0; p < n_bodies; ++p)
+      strain_energies_.push_back(sums.of_bodies[4 * p + 3] / 2.);
+    load_work_ = sums.work;
 
     scaling_ = contact_scaling(S, S_u0, surface_.areas(), surface_.boundary_area(),
                                surface_.stiffness());

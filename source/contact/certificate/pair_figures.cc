@@ -5,6 +5,8 @@
 #include <stiction/contact/pairs/climbed_facets.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -73,22 +75,34 @@ namespace stiction
 
     void add_gap(const PressedNodes &pressed, PairFigures &figures)
     {
-      const Eigen::VectorXd pressure  = pressed.forces.col(0);
-      const Eigen::RowVector3d centre = pressure.transpose() * pressed.positions;
-      double friction = 0., across = 0., moment = 0.;
+      const auto row = [](const Eigen::MatrixX3d &rows, const std::size_t k) {
+        return Eigen::Vector3d(rows.row(static_cast<Eigen::Index>(k)));
+      };
+      // λ by (x; y; z)
+      const auto force_at = [&](const std::size_t k) -> Eigen::Vector3d {
+        return pressed.nodes[k]->axes().transpose() * row(pressed.forces, k);
+      };
+      Eigen::Vector3d across = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();
+      double friction = 0., gap = 0.;
       for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
         {
-          const double tangential = pressed.forces.row(k).tail<2>().norm();
+          const ContactNode &node = *pressed.nodes[k];
+          const double tangential = row(pressed.forces, k).tail<2>().norm();
+          across += node.mesh_gap * row(pressed.normals, k).cross(force_at(k));
+          centre += pressed.forces(k, 0) / pressed.forces.col(0).sum() *
+                    row(pressed.positions, k);
           friction += tangential;
-          across += tangential * std::abs(pressed.nodes[k]->mesh_gap);
-          moment += pressed.forces.row(k).norm() *
-                    (pressed.positions.row(k) - centre / pressure.sum()).norm();
+          gap += tangential * std::abs(node.mesh_gap);
         }
-      if (friction > 0. && moment > 0.)
-        {
-          figures.gap               = across / friction;
-          figures.moment_across_gap = across / moment;
-        }
+      if (across.norm() == 0.)
+        return;
+      double moment = 0.;
+      for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
+        moment += std::abs((row(pressed.positions, k) - centre)
+                             .cross(force_at(k))
+                             .dot(across.normalized()));
+      figures.gap               = gap / friction;
+      figures.moment_across_gap = across.norm() / moment;
     }
 
     void add_way(const PressedNodes &pressed, PairFigures &figures)

@@ -32,13 +32,8 @@ namespace stiction
     constexpr double least_cover = 1e-3;
 
     // Of the area of a surface: more than the first is all of it, less than the second is
-    // a smaller one. Facets of round surfaces do not cover each other to the last digit,
-    // and their areas grow when the mesh is refined.
-    struct Parts
-    {
-      double all_of_it, smaller;
-    };
-    constexpr Parts of_planes = {0.999, 0.99}, of_facets = {0.98, 0.9};
+    // a smaller one. Facets of round surfaces do not cover each other to the last digit.
+    constexpr double all_of_it = 0.999, all_of_facets = 0.98, smaller = 0.99;
 
     // Of the largest area of a node: less is a sliver, whose gap may be anything.
     constexpr double sliver = 1e-3;
@@ -81,13 +76,18 @@ namespace stiction
                      const std::vector<SurfaceFace> &inner,
                      const std::vector<SurfaceFace> &outer)
     {
-      const bool are_planes = is_flat(inner) && is_flat(outer);
-      const Parts &parts    = are_planes ? of_planes : of_facets;
-      if (area(inner) >= parts.smaller * area(outer))
+      if (area(inner) >= smaller * area(outer))
         return false;
+      const auto covered = [&](const Mortar &mortar, const std::vector<SurfaceFace> &of) {
+        return mortar.areas.sum() / area(of);
+      };
       const Mortar mortar(elasticity, inner, outer);
-      return mortar.areas.sum() > parts.all_of_it * area(inner) &&
-             (are_planes || largest_gap(mortar) < mean_diameter(inner));
+      if (is_flat(inner) && is_flat(outer))
+        return covered(mortar, inner) > all_of_it;
+      // coarse facets have less area than fine ones of the same surface
+      return covered(mortar, inner) > all_of_facets &&
+             largest_gap(mortar) < mean_diameter(inner) &&
+             covered(Mortar(elasticity, outer, inner), outer) < smaller;
     }
 
     // Forces act at nodes of the slave side, so that a contact ends where it should if

@@ -1,6 +1,7 @@
 #include <stiction/contact/pairs/climbed_facets.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <cmath>
 

@@ -402,6 +402,17 @@ namespace stiction
     return sum_of_norms(forces, [](std::size_t) { return all_components; });
   }
 
+  bool ContactLevel::is_rounding(const LA::Vector &forces, const LA::Vector &u) const
+  {
+    const std::vector<double> blocks = stiffness_->diagonal_blocks();
+    const double size                = reach_of_rounding(unit_roundoff) * u.linfty_norm();
+    bool exceeds                     = false;
+    for (unsigned int k = 0; k < forces.locally_owned_size(); ++k)
+      exceeds = exceeds || std::abs(forces.local_element(k)) >
+                             size * blocks[9 * (k / 3) + 4 * (k % 3)];
+    return !Utilities::MPI::logical_or(exceeds, u.get_mpi_communicator());
+  }
+
   double ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
   {
     return sum_of_norms(v, [&](const std::size_t i) { return free_components_[i]; });

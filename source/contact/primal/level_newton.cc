@@ -59,9 +59,6 @@ namespace stiction
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
     constexpr double settled = 1e-2;
 
-    // Of the displacement: a node that is no deeper than this only touches.
-    constexpr double rounding_of_gaps = 1e-12;
-
     // The factors on the first ρ that are tried in turn: mostly it was too
     // large, cycling, rarely too small.
     constexpr std::array<double, 6> rho_factors = {
@@ -204,15 +201,17 @@ namespace stiction
   bool LevelNewton::drop_rounding(ContactState &state,
                                   const ContactResidual &residual) const
   {
-    const bool is_rounding =
-      !problem_.slip_bound().has_given() && problem_.motion().forces().isZero(0.) &&
-      residual.force_scale < only_rounding * problem_.rounding_of_forces(state.u);
-    if (is_rounding)
-      {
-        state.update(problem_);
-        state.lambda.setZero();
-      }
-    return is_rounding;
+    if (problem_.slip_bound().has_given() || !problem_.motion().forces().isZero(0.) ||
+        residual.force_scale >= only_rounding * problem_.rounding_of_forces(state.u))
+      return false;
+    // the sums may be those of a stiff body that moves far, beside a soft one
+    ContactState without = state;
+    without.update(problem_);
+    if (!problem_.is_rounding(without.R, without.u))
+      return false;
+    state = without;
+    state.lambda.setZero();
+    return true;
   }
 
   bool LevelNewton::touches_only(const ContactState &state) const

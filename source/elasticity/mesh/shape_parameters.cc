@@ -78,11 +78,12 @@ namespace stiction
                "Radius of the cylinder or the half ball. Unit: of length.");
     add_number(*this, "Inner radius", inner_radius,
                "Of the hole along the axis of the cylinder, none if it is not set. "
-               "Coarse cells are about as wide and long as the wall is thick, but at "
-               "most 48 around the axis. Unit: of length.");
-    add_number(*this, "Length", length,
-               "Length of the cylinder, from z = 0; it gets coarse cells "
-               "about as long as its radius. Unit: of length.");
+               "Coarse cells go through the wall and are about as wide and long as it is "
+               "thick, but there are from 8 to 48 around the axis. Unit: of length.");
+    add_number(
+      *this, "Length", length,
+      "Length of the cylinder, from z = 0; it gets coarse cells "
+      "about as long as its radius, or as wide ones of a tube. Unit: of length.");
     add_parameter("Generator", generator,
                   "Name of a function of deal.II's GridGenerator: one of those "
                   "that make a single body of hexahedra from numbers and "

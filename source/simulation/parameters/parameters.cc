@@ -43,10 +43,12 @@ namespace stiction
     this->output.check(source);
 
     // the file that was used can be read back only with the last time of a list
-    if (const auto last = time.steps.rfind(','); last != std::string::npos)
+    if (time.steps.find(',') != std::string::npos)
       {
+        const std::string times =
+          time.steps.substr(0, time.steps.find_last_not_of(", ") + 1);
         prm.enter_subsection("Time");
-        prm.set("End", dealii::Utilities::trim(time.steps.substr(last + 1)));
+        prm.set("End", dealii::Utilities::trim(times.substr(times.rfind(',') + 1)));
         prm.leave_subsection();
       }
     std::ostringstream out;

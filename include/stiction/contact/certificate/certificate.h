@@ -85,6 +85,10 @@ namespace stiction
     /// As if the obstacles, and a body that contact alone holds, were where they are.
     bool is_solved(double tolerance) const override;
 
+    /// Whether there are neither loads nor contact forces, and no node resists: then S is
+    /// that of no force.
+    bool bears_nothing() const { return bears_nothing_; }
+
     /// S, N.
     double force_scale() const { return force_scale_; }
 
@@ -93,6 +97,12 @@ namespace stiction
 
     /// uᵀKu/2 in J.
     double strain_energy() const { return strain_energy_; }
+
+    /// The same of one of Body::pieces().
+    double strain_energy(const unsigned int piece) const
+    {
+      return strain_energies_[piece];
+    }
 
     /// Load times displacement, prescribed displacements included, in J.
     double load_work() const { return load_work_; }
@@ -104,6 +114,8 @@ namespace stiction
     const ContactSurface &surface_;
     BodyFigures body_figures_;
     WorstBalanced worst_balanced_;
+    std::vector<double> strain_energies_;
+    bool bears_nothing_ = false;
     double force_scale_ = 1., energy_scale_ = 0., strain_energy_ = 0., load_work_ = 0.;
   };
 } // namespace stiction

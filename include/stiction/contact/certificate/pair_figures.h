@@ -19,9 +19,10 @@ namespace stiction
     /// surface, and the mean distance of these nodes, m.
     double way = 0., spacing = 1.;
 
-    /// Friction across the gap in which the meshes are made has a moment that bodies
-    /// which touch do not have: the gap, its mean weighted with friction, in m, and that
-    /// moment over Σ |λ_i| |x_i − c|, c the centre of pressure.
+    /// Friction across the gap in which the meshes are made has a moment
+    /// Σ g_i n_i × λ_i that bodies which touch do not have: the mean of g weighted with
+    /// friction, m, and that moment over those of all forces about its axis through the
+    /// centre of pressure, Σ |e · ((x_i − c) × λ_i)|.
     double gap = 0., moment_across_gap = 0.;
 
     /// The energy from facets, J, see climbed_facets().

@@ -157,6 +157,10 @@ namespace stiction
     /// changes the forces inside the body by, N. Collective.
     double rounding_of_forces(const LA::Vector &u) const;
 
+    /// Whether at each node the forces are no more than what rounding displacements of
+    /// the size of u changes them by. Collective.
+    bool is_rounding(const LA::Vector &forces, const LA::Vector &u) const;
+
     /// Σ‖v_j‖ over the nodes but contact nodes, of components that are not
     /// prescribed. Collective.
     double sum_of_norms_inside(const LA::Vector &v) const;
