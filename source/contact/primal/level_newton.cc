@@ -6,6 +6,7 @@
 #include <stiction/qp/contact_scales.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/sets/slip_bound.h>
+#include <stiction/qp/unbalanced_load.h>
 
 #include <algorithm>
 #include <array>
