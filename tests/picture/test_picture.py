@@ -159,7 +159,7 @@ class Page(unittest.TestCase):
                               certified=converged or time is not None, scale=SimpleNamespace(pressure=contact.pressure.max()),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
-                                  "force_on_body": [1e8, -1e8, 1e-9],
+                                  "force_on_body": [1e8, -1e8, 1e-9], "normal_force": 1e8,
                                   "open": 112, "closed": 2000, "slip": 1234,
                                   "stick": 0, "undecided": 321}})
         shown = panels.panels_of(contact, points, run.certified)
@@ -265,15 +265,17 @@ class Released(unittest.TestCase):
 class Curves(unittest.TestCase):
     """The diagrams of a history."""
 
+    PRESSED = "normal_force,moment_x,moment_y,moment_z,open_area,slip_area,stick_area,"
     HEADER = "t,boundary,force_x,force_y,force_z,center_x," \
         "obstacle_x,obstacle_y,obstacle_z,obstacle_angle,torque,dissipated_total\n"
 
-    def read(self, rows):
-        """What a directory with these rows has."""
+    def read(self, rows, pressed="5,0,0,0,0,0,1,"):
+        """What a directory with these rows has, each with how it is pressed."""
+        rows = "".join(pressed + row for row in rows.splitlines(keepends=True))
         with tempfile.TemporaryDirectory() as directory:
             with open(os.path.join(directory, "history.csv"), "w",
                       encoding="utf-8") as stream:
-                stream.write(self.HEADER + rows)
+                stream.write(self.PRESSED + self.HEADER + rows)
             return history.read(directory)
 
     def test_diagrams(self):
@@ -312,6 +314,21 @@ class Curves(unittest.TestCase):
             curve, = [line for line in over_angle.lines if len(line.get_xdata()) == 3]
             np.testing.assert_allclose(curve.get_xdata(), [0, 0.012, 0.024])
             np.testing.assert_allclose(curve.get_ydata(), [0, 1.8, 2.1])
+
+    def test_fit(self):
+        """Of forces that add up to rounding the moments are shown, and of moments that
+        do as well how hard bodies are pressed together."""
+        for moment, shown in (("-3", "moment on the body [N mm]"),
+                              ("1e-8", "normal force [N]")):
+            figure = history.draw(
+                self.read("1,a,1e-9,0,0,,0,0,0,0,0,0\n2,a,0,0,1e-9,,0,0,0,0,0,7\n",
+                          f"5,0,0,{moment},0,1,0,"),
+                words.units_of({"units": {"force": "N", "moment": "N mm",
+                                          "energy": "mJ"}}))
+            figure.canvas.draw()
+            over_t, dissipated = figure.axes
+            self.assertEqual(over_t.get_ylabel(), shown)
+            self.assertEqual(dissipated.get_ylabel(), "dissipated by friction [mJ]")
 
     def test_line_that_was_being_written(self):
         rows = self.read("1,a,0,0,1,,0,0,0,0,0,0\n2,a,0,0,1,,0")["a"]
