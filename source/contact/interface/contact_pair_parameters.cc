@@ -77,7 +77,7 @@ namespace stiction
                   "Of a contact pair the side whose nodes carry the contact forces: "
                   "boundary, the one of 'Contact boundary', or obstacle, the one of "
                   "'Obstacle'. automatic: the side that ends within the other, if both "
-                  "are flat; of two "
+                  "are flat, or round and fit; of two "
                   "that go on the softer one if E/h of its cells, h being their size "
                   "before refinement, is less by a factor of two or more, otherwise that "
                   "with smaller cells. Either gives the same answer but for the "
