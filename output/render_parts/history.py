@@ -14,8 +14,8 @@ from .words import ROUNDING, exponent_of, label, number, plain
 AXES = "xyz"
 COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components
 LINES = ("-", "--", ":", "-.")  # of the contact boundaries
-SINGLE = {"normal_force": ("normal force", "force"),
-          "torque": ("torque on the body", "moment"),  # words, kind of unit
+SINGLE = {"normal_force": ("normal force", "force"),  # words, kind of unit
+          "torque": ("torque on the body", "moment"),
           "dissipated_total": ("dissipated by friction", "energy")}
 HARDLY = 1e-2  # parts of the largest displacement over which no curve is drawn
 WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches

@@ -22,8 +22,8 @@ def label(words, unit, exponent=0):
 def units_of(summary):
     """The units of what a picture shows, empty where the summary names none."""
     said = summary.get("units", {})
-    return {kind: said.get(kind, "") for kind in ("length", "force", "moment", "stress",
-                                              "energy")}
+    return {kind: said.get(kind, "")
+            for kind in ("length", "force", "moment", "stress", "energy")}
 
 
 def number(value):

@@ -14,6 +14,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -114,8 +115,15 @@ namespace stiction
                  100. * figures.moment_across_gap));
     }
 
-    void add_facets(const ContactBoundary &pair, const double share, Warnings &warnings)
+    void add_facets(const ContactBoundary &pair, const PairFigures &figures,
+                    const Body &body, const Certificate &certificate, Warnings &warnings)
     {
+      std::set<unsigned int> pieces = body.pieces_at(pair.id());
+      pieces.merge(body.pieces_at(pair.partner()));
+      double energy = 0.;
+      for (const unsigned int piece : pieces)
+        energy += certificate.strain_energy(piece);
+      const double share = figures.climbed / energy;
       if (share > much_from_facets)
         warnings.push_back(
           "'" + pair.name() + "' slid on '" + pair.partner_name() +
@@ -188,12 +196,7 @@ namespace stiction
               add_edge(pair, figures, warnings);
               add_slide(pair, figures, units, warnings);
               add_gap(pair, figures, units, warnings);
-              double energy = 0.; // of the bodies of the pair
-              auto pieces   = body_->pieces_at(pair.id());
-              pieces.merge(body_->pieces_at(pair.partner()));
-              for (const unsigned int piece : pieces)
-                energy += certificate_->strain_energy(piece);
-              add_facets(pair, figures.climbed / energy, warnings);
+              add_facets(pair, figures, *body_, *certificate_, warnings);
             }
         deformation.include(largest_deformation(*body_, state_.u));
       }

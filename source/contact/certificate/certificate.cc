@@ -8,7 +8,6 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -52,9 +51,9 @@ namespace stiction
       const Point<3> centre  = body.bounding_box().center();
       const double u_size    = u.linfty_norm();
       NodeSums sums;
+      sums.of_bodies.resize(4 * body.pieces().size());
       // of each body first the force, then the moment
       std::vector<double> resultants(6 * body.pieces().size());
-      std::vector<double> of_bodies(4 * body.pieces().size()); // as sums.of_bodies
       for (const Body::Node &node : body.locally_owned_nodes())
         {
           Tensor<1, 3> applied, contact, reaction, residual, all, inside, held;
@@ -78,13 +77,14 @@ namespace stiction
               else
                 residual[c] = all[c] - Ku(dof);
               sums.work += f * u(dof);
-              of_bodies[4 * node.piece + 3] += u(dof) * Ku(dof);
+              sums.of_bodies[4 * node.piece + 3] += u(dof) * Ku(dof);
             }
+          double *const of_body = &sums.of_bodies[4 * node.piece];
+          of_body[0] += applied.norm();
+          of_body[1] += contact.norm();
+          of_body[2] += reaction.norm();
           sums.loads += applied.norm();
           sums.reactions += reaction.norm();
-          of_bodies[4 * node.piece] += applied.norm();
-          of_bodies[4 * node.piece + 1] += contact.norm();
-          of_bodies[4 * node.piece + 2] += reaction.norm();
           // a smaller residual than the rounding of its terms says nothing, such
           // as one that is zero because λ was made from K u
           sums.imbalance += std::max(residual.norm(), inside.norm());
@@ -96,17 +96,14 @@ namespace stiction
               resultants[6 * node.piece + 3 + c] += moment[c];
             }
         }
-      std::array<double, 5> all = {
-        {sums.loads, sums.reactions, sums.imbalance, sums.rounding, sums.work}};
-      Utilities::MPI::sum(ArrayView<const double>(all.data(), all.size()),
-                          body.communicator(), ArrayView<double>(all.data(), all.size()));
+      for (double *const sum :
+           {&sums.loads, &sums.reactions, &sums.imbalance, &sums.rounding, &sums.work})
+        *sum = Utilities::MPI::sum(*sum, body.communicator());
       Utilities::MPI::sum(resultants, body.communicator(), resultants);
-      Utilities::MPI::sum(of_bodies, body.communicator(), of_bodies);
+      Utilities::MPI::sum(sums.of_bodies, body.communicator(), sums.of_bodies);
       sums.resistance = Utilities::MPI::max(sums.resistance, body.communicator());
-      for (std::size_t i = 3; i < of_bodies.size(); i += 4)
-        sums.energy += of_bodies[i];
-      sums = {all[0], all[1], all[2],    all[3], sums.resistance, sums.energy, all[4],
-              0.,     0.,     of_bodies, {}};
+      for (std::size_t i = 3; i < sums.of_bodies.size(); i += 4)
+        sums.energy += sums.of_bodies[i];
       for (std::size_t i = 0; i < resultants.size(); i += 6)
         {
           const double *const r = &resultants[i];
@@ -176,9 +173,9 @@ namespace stiction
     force_scale_   = S;
     energy_scale_  = S_u0;
     strain_energy_ = sums.energy / 2.;
+    load_work_     = sums.work;
     for (unsigned int p = 0; p < n_bodies; ++p)
       strain_energies_.push_back(sums.of_bodies[4 * p + 3] / 2.);
-    load_work_ = sums.work;
 
     scaling_ = contact_scaling(S, S_u0, surface_.areas(), surface_.boundary_area(),
                                surface_.stiffness());

@@ -21,37 +21,49 @@ namespace stiction
     // The nodes of a pair that are pressed, by rows.
     struct PressedNodes
     {
-      std::vector<const ContactNode *> nodes;
-      Eigen::MatrixX3d positions, normals, forces, slip; // forces by (ν; t1; t2)
-      Eigen::VectorXd areas;
+      Eigen::MatrixX3d positions, normals, slip;
+      Eigen::VectorXd pressing; // λ_ν
+      Eigen::MatrixX3d friction;
+      Eigen::VectorXd areas, covers, gaps;
 
       PressedNodes(const ContactSurface &surface, const ContactBoundary &pair,
                    const State &state)
       {
         std::vector<Eigen::Index> pressed;
         for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-          if (const ContactNode &node = surface.nodes()[i];
-              surface.boundaries()[node.boundary].id() == pair.id() &&
+          if (surface.boundaries()[surface.nodes()[i].boundary].id() == pair.id() &&
               state.lambda(i) > 0.)
-            {
-              pressed.push_back(i);
-              nodes.push_back(&node);
-            }
-        const auto n = static_cast<Eigen::Index>(pressed.size());
-        for (Eigen::MatrixX3d *const rows : {&positions, &normals, &forces, &slip})
+            pressed.push_back(i);
+        pressing     = state.lambda(pressed);
+        areas        = surface.areas()(pressed);
+        const auto n = pressing.size();
+        for (Eigen::MatrixX3d *const rows : {&positions, &normals, &slip, &friction})
           rows->resize(n, 3);
-        areas                       = surface.areas()(pressed);
-        const Eigen::VectorXd moved = surface.relative_displacement(state);
+        for (Eigen::VectorXd *const values : {&covers, &gaps})
+          values->resize(n);
+        const Eigen::VectorXd moved  = surface.relative_displacement(state);
+        const Eigen::VectorXd forces = surface.forces(state.lambda);
         for (Eigen::Index k = 0; k < n; ++k)
           {
+            const ContactNode &node = surface.nodes()[pressed[k]];
             for (unsigned int c = 0; c < 3; ++c)
               {
-                positions(k, c) = nodes[k]->position[c];
-                normals(k, c)   = nodes[k]->normal[c];
+                positions(k, c) = node.position[c];
+                normals(k, c)   = node.normal[c];
               }
-            forces.row(k) = at_node(state.lambda, pressed[k]);
-            slip.row(k)   = -at_node(moved, pressed[k]);
+            slip.row(k)     = -at_node(moved, pressed[k]);
+            friction.row(k) = at_node(forces, pressed[k]);
+            covers(k)       = node.cover;
+            gaps(k)         = node.mesh_gap;
           }
+        friction = along_surface(friction);
+      }
+
+      // Without what vectors have along the normals.
+      Eigen::MatrixX3d along_surface(const Eigen::MatrixX3d &vectors) const
+      {
+        return vectors -
+               vectors.cwiseProduct(normals).rowwise().sum().asDiagonal() * normals;
       }
     };
 
@@ -61,10 +73,10 @@ namespace stiction
       {
         double force = 0., pressure = 0.;
       } beyond, opposite;
-      for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
+      for (Eigen::Index k = 0; k < pressed.pressing.size(); ++k)
         {
-          auto &there        = pressed.nodes[k]->cover < covered ? beyond : opposite;
-          const double force = pressed.forces(k, 0);
+          auto &there        = pressed.covers(k) < covered ? beyond : opposite;
+          const double force = pressed.pressing(k);
           there.force += force;
           there.pressure = std::max(there.pressure, force / pressed.areas(k));
         }
@@ -75,44 +87,28 @@ namespace stiction
 
     void add_gap(const PressedNodes &pressed, PairFigures &figures)
     {
-      const auto row = [](const Eigen::MatrixX3d &rows, const std::size_t k) {
-        return Eigen::Vector3d(rows.row(static_cast<Eigen::Index>(k)));
-      };
-      // λ by (x; y; z)
-      const auto force_at = [&](const std::size_t k) -> Eigen::Vector3d {
-        return pressed.nodes[k]->axes().transpose() * row(pressed.forces, k);
-      };
-      Eigen::Vector3d across = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();
-      double friction = 0., gap = 0.;
-      for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
-        {
-          const ContactNode &node = *pressed.nodes[k];
-          const double tangential = row(pressed.forces, k).tail<2>().norm();
-          across += node.mesh_gap * row(pressed.normals, k).cross(force_at(k));
-          centre += pressed.forces(k, 0) / pressed.forces.col(0).sum() *
-                    row(pressed.positions, k);
-          friction += tangential;
-          gap += tangential * std::abs(node.mesh_gap);
-        }
+      const Eigen::RowVector3d centre =
+        pressed.pressing.transpose() * pressed.positions / pressed.pressing.sum();
+      Eigen::RowVector3d across = Eigen::RowVector3d::Zero();
+      for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
+        across += pressed.gaps(k) * pressed.normals.row(k).cross(pressed.friction.row(k));
       if (across.norm() == 0.)
         return;
       double moment = 0.;
-      for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
-        moment += std::abs((row(pressed.positions, k) - centre)
-                             .cross(force_at(k))
-                             .dot(across.normalized()));
-      figures.gap               = gap / friction;
-      figures.moment_across_gap = across.norm() / moment;
+      for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
+        moment += std::abs(
+          across.normalized().dot((pressed.positions.row(k) - centre)
+                                    .cross(pressed.pressing(k) * pressed.normals.row(k) +
+                                           pressed.friction.row(k))));
+      const Eigen::VectorXd sizes = pressed.friction.rowwise().norm();
+      figures.gap                 = sizes.dot(pressed.gaps.cwiseAbs()) / sizes.sum();
+      figures.moment_across_gap   = across.norm() / moment;
     }
 
     void add_way(const PressedNodes &pressed, PairFigures &figures)
     {
-      for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
-        figures.way = std::max(
-          figures.way,
-          (pressed.nodes[k]->axes() * pressed.slip.row(k).transpose()).tail<2>().norm());
-      figures.spacing =
-        std::sqrt(pressed.areas.sum() / static_cast<double>(pressed.nodes.size()));
+      figures.way     = pressed.along_surface(pressed.slip).rowwise().norm().maxCoeff();
+      figures.spacing = std::sqrt(pressed.areas.mean());
     }
   } // namespace
 
@@ -121,13 +117,13 @@ namespace stiction
   {
     PairFigures figures;
     const PressedNodes pressed(surface, pair, state);
-    if (pressed.nodes.empty())
+    if (pressed.pressing.size() == 0)
       return figures;
     add_edge(pressed, figures);
     add_gap(pressed, figures);
     add_way(pressed, figures);
     figures.climbed = climbed_facets(pressed.positions, pressed.normals, pressed.slip,
-                                     pressed.areas, pressed.forces.col(0));
+                                     pressed.areas, pressed.pressing);
     return figures;
   }
 } // namespace stiction

@@ -5,7 +5,6 @@
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/interface/state.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
@@ -13,7 +12,6 @@
 #include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 

@@ -1,5 +1,4 @@
 #include <stiction/contact/pairs/rigid_turn.h>
-#include <stiction/qp/operators/nodal_blocks.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
@@ -33,35 +32,20 @@ namespace stiction
       return V;
     }
 
-    // d_i, zero where nothing is opposite.
-    Eigen::MatrixX3d arms(const Matrix &weights, const Eigen::VectorXd &positions,
-                          const Eigen::VectorXd &opposite)
-    {
-      Eigen::MatrixX3d d = Eigen::MatrixX3d::Zero(weights.rows(), 3);
-      for (Eigen::Index i = 0; i < weights.rows(); ++i)
-        {
-          if (Matrix::InnerIterator(weights, i))
-            d.row(i) = at_node(positions, i);
-          for (Matrix::InnerIterator a(weights, i); a; ++a)
-            d.row(i) -= a.value() * at_node(opposite, a.col());
-        }
-      return d;
-    }
+    using Points = Eigen::Map<const Eigen::MatrixX3d>; // by rows
 
     // How far what lies opposite is away, in each row at most widest times as far as the
     // overlaps reach along the surface, so that rows stay sparse.
-    Eigen::VectorXd reach_of(const Matrix &overlaps, const Eigen::MatrixX3d &d,
-                             const Eigen::VectorXd &positions,
-                             const Eigen::VectorXd &opposite)
+    Eigen::VectorXd reach_of(const Matrix &overlaps, const Eigen::MatrixX3d &facing,
+                             const Points &positions, const Points &opposite)
     {
-      Eigen::VectorXd reach(d.rows());
-      for (Eigen::Index i = 0; i < d.rows(); ++i)
+      Eigen::VectorXd reach(facing.rows());
+      for (Eigen::Index i = 0; i < facing.rows(); ++i)
         {
-          const Eigen::Vector3d centre = at_node(positions, i) - d.row(i).transpose();
-          double size                  = 0.;
+          double size = 0.;
           for (Matrix::InnerIterator w(overlaps, i); w; ++w)
-            size = std::max(size, (at_node(opposite, w.col()) - centre).norm());
-          reach(i) = std::min(d.row(i).norm(), widest * size);
+            size = std::max(size, (opposite.row(w.col()) - facing.row(i)).norm());
+          reach(i) = std::min((positions.row(i) - facing.row(i)).norm(), widest * size);
         }
       return reach;
     }
@@ -69,24 +53,24 @@ namespace stiction
     // Around each node the overlaps of all of its surface that are nearer than what lies
     // opposite, the less the farther. The couple of a force across a wide gap on the few
     // nodes opposite alone would bend them: systems took 100 iterations across ten cells
-    // and take 24.
-    Matrix widened(const Matrix &overlaps, const Eigen::VectorXd &positions,
+    // and take 23.
+    Matrix widened(const Matrix &overlaps, const Points &positions,
                    const Eigen::VectorXd &reach,
                    const std::vector<unsigned int> &surfaces)
     {
       const Eigen::Index m = overlaps.rows();
       std::vector<dealii::Point<3>> points;
       for (Eigen::Index i = 0; i < m; ++i)
-        points.emplace_back(positions(i), positions(i + m), positions(i + 2 * m));
+        points.emplace_back(positions(i, 0), positions(i, 1), positions(i, 2));
       const auto tree = dealii::pack_rtree_of_indices(points);
       std::vector<Eigen::Triplet<double>> shares;
       for (Eigen::Index i = 0; i < m; ++i)
         {
           namespace query = boost::geometry::index;
-          dealii::BoundingBox<3> around({points[i], points[i]});
-          around.extend(reach(i));
+          dealii::BoundingBox<3> box({points[i], points[i]});
+          box.extend(reach(i));
           shares.emplace_back(i, i, 1.);
-          for (const auto k : tree | query::adaptors::queried(query::intersects(around)))
+          for (const auto k : tree | query::adaptors::queried(query::intersects(box)))
             if (const double distance = points[i].distance(points[k]);
                 distance > 0. && distance < reach(i) && surfaces[k] == surfaces[i])
               shares.emplace_back(i, k, 1. - distance / reach(i));
@@ -103,9 +87,10 @@ namespace stiction
                           const std::vector<unsigned int> &surfaces)
   {
     const Eigen::Index m = weights.rows(), n = weights.cols();
-    const Eigen::MatrixX3d d = arms(weights, positions, opposite);
+    const Points x(positions.data(), m, 3), y(opposite.data(), n, 3);
+    const Eigen::MatrixX3d facing = weights * y, d = x - facing;
     const Matrix around =
-      widened(overlaps, positions, reach_of(overlaps, d, positions, opposite), surfaces);
+      widened(overlaps, x, reach_of(overlaps, facing, x, y), surfaces);
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index i = 0; i < m; ++i)
       {
@@ -115,13 +100,11 @@ namespace stiction
         const double sum = around.row(i).sum();
         if (sum == 0.)
           continue; // a rigid obstacle
-        Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-        for (Matrix::InnerIterator w(around, i); w; ++w)
-          centre += w.value() / sum * at_node(opposite, w.col());
-        Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+        const Eigen::RowVector3d centre = around.row(i) * y / sum;
+        Eigen::Matrix3d inertia         = Eigen::Matrix3d::Zero();
         for (Matrix::InnerIterator w(around, i); w; ++w)
           {
-            const Eigen::Matrix3d R = cross(at_node(opposite, w.col()) - centre);
+            const Eigen::Matrix3d R = cross(y.row(w.col()) - centre);
             inertia -= w.value() / sum * R * R;
           }
         if (d.row(i).squaredNorm() <= no_arm * no_arm * inertia.trace())
@@ -133,7 +116,7 @@ namespace stiction
         for (Matrix::InnerIterator w(around, i); w; ++w)
           {
             const Eigen::Matrix3d C =
-              w.value() / sum * turn * cross(at_node(opposite, w.col()) - centre);
+              w.value() / sum * turn * cross(y.row(w.col()) - centre);
             for (Eigen::Index r = 0; r < 3; ++r)
               for (Eigen::Index c = 0; c < 3; ++c)
                 entries.emplace_back(i + r * m, w.col() + c * n, C(r, c));

@@ -21,7 +21,6 @@
 #include <Eigen/QR>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,27 +32,6 @@ namespace stiction
   {
     // The components of a node as bits.
     constexpr unsigned char all_components = 7;
-
-    // Σ‖v_j‖ over chosen components of the owned nodes of all ranks.
-    template<typename Components>
-    double sum_of_norms(const LA::Vector &v, const Components &chosen)
-    {
-      double sum               = 0.;
-      const double *const data = v.begin();
-      for (std::size_t i = 0; i < v.locally_owned_size() / 3; ++i)
-        if (chosen(i) == all_components)
-          sum += std::sqrt(data[3 * i] * data[3 * i] + data[3 * i + 1] * data[3 * i + 1] +
-                           data[3 * i + 2] * data[3 * i + 2]);
-        else if (chosen(i) != 0)
-          {
-            double square = 0.;
-            for (unsigned int c = 0; c < 3; ++c)
-              if ((chosen(i) >> c & 1) != 0)
-                square += data[3 * i + c] * data[3 * i + c];
-            sum += std::sqrt(square);
-          }
-      return Utilities::MPI::sum(sum, v.get_mpi_communicator());
-    }
   } // namespace
 
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
@@ -132,7 +110,7 @@ namespace stiction
       take_conditions_of_body();
     else
       take_conditions_of_finer_level();
-    load_sum_ = sum_of_norms(load_, [](std::size_t) { return all_components; });
+    load_sum_ = sum_of_norms(load_);
     basis_.forces_to_relative(load_);
 
     const Eigen::Index n = elasticity_.free_motions().n(), p = motion_.n_pressed();
@@ -358,63 +336,5 @@ namespace stiction
     support.spring =
       M.transpose() * spring * M + part * foundation_(node) * Eigen::Matrix3d::Identity();
     return support;
-  }
-
-  ContactLevel::Scales ContactLevel::scales(const LA::Vector &u, const LA::Vector &R,
-                                            const Eigen::VectorXd &lambda) const
-  {
-    // a prescribed node may be prescribed in some components only
-    double reactions = 0.;
-    for (std::size_t k = 0; k < fixed_.size();)
-      {
-        const unsigned int node = fixed_[k] / 3;
-        double square           = 0.;
-        for (; k < fixed_.size() && fixed_[k] / 3 == node; ++k)
-          square += R.local_element(fixed_[k]) * R.local_element(fixed_[k]);
-        reactions += std::sqrt(square);
-      }
-    double energy = 0.; // uᵀKu = uᵀ(f − R)
-    for (unsigned int k = 0; k < u.locally_owned_size(); ++k)
-      energy += u.local_element(k) * (load_.local_element(k) - R.local_element(k));
-    std::array<double, 2> sums{{reactions, energy}};
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        u.get_mpi_communicator(),
-                        ArrayView<double>(sums.data(), sums.size()));
-
-    double contact_forces = 0.;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      contact_forces += at_node(lambda, i).cwiseProduct(B_.frames()[i].scales()).norm();
-
-    Scales scales;
-    scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
-    scales.scaling =
-      contact_scaling(scales.force, sums[1], areas_, boundary_area_, stiffness_of_cells_);
-    return scales;
-  }
-
-  double ContactLevel::rounding_of_forces(const LA::Vector &u) const
-  {
-    const std::vector<double> blocks = stiffness_->diagonal_blocks();
-    LA::Vector forces                = u;
-    basis_.to_absolute(forces);
-    for (std::size_t k = 0; k < forces.locally_owned_size(); ++k)
-      forces.begin()[k] *= unit_roundoff * blocks[9 * (k / 3) + 4 * (k % 3)];
-    return sum_of_norms(forces, [](std::size_t) { return all_components; });
-  }
-
-  bool ContactLevel::is_rounding(const LA::Vector &forces, const LA::Vector &u) const
-  {
-    const std::vector<double> blocks = stiffness_->diagonal_blocks();
-    const double size                = reach_of_rounding(unit_roundoff) * u.linfty_norm();
-    bool exceeds                     = false;
-    for (unsigned int k = 0; k < forces.locally_owned_size(); ++k)
-      exceeds = exceeds || std::abs(forces.local_element(k)) >
-                             size * blocks[9 * (k / 3) + 4 * (k % 3)];
-    return !Utilities::MPI::logical_or(exceeds, u.get_mpi_communicator());
-  }
-
-  double ContactLevel::sum_of_norms_inside(const LA::Vector &v) const
-  {
-    return sum_of_norms(v, [&](const std::size_t i) { return free_components_[i]; });
   }
 } // namespace stiction

@@ -3,8 +3,6 @@
 #include <stiction/elasticity/mesh/placed_body.h>
 #include <stiction/simulation/parameters/parameters.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <sstream>
 
 namespace stiction
@@ -42,15 +40,7 @@ namespace stiction
       check_body();
     this->output.check(source);
 
-    // the file that was used can be read back only with the last time of a list
-    if (time.steps.find(',') != std::string::npos)
-      {
-        const std::string times =
-          time.steps.substr(0, time.steps.find_last_not_of(", ") + 1);
-        prm.enter_subsection("Time");
-        prm.set("End", dealii::Utilities::trim(times.substr(times.rfind(',') + 1)));
-        prm.leave_subsection();
-      }
+    time.complete();
     std::ostringstream out;
     prm.print_parameters(out, dealii::ParameterHandler::ShortPRM |
                                 dealii::ParameterHandler::KeepDeclarationOrder);

@@ -77,6 +77,16 @@ namespace stiction
     return times;
   }
 
+  void TimeParameters::complete()
+  {
+    const auto list = dealii::Utilities::split_string_list(steps, ',');
+    if (list.size() < 2)
+      return;
+    enter_my_subsection(prm);
+    prm.set("End", list.back());
+    leave_my_subsection(prm);
+  }
+
   void TimeParameters::check(const ParameterFile &source) const
   {
     const auto require = [&](const bool condition, const std::string &entry,

@@ -172,6 +172,10 @@ namespace stiction
     void add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const;
     void take_conditions_of_body();
     void take_conditions_of_finer_level();
+    /// Σ‖v_j‖ over the owned nodes of all ranks, of the components whose bits are set;
+    /// without such a list of all. Collective.
+    static double sum_of_norms(const LA::Vector &v,
+                               const std::vector<unsigned char> &components = {});
 
     const LinearElasticity &elasticity_;
     const BasisTransformation &basis_;

@@ -30,6 +30,10 @@ namespace stiction
     /// other.
     void check(const ParameterFile &source) const;
 
+    /// Sets the entry 'End' to the last time of a list, without which the file that was
+    /// used could not be read back.
+    void complete();
+
     double start = 0., end = 1.;
     std::string steps             = "1";
     double smallest_step          = 0.;
