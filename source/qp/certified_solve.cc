@@ -127,7 +127,7 @@ namespace stiction
     };
     while (!is_content())
       {
-        if (!iterate.gradient.allFinite())
+        if (!iterate.gradient.allFinite() || !Q.nodal_compliance().allFinite())
           {
             status.reason = "the displacements that loads and forces cause are no "
                             "numbers, which a fault in an elastic solve leads to, " +

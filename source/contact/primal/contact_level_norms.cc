@@ -1,6 +1,7 @@
 // How large forces of a level are, and when they are rounding.
 
 #include <stiction/contact/primal/contact_level.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/contact_scales.h>
 #include <stiction/qp/operators/nodal_blocks.h>
@@ -49,9 +50,7 @@ namespace stiction
     for (unsigned int k = 0; k < u.locally_owned_size(); ++k)
       energy += u.local_element(k) * (load_.local_element(k) - R.local_element(k));
     std::array<double, 2> sums{{reactions, energy}};
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        u.get_mpi_communicator(),
-                        ArrayView<double>(sums.data(), sums.size()));
+    sum_over_ranks(sums, u.get_mpi_communicator());
 
     double contact_forces = 0.;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)

@@ -1,11 +1,10 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/newton_system.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
+#include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/operators/nodal_blocks.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -90,13 +89,6 @@ namespace stiction
         0.5 * (spring + spring.transpose()));
       return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
              eigen.eigenvectors().transpose();
-    }
-
-    void sum(std::vector<double> &values, MPI_Comm communicator)
-    {
-      dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(values.data(), values.size()), communicator,
-        dealii::ArrayView<double>(values.data(), values.size()));
     }
   } // namespace
 
@@ -224,7 +216,7 @@ namespace stiction
       images.push_back(directions_[j]->v.begin());
 
     std::vector<double> h = multiple_dot(images, d.v.begin(), N);
-    sum(h, communicator);
+    sum_over_ranks(h, communicator);
     for (unsigned int j = 0; j < n; ++j)
       {
         const Direction &other = *directions_[j];
@@ -240,7 +232,7 @@ namespace stiction
       d.obstacle_rows -= h[j] * directions_[j]->obstacle_rows;
     std::vector<double> products =
       subtract_all(d.v.begin(), images, h, residual_.begin(), N);
-    sum(products, communicator);
+    sum_over_ranks(products, communicator);
     d.square = products[0] + d.obstacle_rows.squaredNorm();
     return products[1] + d.obstacle_rows.dot(obstacle_r);
   }
@@ -300,7 +292,7 @@ namespace stiction
 
         amounts(n)                = product / d.square;
         std::vector<double> norms = subtract(r.begin(), amounts(n), d.v.begin(), N);
-        sum(norms, communicator);
+        sum_over_ranks(norms, communicator);
         obstacle_r -= amounts(n) * d.obstacle_rows;
         square = norms[0] + obstacle_r.squaredNorm();
         contact_r -= amounts(n) * d.contact_rows;

@@ -1,10 +1,10 @@
 #include <stiction/base/all_gather.h>
-#include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/levels/level_transfer.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
+#include <stiction/elasticity/levels/level_transfer.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -25,12 +25,6 @@ namespace stiction
     // More nodes than this do not count from each other one by one, but in a circle.
     constexpr unsigned int longest_chain = 50;
 
-    void sum(Eigen::VectorXd &values, MPI_Comm communicator)
-    {
-      Utilities::MPI::sum(ArrayView<const double>(values.data(), values.size()),
-                          communicator, ArrayView<double>(values.data(), values.size()));
-    }
-
     // Three numbers a node, on all ranks.
     template<typename Number>
     Eigen::VectorXd values_at(const Dofs &first_dofs, const LA::VectorOf<Number> &v)
@@ -43,7 +37,7 @@ namespace stiction
           for (unsigned int c = 0; c < 3; ++c)
             values(3 * static_cast<Eigen::Index>(i) + c) =
               v.begin()[first_dofs[i] - first + c];
-      sum(values, v.get_mpi_communicator());
+      sum_over_ranks(values, v.get_mpi_communicator());
       return values;
     }
 

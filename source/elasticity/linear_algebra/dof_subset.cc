@@ -1,6 +1,6 @@
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <utility>
@@ -29,9 +29,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < size(); ++i)
       if (u.in_local_range(dofs_[i]))
         values(i) = u(dofs_[i]);
-    dealii::Utilities::MPI::sum(
-      dealii::ArrayView<const double>(values.data(), values.size()),
-      u.get_mpi_communicator(), dealii::ArrayView<double>(values.data(), values.size()));
+    sum_over_ranks(values, u.get_mpi_communicator());
     return values;
   }
 

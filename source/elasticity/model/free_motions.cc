@@ -1,9 +1,9 @@
+#include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/text/in_words.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/free_motions.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
@@ -103,8 +103,10 @@ namespace stiction
           }
     for (std::size_t p = 0; p < pieces_.size(); ++p)
       {
-        Utilities::MPI::sum(ArrayView<const double>(grams[p].data(), 36),
-                            body.communicator(), ArrayView<double>(grams[p].data(), 36));
+        sum_over_ranks(grams[p], body.communicator());
+        if (!grams[p].allFinite())
+          throw InputError("places in " + pieces_[p].name +
+                           " are no numbers, which a fault in memory leads to.");
         const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(grams[p]);
         const double scale = eigen.eigenvalues()(5);
         Eigen::Index n     = 0;

@@ -1,6 +1,7 @@
 #include <stiction/elasticity/linear_algebra/amg_preconditioner.h>
 #include <stiction/elasticity/linear_algebra/host_vector.h>
 #include <stiction/elasticity/linear_algebra/mumps_factorization.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
@@ -9,7 +10,6 @@
 #include <stiction/elasticity/stiffness/assembled_stiffness.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -185,9 +185,7 @@ namespace stiction
       for_each_entry(
         matrix.trilinos_matrix(), row,
         [&](const auto column, const double value) { dense(row, column) = value; });
-    Utilities::MPI::sum(ArrayView<const double>(dense.data(), dense.size()),
-                        level_.communicator(),
-                        ArrayView<double>(dense.data(), dense.size()));
+    sum_over_ranks(dense, level_.communicator());
     dense_ = std::make_unique<Eigen::LLT<Eigen::MatrixXd>>(dense);
   }
 
@@ -223,8 +221,7 @@ namespace stiction
         Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(src.size()));
         for (const auto i : owned)
           x(i) = src(i);
-        Utilities::MPI::sum(ArrayView<const double>(x.data(), x.size()),
-                            level_.communicator(), ArrayView<double>(x.data(), x.size()));
+        sum_over_ranks(x, level_.communicator());
         dense_->solveInPlace(x);
         for (const auto i : owned)
           dst(i) = x(i);

@@ -1,7 +1,7 @@
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/stiffness/constrained_matrix.h>
 
 #include <deal.II/base/index_set.h>
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -62,9 +62,7 @@ namespace stiction
         sums[0] += entry;
         sums[1] += entry > 0. ? 1. : 0.;
       }
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        stiffness.get_mpi_communicator(),
-                        ArrayView<double>(sums.data(), sums.size()));
+    sum_over_ranks(sums, stiffness.get_mpi_communicator());
     mean_diagonal_ = sums[0] / sums[1];
     set_supports(NodalSupports(supported_nodes.size()));
   }

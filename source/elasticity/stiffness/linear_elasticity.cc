@@ -1,3 +1,4 @@
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/boundary_parameters.h>
@@ -10,7 +11,6 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <Eigen/LU>
@@ -90,9 +90,7 @@ namespace stiction
               system.row(k).head(n) = free_motions_->at(node.position, node.piece).row(c);
               system(k, n)          = u(node.dofs[c]);
             }
-    Utilities::MPI::sum(ArrayView<const double>(system.data(), system.size()),
-                        body_.communicator(),
-                        ArrayView<double>(system.data(), system.size()));
+    sum_over_ranks(system, body_.communicator());
     return system.leftCols(n).partialPivLu().solve(system.col(n));
   }
 
@@ -106,9 +104,7 @@ namespace stiction
         work +=
           free_motions_->at(node.position, node.piece).transpose() *
           Eigen::Vector3d(force(node.dofs[0]), force(node.dofs[1]), force(node.dofs[2]));
-    Utilities::MPI::sum(ArrayView<const double>(work.data(), work.size()),
-                        body_.communicator(),
-                        ArrayView<double>(work.data(), work.size()));
+    sum_over_ranks(work, body_.communicator());
     return work;
   }
 

@@ -38,6 +38,7 @@ namespace stiction
     /// Collective.
     ///
     /// @param constraints the prescribed displacements, hanging nodes besides.
+    /// @throws InputError if a place is no number.
     FreeMotions(const Body &body, const dealii::AffineConstraints<double> &constraints);
 
     /// n.

@@ -1,0 +1,20 @@
+#ifndef stiction_elasticity_linear_algebra_sum_over_ranks_h
+#define stiction_elasticity_linear_algebra_sum_over_ranks_h
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
+
+namespace stiction
+{
+  /// Adds up the entries of a dense matrix, vector or array over all ranks, in place.
+  /// Collective.
+  template<typename Values>
+  void sum_over_ranks(Values &values, MPI_Comm communicator)
+  {
+    dealii::Utilities::MPI::sum(
+      dealii::ArrayView<const double>(values.data(), values.size()), communicator,
+      dealii::ArrayView<double>(values.data(), values.size()));
+  }
+} // namespace stiction
+
+#endif
