@@ -18,6 +18,7 @@ KIND = {(0, 0): OPEN, (1, 0): CLOSED, (1, 1): SLIP, (1, 2): STICK,
         (3, 2): MAYBE_STICK, (-1, -1): CLAMPED, (1, 4): TIED}  # all others are undecided
 AXES = "xyz"
 NOTHING = 1e-6  # parts of the largest pressure that are none
+EVEN = 1e-3  # of all forces: with less of a resultant a cylinder is pressed all around
 
 
 def shown_pressure(contact, certified):
@@ -131,9 +132,11 @@ def unroll(panel, corners, normals):
     # normals of a hole point to its axis
     outward = np.sign(((middles - center) * normals).sum())
     units = outward * units
-    pressed = outward * (panel.pressure.mean(axis=1)[:, None] * normals).sum(axis=0)
-    front = snapped_sign(pressed if np.linalg.norm(pressed) > 0
-                         else np.array([0, 0, -1.0]), axis)
+    forces = outward * panel.pressure.mean(axis=1)[:, None] * normals
+    pressed = across(forces.sum(axis=0), axis)
+    if np.linalg.norm(pressed) <= EVEN * np.linalg.norm(forces, axis=1).sum():
+        pressed = -np.eye(3)[2 if abs(axis[2]) < 0.9 else 1]
+    front = snapped_sign(pressed, axis)
     side = np.cross(axis, front)
     radius = np.linalg.norm(across(middles - center, axis), axis=1).mean()
 

@@ -117,9 +117,9 @@ namespace stiction
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
     if (ends_.empty())
-      leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_.u);
+      leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_);
     else
-      leave_in_place(*elasticity, *surface, ends_.front().state.u, state_.u);
+      leave_in_place(*elasticity, *surface, ends_.front().state.u, state_);
     surface->add_friction_on_supports(state_, ends_.empty() ? Eigen::VectorXd()
                                                             : ends_.front().state.lambda);
     if (steps_)

@@ -6,6 +6,8 @@
 #include <stiction/contact/certificate/pair_figures.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/interface/slip_history.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/qp/advice.h>
@@ -49,6 +51,12 @@ namespace stiction
     // A depth in an obstacle below this part of the displacement is rounding.
     constexpr double rounding_of_depth = 1e-6;
 
+    // ... and what means of the other side, or a node beside, may well have of it.
+    constexpr double deep = 0.01;
+
+    // Of what friction can bear: where it falls by more in a step, methods may differ.
+    constexpr double much_of_friction = 0.05;
+
     using Warnings = std::vector<std::string>;
 
     void add_edge(const ContactBoundary &pair, const PairFigures &figures,
@@ -86,7 +94,23 @@ namespace stiction
             "it where the boundary does not touch",
             boundary.name().c_str(), 100. * frictionless) +
           (boundary.is_pair() ? ", or let the other side bear the forces ('Slave side')."
-                              : "."));
+           : boundary.friction().is_orthotropic()
+             ? "."
+             : ", or all that is along the surface."));
+    }
+
+    void add_idle(const ContactBoundary &boundary, const double depth, const Units &units,
+                  Warnings &warnings)
+    {
+      warnings.push_back(
+        "nodes of '" + boundary.name() +
+        "' on which none of its forces act, since their displacement is prescribed or "
+        "they belong to a contact boundary before it, came " +
+        with_unit(format("%.2g", depth), units.length) + " into " +
+        (boundary.is_pair() ? '\'' + boundary.partner_name() + '\'' : "its obstacle") +
+        "; the certificate does not speak of them" +
+        (boundary.is_pair() ? ", let the other side bear the forces ('Slave side')."
+                            : ", leave them free across the surface."));
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
@@ -186,9 +210,24 @@ namespace stiction
             "beside those of the others; lower 'Contact solver/Tolerance', or compute "
             "it by itself.",
             body_->pieces()[body].name.c_str(), 100. * lacking));
-        const std::vector<double> frictionless = surface.frictionless_parts(state_);
+        const std::vector<double> frictionless = surface.frictionless_parts(state_),
+                                  depths       = surface.penetration_of_idle(state_),
+                                  falls        = surface.falls_of_friction(
+                                           state_, steps_ ? state_.history.path
+                                                          : slip_path(state_, surface));
         for (std::size_t b = 0; b < frictionless.size(); ++b)
-          add_supports(surface.boundaries()[b], frictionless[b], warnings);
+          {
+            add_supports(surface.boundaries()[b], frictionless[b], warnings);
+            if (depths[b] > deep * largest_displacement)
+              add_idle(surface.boundaries()[b], depths[b], units, warnings);
+            if (falls[b] > much_of_friction)
+              warnings.push_back(format(
+                "friction of '%s' falls by %.0f %% of itself within %s as nodes slip: "
+                "there "
+                "may be other solutions, which smaller steps ('Time/Steps') tell apart.",
+                surface.boundaries()[b].name().c_str(), 100. * falls[b],
+                steps_ ? "the last step" : "the one step"));
+          }
         for (const ContactBoundary &pair : surface.boundaries())
           if (pair.is_pair() && !pair.is_tied())
             {

@@ -86,6 +86,15 @@ class Panels(unittest.TestCase):
         self.assertAlmostEqual(middle[0], 0)
         self.assertTrue(panel.enlarged)
 
+    def test_side_that_nothing_presses_or_all_around(self):
+        points, faces = cylinder_side(2, 3)
+        for pressure in 0., 2.:
+            contact = contact_on(faces, 0)
+            contact.pressure[:] = pressure
+            panel, = panels.panels_of(contact, points)
+            self.assertTrue(np.isfinite(panel.places).all())
+            self.assertEqual(panel.axes[0], "arc from \N{MINUS SIGN}y")
+
     def test_hanging_nodes_are_not_counted(self):
         contact = contact_on(side(self.points, self.faces, 2, 0), 4)
         contact.area[contact.faces == contact.faces[0, 0]] = 0

@@ -2,6 +2,7 @@
 #include <stiction/base/text/in_words.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -29,6 +30,9 @@ namespace stiction
 
     // Of what the loads push with: less is none.
     constexpr double no_force = 1e-12;
+
+    // Of the forces of earlier steps: less presses nothing any more.
+    constexpr double rounding_of_earlier = 1e-9;
 
     // A motion turns the body if this part of it or more is rotation, at the ends of the
     // body.
@@ -284,13 +288,23 @@ namespace stiction
   }
 
   void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
-                      const LA::Vector &before, LA::Vector &u)
+                      const LA::Vector &before, State &state)
   {
-    const Eigen::MatrixXd motions = unresisted_motions(elasticity, surface);
-    const Eigen::Index n          = motions.cols();
+    if (elasticity.free_motions().n() == 0 || state.lambda.size() == 0)
+      return;
+    // friction resists where a node is pressed, and nowhere once all pressure is gone
+    const Eigen::Index m = surface.n_nodes();
+    const double pressing =
+      rounding_of_earlier * state.scales.force / static_cast<double>(m);
+    Eigen::VectorXd lambda = state.lambda;
+    lambda.head(m) = (lambda.head(m).array() > pressing).select(lambda.head(m), 0.);
+    const Eigen::MatrixXd motions = qp::unresisted_motions(
+      rigid_balance(elasticity, surface).G.rightCols(elasticity.free_motions().n()),
+      qp::SlipBound::given(surface.slip_bound().at(lambda)));
+    const Eigen::Index n = motions.cols();
     if (n == 0)
       return;
-    LA::Vector moved = u;
+    LA::Vector moved = state.u;
     moved -= before;
     const Eigen::VectorXd along =
       motions.transpose() * elasticity.work_along_free_motions(moved);
@@ -301,6 +315,6 @@ namespace stiction
         elasticity.add_free_motion(motions.col(j), moved);
         size.col(j) = motions.transpose() * elasticity.work_along_free_motions(moved);
       }
-    elasticity.add_free_motion(-motions * size.ldlt().solve(along), u);
+    elasticity.add_free_motion(-motions * size.ldlt().solve(along), state.u);
   }
 } // namespace stiction

@@ -7,6 +7,7 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -112,6 +113,25 @@ namespace stiction
         depth = std::max(depth, boundary.penetration(p));
       }
     return depth;
+  }
+
+  std::vector<double> ContactSurface::penetration_of_idle(const State &state) const
+  {
+    std::vector<double> depths(boundaries_.size(), 0.);
+    if (idle_.empty())
+      return depths;
+    const Eigen::VectorXd moved = idle_B_.relative_displacement(state.u);
+    for (std::size_t i = 0; i < idle_.size(); ++i)
+      {
+        const ContactNode &node = idle_[i];
+        const Eigen::Vector3d u = at_node(moved, static_cast<Eigen::Index>(i));
+        const Tensor<1, 3> approach =
+          Tensor<1, 3>({u(0), u(1), u(2)}) - node.turning -
+          obstacle_displacement(boundaries_[node.boundary].id(), state.distances);
+        depths[node.boundary] =
+          std::max(depths[node.boundary], approach * node.normal - node.gap);
+      }
+    return depths;
   }
 
   Tensor<1, 3> ContactSurface::obstacle_displacement(
@@ -252,7 +272,9 @@ namespace stiction
 
   std::vector<double> ContactSurface::frictionless_parts(const State &state) const
   {
-    const Eigen::VectorXd slip  = relative_displacement(state);
+    // of this step and of all: who has come back has no friction there either
+    const std::array<Eigen::VectorXd, 2> slips = {
+      {relative_displacement(state), slip_since_origin(state)}};
     const Eigen::VectorXd bound = slip_bound_.at(state.lambda);
     const double least          = least_slip * state.u.linfty_norm();
     std::vector<double> parts(boundaries_.size(), 0.), all = parts;
@@ -260,20 +282,52 @@ namespace stiction
       {
         const ContactNode &node = nodes_[i];
         const double force      = std::max(state.lambda(i), 0.);
-        // opposite to a plane of symmetry a mean of the other side would seem to slip
-        const Tensor<1, 3> s =
-          boundaries_[node.boundary].is_pair()
-            ? node.prescribed_displacement
-            : Tensor<1, 3>({slip(i), slip(i + n_nodes()), slip(i + 2 * n_nodes())});
+        const auto slips_along  = [&](const Tensor<1, 3> &direction) {
+          // opposite to a plane of symmetry a mean of the other side would seem to slip
+          if (boundaries_[node.boundary].is_pair())
+            return std::abs(node.prescribed_displacement * direction) > least;
+          return std::any_of(
+             slips.begin(), slips.end(), [&](const Eigen::VectorXd &slip) {
+              const Eigen::Vector3d s = at_node(slip, i);
+              return std::abs(Tensor<1, 3>({s(0), s(1), s(2)}) * direction) > least;
+            });
+        };
         all[node.boundary] += force;
-        if (bound(i) > 0. &&
-            ((node.scale[0] == 0. && std::abs(s * node.tangent1) > least) ||
-             (node.scale[1] == 0. && std::abs(s * node.tangent2) > least)))
+        if (bound(i) > 0. && ((node.scale[0] == 0. && slips_along(node.tangent1)) ||
+                              (node.scale[1] == 0. && slips_along(node.tangent2))))
           parts[node.boundary] += force;
       }
     for (std::size_t b = 0; b < parts.size(); ++b)
       parts[b] = all[b] > 0. ? parts[b] / all[b] : 0.;
     return parts;
+  }
+
+  std::vector<double> ContactSurface::falls_of_friction(const State &state,
+                                                        const Eigen::VectorXd &path) const
+  {
+    const Eigen::VectorXd r = gap_and_slip(state);
+    std::vector<double> falls(boundaries_.size(), 0.), all = falls;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const ContactNode &node      = nodes_[i];
+        const FrictionData &friction = boundaries_[node.boundary].friction();
+        if (state.lambda(i) <= 0. || !friction.depends_on_rubbing())
+          continue;
+        const double pressure = state.lambda(i) / node.area;
+        const double slip =
+          node.displacement_to_cartesian({0., r(i + n_nodes()), r(i + 2 * n_nodes())})
+            .norm();
+        const double before =
+                       friction.value(node, {pressure, std::max(path(i) - slip, 0.)}),
+                     now = friction.value(node, {pressure, path(i)});
+        const double weight =
+          friction.law() == FrictionLaw::coulomb ? state.lambda(i) : node.area;
+        all[node.boundary] += weight * before;
+        falls[node.boundary] += weight * std::max(before - now, 0.);
+      }
+    for (std::size_t b = 0; b < falls.size(); ++b)
+      falls[b] = all[b] > 0. ? falls[b] / all[b] : 0.;
+    return falls;
   }
 
   Eigen::VectorXd ContactSurface::slip_since_origin(const State &state) const

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace stiction
@@ -70,9 +71,16 @@ namespace stiction
   {
     const NodeShares shares(elasticity, boundaries_);
     boundary_area_ = shares.boundary_area();
-    for (ContactNode node : shares.nodes())
-      if (set_tangents(node))
-        nodes_.push_back(node);
+    std::set<types::global_dof_index> found;
+    for (const ContactNode &node : shares.nodes())
+      {
+        // A node belongs to the first of its boundaries; to tied ones before others, as a
+        // hole in a part is worse than a node without contact. Gaps are along its normal,
+        // whatever is held.
+        ContactNode free = node;
+        const bool bears = found.insert(node.first_dof).second && set_tangents(free);
+        (bears ? nodes_ : idle_).push_back(node);
+      }
   }
 
   void ContactSurface::require_nodes(const std::string &entry,
@@ -93,31 +101,45 @@ namespace stiction
       ", " + reason + ".");
   }
 
+  bool ContactSurface::place(ContactNode &node) const
+  {
+    const ContactBoundary &boundary = boundaries_[node.boundary];
+    if (boundary.is_pair())
+      return place_in_pair(node);
+    if (!boundary.place(node))
+      return false;
+    node.arm     = boundary.arm(node.position + node.gap * node.normal, node.normal);
+    node.turning = boundary.angle() * node.arm;
+    return true;
+  }
+
   void ContactSurface::place_obstacles()
   {
+    idle_.erase(std::remove_if(idle_.begin(), idle_.end(),
+                               [&](ContactNode &node) {
+                                 return boundaries_[node.boundary].is_tied() ||
+                                        !place(node);
+                               }),
+                idle_.end());
     std::vector<ContactNode> facing;
     for (ContactNode &node : nodes_)
       {
-        const ContactBoundary &boundary = boundaries_[node.boundary];
-        if (boundary.is_pair())
+        if (!place(node))
           {
-            if (!place_in_pair(node))
-              continue;
-          }
-        else if (!boundary.place(node))
-          {
-            boundary.require_outside(node);
-            facing_away_.push_back(node);
+            if (const ContactBoundary &boundary = boundaries_[node.boundary];
+                !boundary.is_pair())
+              {
+                boundary.require_outside(node);
+                facing_away_.push_back(node);
+              }
             continue;
           }
         const Tensor<1, 3> normal = node.normal;
-        if (!boundary.is_pair())
-          {
-            node.arm     = boundary.arm(node.position + node.gap * normal, normal);
-            node.turning = boundary.angle() * node.arm;
-          }
         if (!set_tangents(node))
-          continue;
+          {
+            idle_.push_back(node);
+            continue;
+          }
         node.gap_growth = normal;
         // of a normal that is partly held, the free part has to close the gap
         if (node.is_held())
@@ -135,11 +157,19 @@ namespace stiction
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
-    const DofSubset own = DofSubset::of_nodes(first_dofs_of(nodes_));
-    B_ =
-      ContactOperator(own, {nodes_.begin(), nodes_.end()}, other_side(elasticity, own));
+    B_      = contact_operator(elasticity, nodes_);
+    idle_B_ = contact_operator(elasticity, idle_);
     find_weights_of_other_side();
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));
+  }
+
+  ContactOperator ContactSurface::contact_operator(
+    const LinearElasticity &elasticity, const std::vector<ContactNode> &nodes) const
+  {
+    if (nodes.empty())
+      return {};
+    const DofSubset own = DofSubset::of_nodes(first_dofs_of(nodes));
+    return {own, {nodes.begin(), nodes.end()}, other_side(elasticity, own, nodes)};
   }
 
   void ContactSurface::evaluate_data()

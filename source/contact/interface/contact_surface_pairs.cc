@@ -280,8 +280,10 @@ namespace stiction
   }
 
   ContactOperator::OtherSide ContactSurface::other_side(
-    const LinearElasticity &elasticity, const DofSubset &own) const
+    const LinearElasticity &elasticity, const DofSubset &own,
+    const std::vector<ContactNode> &nodes) const
   {
+    const auto n_rows = static_cast<Eigen::Index>(nodes.size());
     std::map<types::global_dof_index, Eigen::Index> column;
     for (const auto &mortar : mortars_)
       if (mortar)
@@ -298,13 +300,13 @@ namespace stiction
     using Matrix        = decltype(Mortar::weights);
     const auto by_nodes = [&](const Matrix Mortar::*const of_mortar) {
       std::vector<Eigen::Triplet<double>> entries;
-      for (Eigen::Index i = 0; i < n_nodes(); ++i)
-        if (const Mortar *const mortar = mortars_[nodes_[i].boundary].get())
+      for (Eigen::Index i = 0; i < n_rows; ++i)
+        if (const Mortar *const mortar = mortars_[nodes[i].boundary].get())
           for (Matrix::InnerIterator a(mortar->*of_mortar,
-                                       mortar->row_of(nodes_[i].first_dof));
+                                       mortar->row_of(nodes[i].first_dof));
                a; ++a)
             entries.emplace_back(i, column.at(mortar->masters[a.col()]), a.value());
-      Matrix matrix(n_nodes(), static_cast<Eigen::Index>(masters.size()));
+      Matrix matrix(n_rows, static_cast<Eigen::Index>(masters.size()));
       matrix.setFromTriplets(entries.begin(), entries.end());
       return matrix;
     };
@@ -322,7 +324,7 @@ namespace stiction
       for (unsigned int c = 0; c < 3; ++c)
         places(node.dofs[c]) = node.position[c];
     std::vector<unsigned int> pairs;
-    for (const ContactNode &node : nodes_)
+    for (const ContactNode &node : nodes)
       pairs.push_back(node.boundary);
     other.A =
       with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps),

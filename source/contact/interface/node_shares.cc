@@ -93,8 +93,6 @@ namespace stiction
           components |= 1u << c;
           share[value + c] = elasticity_.prescribed_value(dof + c);
         }
-    if (components == 7)
-      return;
     share[prescribed] = components;
     add(dof, weight, share);
   }
@@ -102,21 +100,12 @@ namespace stiction
   void NodeShares::add(const types::global_dof_index dof, const double weight,
                        const Share &share)
   {
-    const auto place = shares_.emplace(dof, share);
-    Share &sum       = place.first->second;
-    // A node belongs to the first of its boundaries, which is why the others'
-    // shares are dropped; to tied ones before others, as a hole in a part is worse than
-    // a node without contact.
-    if (!place.second && share[boundary] > sum[boundary])
-      return;
-    const bool is_new = place.second || share[boundary] < sum[boundary];
+    const auto [place, is_new] = shares_.emplace(std::pair(dof, share[boundary]), share);
+    Share &sum                 = place->second;
     for (unsigned int k = area; k < value; ++k)
       sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
-    sum[modulus]    = std::max(share[modulus], is_new ? 0. : sum[modulus]);
-    sum[first_dof]  = static_cast<double>(dof);
-    sum[boundary]   = share[boundary];
-    sum[prescribed] = share[prescribed];
-    std::copy_n(&share[value], 3, &sum[value]);
+    sum[modulus]   = std::max(share[modulus], is_new ? 0. : sum[modulus]);
+    sum[first_dof] = static_cast<double>(dof);
   }
 
   void NodeShares::exchange()
@@ -135,10 +124,10 @@ namespace stiction
     const IndexSet &owned = body_.locally_owned_dofs();
     std::vector<double> places;
     for (const auto &share : shares_)
-      if (owned.is_element(share.first))
+      if (const auto dof = share.first.first; owned.is_element(dof))
         {
           const Body::Node &node =
-            body_.locally_owned_nodes()[owned.index_within_set(share.first) / 3];
+            body_.locally_owned_nodes()[owned.index_within_set(dof) / 3];
           for (unsigned int c = 0; c < 3; ++c)
             places.push_back(node.position[c]);
           places.push_back(node.piece);

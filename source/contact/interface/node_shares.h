@@ -27,8 +27,8 @@ namespace stiction
     /// The area of all contact boundaries, m².
     double boundary_area() const { return boundary_area_; }
 
-    /// In an order that does not depend on the number of ranks; without
-    /// tangents yet. Collective.
+    /// In an order that does not depend on the number of ranks; without tangents yet. A
+    /// node of several boundaries is there once for each. Collective.
     std::vector<ContactNode> nodes() const;
 
   private:
@@ -60,7 +60,8 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const Body &body_;
     const std::vector<ContactBoundary> &boundaries_;
-    std::map<dealii::types::global_dof_index, Share> shares_;
+    /// By the first unknown of a node and a boundary, tied ones first.
+    std::map<std::pair<dealii::types::global_dof_index, double>, Share> shares_;
     double boundary_area_ = 0.;
   };
 } // namespace stiction

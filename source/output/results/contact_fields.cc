@@ -131,7 +131,7 @@ namespace stiction
           node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
         values[pressure_]          = lambda(i) / node.area;
-        values[gap_]               = r(i);
+        values[gap_]               = r(i) / node.gap_growth.norm();
         values[area_]              = node.area;
         const double bound         = certificate_.slip_bound()(i);
         values[slip_bound_]        = qp::is_tied(bound) ? 0. : bound / node.area;

@@ -14,6 +14,7 @@ namespace stiction
   class ContactConditions;
   class ContactSurface;
   class LinearElasticity;
+  struct State;
 
   /// What contact forces have to balance, whatever the body does: first the forces that
   /// press obstacles on, then the loads along the free motions Z of the body, with the
@@ -45,10 +46,11 @@ namespace stiction
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
                                      const ContactSurface &surface);
 
-  /// Takes the part of these motions off u that it has beyond another displacement, on
-  /// the mean of the nodes. Collective.
+  /// Takes the part of the free motions that nothing resists with the forces of a state,
+  /// where pressures are gone not even friction, off its u as far as this has it beyond
+  /// another displacement, on the mean of the nodes. Collective.
   void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
-                      const LA::Vector &before, LA::Vector &u);
+                      const LA::Vector &before, State &state);
 } // namespace stiction
 
 #endif

@@ -166,6 +166,13 @@ namespace stiction
     /// slipped. Dragged nodes are none of them. Collective.
     std::vector<double> frictionless_parts(const State &state) const;
 
+    /// By how much friction fell as nodes slipped since the origin, as a part of what it
+    /// could bear there, of each contact boundary.
+    ///
+    /// @param path of the nodes up to now, see SlipHistory, m.
+    std::vector<double> falls_of_friction(const State &state,
+                                          const Eigen::VectorXd &path) const;
+
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
 
@@ -224,6 +231,11 @@ namespace stiction
     /// into it, m, which nothing prevents. Collective.
     double penetration_of_facing_away(const State &state) const;
 
+    /// How far nodes of each contact boundary on which none of its forces act, since they
+    /// are prescribed across it or belong to an earlier boundary, are beyond what lies
+    /// opposite, m. Collective.
+    std::vector<double> penetration_of_idle(const State &state) const;
+
     /// The contact node with this unknown as its first, -1 if there is none.
     Eigen::Index node_of(dealii::types::global_dof_index first_dof) const;
 
@@ -259,14 +271,20 @@ namespace stiction
 
     void evaluate_data();
 
+    /// Finds what lies opposite to a node. @return whether something does.
+    bool place(ContactNode &node) const;
+
     /// Takes area and gap of a node of a pair from its mortar.
     /// @return whether enough of what is around it has something opposite.
     bool place_in_pair(ContactNode &node) const;
     /// Gives the nodes that are left their numbers and makes B.
     void number_nodes(const LinearElasticity &elasticity);
-    /// @param own the unknowns of the contact nodes.
+    ContactOperator contact_operator(const LinearElasticity &elasticity,
+                                     const std::vector<ContactNode> &nodes) const;
+    /// @param own the unknowns of the nodes.
     ContactOperator::OtherSide other_side(const LinearElasticity &elasticity,
-                                          const DofSubset &own) const;
+                                          const DofSubset &own,
+                                          const std::vector<ContactNode> &nodes) const;
     void find_weights_of_other_side();
 
     /// U − u since the end of the last step, by blocks (x; y; z).
@@ -282,6 +300,8 @@ namespace stiction
     std::vector<std::unique_ptr<Mortar>>
       mortars_; ///< of each, none of those with obstacles
     std::vector<ContactNode> nodes_, facing_away_;
+    std::vector<ContactNode> idle_; ///< of a boundary whose forces do not act on them
+    ContactOperator idle_B_;        ///< of these
     std::vector<Eigen::Index> dragged_;
     Eigen::VectorXd origin_; ///< of count_slip_from(), empty: none
     DofSubset facing_away_dofs_;
