@@ -255,9 +255,9 @@ namespace stiction
 
   Eigen::VectorXd ContactSurface::forces(const Eigen::VectorXd &lambda) const
   {
-    Eigen::VectorXd forces = B_.force_to_cartesian(lambda);
-    for (const Eigen::Index i : dragged_)
-      set_at_node(forces, i, nodes_[i].force_to_cartesian(at_node(lambda, i)));
+    Eigen::VectorXd forces(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(forces, i, nodes_[i].force_on_other_side(at_node(lambda, i)));
     return forces;
   }
 
@@ -265,9 +265,8 @@ namespace stiction
                                   LA::Vector &dst) const
   {
     B_.add_transpose(factor, lambda, dst);
-    if (!dragged_.empty())
-      B_.dofs().add_extension(factor * (forces(lambda) - B_.force_to_cartesian(lambda)),
-                              dst);
+    B_.dofs().add_extension(factor * (forces(lambda) - B_.force_to_cartesian(lambda)),
+                            dst);
   }
 
   std::vector<double> ContactSurface::frictionless_parts(const State &state) const

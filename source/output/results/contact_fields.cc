@@ -126,7 +126,9 @@ namespace stiction
         const auto &lambda      = certificate_.lambda();
         const auto &r           = certificate_.gradient();
 
-        const Eigen::Vector3d force = node.force_to_cartesian(at_node(lambda, i));
+        const Eigen::Vector3d force    = node.force_on_other_side(at_node(lambda, i)),
+                              friction = node.force_to_cartesian(
+                                {0., lambda(i + m), lambda(i + 2 * m)});
         const Eigen::Vector3d slip_vector =
           node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
@@ -141,11 +143,10 @@ namespace stiction
           values[path_] = slip_path_(i);
         for (unsigned int c = 0; c < 3; ++c)
           {
-            values[traction_ + c] = -force[c] / node.area;
-            values[slip_ + c]     = slip_vector[c];
-            values[normal_ + c]   = node.normal[c];
-            values[tangential_traction_ + c] =
-              (lambda(i) * node.normal[c] - force[c]) / node.area;
+            values[traction_ + c]            = -force[c] / node.area;
+            values[slip_ + c]                = slip_vector[c];
+            values[normal_ + c]              = node.normal[c];
+            values[tangential_traction_ + c] = -friction[c] / node.area;
           }
         return values;
       }

@@ -162,10 +162,12 @@ namespace stiction
                                     const Eigen::Vector3d &lambda,
                                     const NodeStatus status, const bool is_outer = true)
     {
-      const Eigen::Vector3d on_obstacle = node.force_to_cartesian(lambda);
+      const Eigen::Vector3d on_obstacle = node.force_on_other_side(lambda);
       const dealii::Tensor<1, 3> force(
         {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
-      const dealii::Tensor<1, 3> friction = force + lambda(0) * node.normal;
+      const Eigen::Vector3d slipping =
+        node.force_to_cartesian({0., lambda(1), lambda(2)});
+      const dealii::Tensor<1, 3> friction({-slipping(0), -slipping(1), -slipping(2)});
       if (status.normal == NormalStatus::closed)
         contact.area += node.area;
       contact.normal_force += lambda(0);

@@ -158,7 +158,7 @@ namespace stiction
     /// Contact forces on obstacles and masters' side, by blocks (x; y; z), N.
     Eigen::VectorXd forces(const Eigen::VectorXd &lambda) const;
 
-    /// dst += factor Bᵀ λ, with friction at dragged nodes. Collective.
+    /// dst += factor Bᵀ λ, with what acts in held directions. Collective.
     void add_forces(double factor, const Eigen::VectorXd &lambda, LA::Vector &dst) const;
 
     /// The part of the normal force of each contact boundary that nodes bear which
