@@ -116,10 +116,9 @@ namespace stiction
     state_.lambda = surface->without_dragged(std::move(state_.lambda));
     status_ =
       solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
-    if (ends_.empty())
-      leave_in_place(*elasticity, *surface, elasticity->zero_vector(), state_);
-    else
-      leave_in_place(*elasticity, *surface, ends_.front().state.u, state_);
+    leave_in_place(*elasticity, *surface,
+                   ends_.empty() ? elasticity->zero_vector() : ends_.front().state.u,
+                   parameters_.contact_solver.tolerance, state_);
     surface->add_friction_on_supports(state_, ends_.empty() ? Eigen::VectorXd()
                                                             : ends_.front().state.lambda);
     if (steps_)

@@ -7,7 +7,6 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
-#include <stiction/contact/interface/slip_history.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/qp/advice.h>
@@ -96,7 +95,7 @@ namespace stiction
           (boundary.is_pair() ? ", or let the other side bear the forces ('Slave side')."
            : boundary.friction().is_orthotropic()
              ? "."
-             : ", or all that is along the surface."));
+             : ", or both directions along the surface."));
     }
 
     void add_idle(const ContactBoundary &boundary, const double depth, const Units &units,
@@ -108,9 +107,7 @@ namespace stiction
         "they belong to a contact boundary before it, came " +
         with_unit(format("%.2g", depth), units.length) + " into " +
         (boundary.is_pair() ? '\'' + boundary.partner_name() + '\'' : "its obstacle") +
-        "; the certificate does not speak of them" +
-        (boundary.is_pair() ? ", let the other side bear the forces ('Slave side')."
-                            : ", leave them free across the surface."));
+        "; the certificate does not speak of them.");
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
@@ -212,9 +209,8 @@ namespace stiction
             body_->pieces()[body].name.c_str(), 100. * lacking));
         const std::vector<double> frictionless = surface.frictionless_parts(state_),
                                   depths       = surface.penetration_of_idle(state_),
-                                  falls        = surface.falls_of_friction(
-                                           state_, steps_ ? state_.history.path
-                                                          : slip_path(state_, surface));
+                                  falls        = surface.falls_of_friction(state_,
+                                                                           state_.history.path);
         for (std::size_t b = 0; b < frictionless.size(); ++b)
           {
             add_supports(surface.boundaries()[b], frictionless[b], warnings);

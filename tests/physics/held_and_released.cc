@@ -153,8 +153,11 @@ namespace
           section("Contact pair floor",
                   {"Boundary = bottom", "Obstacle = plane : 0;0;0;0;0;1", "Law = coulomb",
                    "Coefficient = 0.3"}) +
+          section("Contact pair wall",
+                  {"Boundary = right", "Obstacle = plane : 45;0;0;-1;0;0",
+                   "Law = frictionless"}) +
           section("Time", {until == 4. ? "Steps = 1,2,3,3.5,4" : "Steps = 1,2,3,3.5"})),
-      {"Contact solver/Method=" + method, "Contact solver/Tolerance=1e-9"});
+      {"Contact solver/Method=" + method, "Contact solver/Tolerance=1e-6"});
     double sum     = 0.;
     unsigned int n = 0;
     for (const auto &node : run.problem->elasticity().body().locally_owned_nodes())
@@ -200,7 +203,7 @@ int main(int argc, char *argv[])
     {
       const double before = released(method, 3.5), after = released(method, 4.);
       out() << method << ": it slipped " << yes(before > 1e-4)
-            << ", stays to 1e-6 of that " << yes(std::abs(after / before - 1.) < 1e-6)
+            << ", stays to 1e-4 of that " << yes(std::abs(after / before - 1.) < 1e-4)
             << std::endl;
     }
 }

@@ -2,6 +2,8 @@
 #include <stiction/base/text/in_words.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -31,8 +34,8 @@ namespace stiction
     // Of what the loads push with: less is none.
     constexpr double no_force = 1e-12;
 
-    // Of the forces of earlier steps: less presses nothing any more.
-    constexpr double rounding_of_earlier = 1e-9;
+    // Of what a displacement changes: what is farther away is not met on the way back.
+    constexpr double far_away = 4.;
 
     // A motion turns the body if this part of it or more is rotation, at the ends of the
     // body.
@@ -288,24 +291,36 @@ namespace stiction
   }
 
   void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
-                      const LA::Vector &before, State &state)
+                      const LA::Vector &before, const double tolerance, State &state)
   {
     if (elasticity.free_motions().n() == 0 || state.lambda.size() == 0)
       return;
-    // friction resists where a node is pressed, and nowhere once all pressure is gone
-    const Eigen::Index m = surface.n_nodes();
-    const double pressing =
-      rounding_of_earlier * state.scales.force / static_cast<double>(m);
-    Eigen::VectorXd lambda = state.lambda;
-    lambda.head(m) = (lambda.head(m).array() > pressing).select(lambda.head(m), 0.);
-    const Eigen::MatrixXd motions = qp::unresisted_motions(
-      rigid_balance(elasticity, surface).G.rightCols(elasticity.free_motions().n()),
-      qp::SlipBound::given(surface.slip_bound().at(lambda)));
+    LA::Vector moved = state.u;
+    moved -= before;
+    Eigen::MatrixXd G =
+      rigid_balance(elasticity, surface).G.rightCols(elasticity.free_motions().n());
+    // friction resists where a node is pressed, and nowhere once all pressure is gone, of
+    // which the certificates of earlier steps leave a little
+    const Eigen::Index m       = surface.n_nodes();
+    const double pressing      = tolerance * state.scales.force / static_cast<double>(m);
+    const Eigen::VectorXd gaps = surface.gap_and_slip(state).head(m);
+    const double reach         = far_away * moved.linfty_norm();
+    Eigen::VectorXd bound      = surface.slip_bound().at(state.lambda);
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (state.lambda(i) <= pressing && !surface.slip_bound().is_tied(i))
+        {
+          const ContactBoundary &boundary =
+            surface.boundaries()[surface.nodes()[i].boundary];
+          if (boundary.friction().law() == FrictionLaw::coulomb)
+            bound(i) = 0.;
+          if (gaps(i) > reach)
+            G.row(i).setZero();
+        }
+    const Eigen::MatrixXd motions =
+      qp::unresisted_motions(G, qp::SlipBound::given(std::move(bound)));
     const Eigen::Index n = motions.cols();
     if (n == 0)
       return;
-    LA::Vector moved = state.u;
-    moved -= before;
     const Eigen::VectorXd along =
       motions.transpose() * elasticity.work_along_free_motions(moved);
     Eigen::MatrixXd size(n, n); // what a unit of each motion has

@@ -34,6 +34,9 @@ namespace stiction
     // ... and less is none: what is prescribed as zero is so but for rounding.
     constexpr double rounding_of_slip = 1e-10;
 
+    // Of the largest force of earlier steps: less friction is what a tolerance left.
+    constexpr double least_friction = 1e-6;
+
     // The place of a boundary in the list, the list's size if it is not there.
     std::size_t index_of(const std::vector<ContactBoundary> &boundaries,
                          const types::boundary_id id)
@@ -126,7 +129,7 @@ namespace stiction
         const ContactNode &node = idle_[i];
         const Eigen::Vector3d u = at_node(moved, static_cast<Eigen::Index>(i));
         const Tensor<1, 3> approach =
-          Tensor<1, 3>({u(0), u(1), u(2)}) - node.turning -
+          Tensor<1, 3>({u(0), u(1), u(2)}) -
           obstacle_displacement(boundaries_[node.boundary].id(), state.distances);
         depths[node.boundary] =
           std::max(depths[node.boundary], approach * node.normal - node.gap);
@@ -306,7 +309,7 @@ namespace stiction
   {
     const Eigen::VectorXd r = gap_and_slip(state);
     std::vector<double> falls(boundaries_.size(), 0.), all = falls;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+    for (Eigen::Index i = 0; i < path.size(); ++i)
       {
         const ContactNode &node      = nodes_[i];
         const FrictionData &friction = boundaries_[node.boundary].friction();
@@ -325,7 +328,7 @@ namespace stiction
         falls[node.boundary] += weight * std::max(before - now, 0.);
       }
     for (std::size_t b = 0; b < falls.size(); ++b)
-      falls[b] = all[b] > 0. ? falls[b] / all[b] : 0.;
+      falls[b] = all[b] > least_friction * state.scales.force ? falls[b] / all[b] : 0.;
     return falls;
   }
 

@@ -32,6 +32,9 @@ namespace stiction
     // Of a pair the side with the forces need not be the one that it says.
     const std::string contact_boundary_entry = "Boundary conditions/Contact boundary";
 
+    // Of the area around a node: with less opposite it is beyond an edge.
+    constexpr double mostly_covered = 0.5;
+
     std::vector<types::global_dof_index> first_dofs_of(
       const std::vector<ContactNode> &nodes)
     {
@@ -115,13 +118,7 @@ namespace stiction
 
   void ContactSurface::place_obstacles()
   {
-    idle_.erase(std::remove_if(idle_.begin(), idle_.end(),
-                               [&](ContactNode &node) {
-                                 return boundaries_[node.boundary].is_tied() ||
-                                        !place(node);
-                               }),
-                idle_.end());
-    std::vector<ContactNode> facing;
+    std::vector<ContactNode> facing, held;
     for (ContactNode &node : nodes_)
       {
         if (!place(node))
@@ -137,7 +134,8 @@ namespace stiction
         const Tensor<1, 3> normal = node.normal;
         if (!set_tangents(node))
           {
-            idle_.push_back(node);
+            if (!boundaries_[node.boundary].is_tied())
+              held.push_back(node);
             continue;
           }
         node.gap_growth = normal;
@@ -151,6 +149,19 @@ namespace stiction
         facing.push_back(node);
       }
     nodes_ = std::move(facing);
+
+    // what is wrong for a node that bears nothing is no reason to refuse a problem
+    for (ContactNode &node : idle_)
+      try
+        {
+          if (!boundaries_[node.boundary].is_tied() && place(node) &&
+              node.cover > mostly_covered)
+            held.push_back(node);
+        }
+      catch (const InputError &)
+        {
+        }
+    idle_ = std::move(held);
   }
 
   void ContactSurface::number_nodes(const LinearElasticity &elasticity)

@@ -48,9 +48,12 @@ namespace stiction
 
   /// Takes the part of the free motions that nothing resists with the forces of a state,
   /// where pressures are gone not even friction, off its u as far as this has it beyond
-  /// another displacement, on the mean of the nodes. Collective.
+  /// another displacement, on the mean of the nodes. Bodies are kept where they were
+  /// along what they may lie on, not across it. Collective.
+  ///
+  /// @param tolerance less than this part of the forces of earlier steps presses nothing.
   void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
-                      const LA::Vector &before, State &state);
+                      const LA::Vector &before, double tolerance, State &state);
 } // namespace stiction
 
 #endif

@@ -169,7 +169,7 @@ namespace stiction
     /// By how much friction fell as nodes slipped since the origin, as a part of what it
     /// could bear there, of each contact boundary.
     ///
-    /// @param path of the nodes up to now, see SlipHistory, m.
+    /// @param path of the nodes up to now, see SlipHistory, m. Collective.
     std::vector<double> falls_of_friction(const State &state,
                                           const Eigen::VectorXd &path) const;
 
