@@ -110,6 +110,17 @@ namespace stiction
         "; the certificate does not speak of them.");
     }
 
+    void add_fall(const ContactBoundary &boundary, const double fall,
+                  const bool has_steps, Warnings &warnings)
+    {
+      if (fall > much_of_friction)
+        warnings.push_back(format(
+          "friction of '%s' falls by %.0f %% of itself within %s as nodes slip: "
+          "there may be other solutions, which smaller steps ('Time/Steps') tell apart.",
+          boundary.name().c_str(), 100. * fall,
+          has_steps ? "the last step" : "the one step"));
+    }
+
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
                    const Units &units, Warnings &warnings)
     {
@@ -209,20 +220,13 @@ namespace stiction
             body_->pieces()[body].name.c_str(), 100. * lacking));
         const std::vector<double> frictionless = surface.frictionless_parts(state_),
                                   depths       = surface.penetration_of_idle(state_),
-                                  falls        = surface.falls_of_friction(state_,
-                                                                           state_.history.path);
+                                  falls        = surface.falls_of_friction(state_);
         for (std::size_t b = 0; b < frictionless.size(); ++b)
           {
             add_supports(surface.boundaries()[b], frictionless[b], warnings);
             if (depths[b] > deep * largest_displacement)
               add_idle(surface.boundaries()[b], depths[b], units, warnings);
-            if (falls[b] > much_of_friction)
-              warnings.push_back(format(
-                "friction of '%s' falls by %.0f %% of itself within %s as nodes slip: "
-                "there "
-                "may be other solutions, which smaller steps ('Time/Steps') tell apart.",
-                surface.boundaries()[b].name().c_str(), 100. * falls[b],
-                steps_ ? "the last step" : "the one step"));
+            add_fall(surface.boundaries()[b], falls[b], steps_ != nullptr, warnings);
           }
         for (const ContactBoundary &pair : surface.boundaries())
           if (pair.is_pair() && !pair.is_tied())

@@ -20,15 +20,6 @@ namespace
                cosine      = std::cos(10. * dealii::numbers::PI / 180.);
   const std::string turned = "0;0;0;0;1;0;10";
 
-  unsigned int n_warnings(const Run &run, const std::string &words)
-  {
-    unsigned int n = 0;
-    for (const auto &warning : run.summary()["warnings"])
-      if (warning.get<std::string>().find(words) != std::string::npos)
-        ++n;
-    return n;
-  }
-
   std::string oblique(const std::string &supports, const std::string &entry)
   {
     return file(

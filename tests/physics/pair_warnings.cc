@@ -11,12 +11,8 @@ namespace
 {
   std::string warnings(const Run &run, const std::string &words)
   {
-    unsigned int n = 0;
-    for (const auto &warning : run.summary()["warnings"])
-      if (warning.get<std::string>().find(words) != std::string::npos)
-        ++n;
     return std::string("certified ") + yes(run.converged) + ", warnings " +
-           std::to_string(n);
+           std::to_string(n_warnings(run, words));
   }
 
   // Turned by M x r in every point, with a torque of 149,880 N mm times M.

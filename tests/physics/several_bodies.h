@@ -48,6 +48,15 @@ inline bool certified_alone(const Run &run)
   return run.converged && solver["fallbacks"] == 0 && !solver.contains("handed_over_to");
 }
 
+inline unsigned int n_warnings(const Run &run, const std::string &words)
+{
+  unsigned int n = 0;
+  for (const auto &warning : run.summary()["warnings"])
+    if (warning.get<std::string>().find(words) != std::string::npos)
+      ++n;
+  return n;
+}
+
 // About the origin. Collective.
 inline dealii::Tensor<1, 3> moment_of_loads(const Run &run)
 {

@@ -210,6 +210,32 @@ namespace stiction
                  units),
         part};
     }
+
+    // Those that nothing resists with the forces of a state. Friction resists where a
+    // node is pressed, and nowhere once all pressure is gone, of which the certificates
+    // of earlier steps leave a little.
+    Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
+                                       const ContactSurface &surface, const State &state,
+                                       const double tolerance, const double moved)
+    {
+      Eigen::MatrixXd G =
+        rigid_balance(elasticity, surface).G.rightCols(elasticity.free_motions().n());
+      Eigen::VectorXd bound   = surface.slip_bound().at(state.lambda);
+      const Eigen::VectorXd r = surface.gap_and_slip(state);
+      const auto m            = static_cast<double>(surface.n_nodes());
+      const double pressing   = tolerance * state.scales.force / m;
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        {
+          if (state.lambda(i) > pressing || surface.slip_bound().is_tied(i))
+            continue;
+          const unsigned int boundary = surface.nodes()[i].boundary;
+          if (surface.boundaries()[boundary].friction().law() == FrictionLaw::coulomb)
+            bound(i) = 0.;
+          if (r(i) > far_away * moved)
+            G.row(i).setZero();
+        }
+      return qp::unresisted_motions(G, qp::SlipBound::given(std::move(bound)));
+    }
   } // namespace
 
   EqualityConstraint rigid_balance(const LinearElasticity &elasticity,
@@ -297,27 +323,8 @@ namespace stiction
       return;
     LA::Vector moved = state.u;
     moved -= before;
-    Eigen::MatrixXd G =
-      rigid_balance(elasticity, surface).G.rightCols(elasticity.free_motions().n());
-    // friction resists where a node is pressed, and nowhere once all pressure is gone, of
-    // which the certificates of earlier steps leave a little
-    const Eigen::Index m       = surface.n_nodes();
-    const double pressing      = tolerance * state.scales.force / static_cast<double>(m);
-    const Eigen::VectorXd gaps = surface.gap_and_slip(state).head(m);
-    const double reach         = far_away * moved.linfty_norm();
-    Eigen::VectorXd bound      = surface.slip_bound().at(state.lambda);
-    for (Eigen::Index i = 0; i < m; ++i)
-      if (state.lambda(i) <= pressing && !surface.slip_bound().is_tied(i))
-        {
-          const ContactBoundary &boundary =
-            surface.boundaries()[surface.nodes()[i].boundary];
-          if (boundary.friction().law() == FrictionLaw::coulomb)
-            bound(i) = 0.;
-          if (gaps(i) > reach)
-            G.row(i).setZero();
-        }
     const Eigen::MatrixXd motions =
-      qp::unresisted_motions(G, qp::SlipBound::given(std::move(bound)));
+      unresisted_motions(elasticity, surface, state, tolerance, moved.linfty_norm());
     const Eigen::Index n = motions.cols();
     if (n == 0)
       return;

@@ -7,7 +7,6 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -127,9 +126,8 @@ namespace stiction
     for (std::size_t i = 0; i < idle_.size(); ++i)
       {
         const ContactNode &node = idle_[i];
-        const Eigen::Vector3d u = at_node(moved, static_cast<Eigen::Index>(i));
         const Tensor<1, 3> approach =
-          Tensor<1, 3>({u(0), u(1), u(2)}) -
+          to_tensor(at_node(moved, static_cast<Eigen::Index>(i))) -
           obstacle_displacement(boundaries_[node.boundary].id(), state.distances);
         depths[node.boundary] =
           std::max(depths[node.boundary], approach * node.normal - node.gap);
@@ -274,25 +272,24 @@ namespace stiction
 
   std::vector<double> ContactSurface::frictionless_parts(const State &state) const
   {
-    // of this step and of all: who has come back has no friction there either
-    const std::array<Eigen::VectorXd, 2> slips = {
-      {relative_displacement(state), slip_since_origin(state)}};
-    const Eigen::VectorXd bound = slip_bound_.at(state.lambda);
-    const double least          = least_slip * state.u.linfty_norm();
+    // who has come back lacks friction as well
+    const Eigen::VectorXd of_all_steps = relative_displacement(state),
+                          of_this_step = slip_since_origin(state),
+                          bound        = slip_bound_.at(state.lambda);
+    const double least                 = least_slip * state.u.linfty_norm();
     std::vector<double> parts(boundaries_.size(), 0.), all = parts;
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         const ContactNode &node = nodes_[i];
         const double force      = std::max(state.lambda(i), 0.);
-        const auto slips_along  = [&](const Tensor<1, 3> &direction) {
-          // opposite to a plane of symmetry a mean of the other side would seem to slip
-          if (boundaries_[node.boundary].is_pair())
-            return std::abs(node.prescribed_displacement * direction) > least;
-          return std::any_of(
-             slips.begin(), slips.end(), [&](const Eigen::VectorXd &slip) {
-              const Eigen::Vector3d s = at_node(slip, i);
-              return std::abs(Tensor<1, 3>({s(0), s(1), s(2)}) * direction) > least;
-            });
+        // opposite to a plane of symmetry a mean of the other side would seem to slip
+        const bool is_pair         = boundaries_[node.boundary].is_pair();
+        const Tensor<1, 3> slips[] = {
+          is_pair ? node.prescribed_displacement : to_tensor(at_node(of_all_steps, i)),
+          is_pair ? Tensor<1, 3>() : to_tensor(at_node(of_this_step, i))};
+        const auto slips_along = [&](const Tensor<1, 3> &direction) {
+          return std::max(std::abs(slips[0] * direction),
+                          std::abs(slips[1] * direction)) > least;
         };
         all[node.boundary] += force;
         if (bound(i) > 0. && ((node.scale[0] == 0. && slips_along(node.tangent1)) ||
@@ -304,10 +301,10 @@ namespace stiction
     return parts;
   }
 
-  std::vector<double> ContactSurface::falls_of_friction(const State &state,
-                                                        const Eigen::VectorXd &path) const
+  std::vector<double> ContactSurface::falls_of_friction(const State &state) const
   {
-    const Eigen::VectorXd r = gap_and_slip(state);
+    const Eigen::VectorXd r     = gap_and_slip(state);
+    const Eigen::VectorXd &path = state.history.path;
     std::vector<double> falls(boundaries_.size(), 0.), all = falls;
     for (Eigen::Index i = 0; i < path.size(); ++i)
       {

@@ -121,20 +121,19 @@ namespace stiction
     std::vector<ContactNode> facing, held;
     for (ContactNode &node : nodes_)
       {
+        const ContactBoundary &boundary = boundaries_[node.boundary];
         if (!place(node))
           {
-            if (const ContactBoundary &boundary = boundaries_[node.boundary];
-                !boundary.is_pair())
-              {
-                boundary.require_outside(node);
-                facing_away_.push_back(node);
-              }
+            if (boundary.is_pair())
+              continue;
+            boundary.require_outside(node);
+            facing_away_.push_back(node);
             continue;
           }
         const Tensor<1, 3> normal = node.normal;
         if (!set_tangents(node))
           {
-            if (!boundaries_[node.boundary].is_tied())
+            if (!boundary.is_tied())
               held.push_back(node);
             continue;
           }

@@ -1,5 +1,7 @@
 #include "background_grid.h"
 
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
+
 #include "chebyshev.h"
 
 #include <deal.II/base/mpi.h>
@@ -24,16 +26,6 @@ namespace stiction
 
     // Functions of the last grid that depend on each other leave it singular.
     constexpr double regularization = 1e-7;
-
-    template<typename Matrix>
-    void sum(Matrix &matrix, MPI_Comm communicator)
-    {
-      using Number = typename Matrix::Scalar;
-      const auto n = static_cast<std::size_t>(matrix.size());
-      dealii::Utilities::MPI::sum(dealii::ArrayView<const Number>(matrix.data(), n),
-                                  communicator,
-                                  dealii::ArrayView<Number>(matrix.data(), n));
-    }
   } // namespace
 
   BackgroundMultigrid::Grid::Grid(BlockMatrix A, std::vector<unsigned int> touched,
@@ -55,7 +47,7 @@ namespace stiction
     if (is_last_)
       {
         dense_ = A_.dense().cast<double>();
-        sum(dense_, communicator_);
+        sum_over_ranks(dense_, communicator_);
         scale_ = Eigen::Map<const Eigen::VectorXf>(inverse_diagonal_.data(),
                                                    inverse_diagonal_.size())
                    .cast<double>()
@@ -66,11 +58,6 @@ namespace stiction
     set_springs(springs_, nullptr);
   }
 
-  void BackgroundMultigrid::Grid::sum_over_ranks(BlockVector &v) const
-  {
-    sum(v, communicator_);
-  }
-
   void BackgroundMultigrid::Grid::make_diagonal()
   {
     const Eigen::Index n = A_.n();
@@ -79,13 +66,13 @@ namespace stiction
       entries.row(i) = A_.diagonal_block(i).diagonal();
     for (const unsigned int i : touched_)
       blocks_.push_back(A_.diagonal_block(i));
-    sum(entries, communicator_);
-    sum(sums, communicator_);
+    sum_over_ranks(entries, communicator_);
+    sum_over_ranks(sums, communicator_);
     if (!blocks_.empty())
       {
         Eigen::Map<Eigen::VectorXf> all(blocks_.front().data(),
                                         9 * static_cast<Eigen::Index>(blocks_.size()));
-        sum(all, communicator_);
+        sum_over_ranks(all, communicator_);
       }
     diagonal_         = entries.cwiseMax((entries + sums) / largest_row_sum);
     const float tiny  = no_stiffness * diagonal_.maxCoeff();
@@ -190,7 +177,7 @@ namespace stiction
   void BackgroundMultigrid::Grid::vmult(BlockVector &y, const BlockVector &v) const
   {
     A_.vmult(y, v);
-    sum(y, communicator_);
+    sum_over_ranks(y, communicator_);
     for (std::size_t t = 0; t < touched_.size(); ++t)
       y.row(touched_[t]) += (springs_[t] * v.row(touched_[t]).transpose()).transpose();
     if (!between_)

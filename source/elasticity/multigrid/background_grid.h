@@ -34,9 +34,6 @@ namespace stiction
     const std::vector<unsigned int> &touched() const { return touched_; }
     const Interpolation &to_finer() const { return to_finer_; }
 
-    /// Collective.
-    void sum_over_ranks(BlockVector &v) const;
-
     /// At the touched vertices. @param between bodies, a matrix of these vertices, if
     ///   there are any.
     void set_springs(const Springs &springs, std::unique_ptr<BlockMatrix> between);

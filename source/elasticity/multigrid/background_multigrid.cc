@@ -2,6 +2,7 @@
 #include "springs_between_bodies.h"
 
 #include <stiction/base/all_gather.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/multigrid/background_grids.h>
@@ -336,7 +337,7 @@ namespace stiction
     const Eigen::Map<const BlockVector> residual(r.begin(), to_mesh_.rows(), 3);
     Eigen::Map<BlockVector> corrected(x.begin(), to_mesh_.rows(), 3);
     first.b.noalias() = to_mesh_.transpose() * residual;
-    first.sum_over_ranks(first.b);
+    sum_over_ranks(first.b, r.get_mpi_communicator());
     cycle(0);
     corrected.noalias() += to_mesh_ * first.x;
   }

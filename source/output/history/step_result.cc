@@ -13,15 +13,11 @@ namespace stiction
                   const NodeStatus status, const Eigen::Vector3d &lambda,
                   const Eigen::Vector3d &gradient)
     {
-      const Eigen::Vector3d on_obstacle = node.force_on_other_side(lambda);
-      const dealii::Tensor<1, 3> force(
-        {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
+      const dealii::Tensor<1, 3> force = -to_tensor(node.force_on_other_side(lambda));
       boundary.force += force;
       boundary.moment += cross_product_3d(node.position, force);
-      const Eigen::Vector3d friction =
-        node.force_to_cartesian({0., lambda(1), lambda(2)});
       boundary.torque -=
-        node.arm * dealii::Tensor<1, 3>({friction(0), friction(1), friction(2)});
+        node.arm * to_tensor(node.force_to_cartesian({0., lambda(1), lambda(2)}));
       boundary.normal_force += lambda(0);
       boundary.center += lambda(0) * node.position;
       boundary.open_area += status.normal == NormalStatus::open ? node.area : 0.;

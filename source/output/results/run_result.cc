@@ -162,12 +162,9 @@ namespace stiction
                                     const Eigen::Vector3d &lambda,
                                     const NodeStatus status, const bool is_outer = true)
     {
-      const Eigen::Vector3d on_obstacle = node.force_on_other_side(lambda);
-      const dealii::Tensor<1, 3> force(
-        {-on_obstacle(0), -on_obstacle(1), -on_obstacle(2)});
-      const Eigen::Vector3d slipping =
-        node.force_to_cartesian({0., lambda(1), lambda(2)});
-      const dealii::Tensor<1, 3> friction({-slipping(0), -slipping(1), -slipping(2)});
+      const dealii::Tensor<1, 3> force    = -to_tensor(node.force_on_other_side(lambda)),
+                                 friction = -to_tensor(
+                                   node.force_to_cartesian({0., lambda(1), lambda(2)}));
       if (status.normal == NormalStatus::closed)
         contact.area += node.area;
       contact.normal_force += lambda(0);

@@ -10,6 +10,12 @@
 
 namespace stiction
 {
+  /// As deal.II's points and normals are.
+  inline dealii::Tensor<1, 3> to_tensor(const Eigen::Vector3d &v)
+  {
+    return dealii::Tensor<1, 3>({v(0), v(1), v(2)});
+  }
+
   /// The frame of a contact node, and the two maps between Cartesian components
   /// and contact variables (ν; t1; t2) that go with it:
   ///
@@ -104,7 +110,7 @@ namespace stiction
   private:
     Eigen::Vector3d rotate(const Eigen::Vector3d &v) const
     {
-      const dealii::Tensor<1, 3> x({v(0), v(1), v(2)});
+      const dealii::Tensor<1, 3> x = to_tensor(v);
       return {normal * x, tangent1 * x, tangent2 * x};
     }
 

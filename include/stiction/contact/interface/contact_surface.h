@@ -167,11 +167,10 @@ namespace stiction
     std::vector<double> frictionless_parts(const State &state) const;
 
     /// By how much friction fell as nodes slipped since the origin, as a part of what it
-    /// could bear there, of each contact boundary.
+    /// could bear there, of each contact boundary. Collective.
     ///
-    /// @param path of the nodes up to now, see SlipHistory, m. Collective.
-    std::vector<double> falls_of_friction(const State &state,
-                                          const Eigen::VectorXd &path) const;
+    /// @param state at the end of a step, with the path up to there in its history.
+    std::vector<double> falls_of_friction(const State &state) const;
 
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
@@ -279,6 +278,7 @@ namespace stiction
     bool place_in_pair(ContactNode &node) const;
     /// Gives the nodes that are left their numbers and makes B.
     void number_nodes(const LinearElasticity &elasticity);
+    /// B of some nodes, with what lies opposite to them.
     ContactOperator contact_operator(const LinearElasticity &elasticity,
                                      const std::vector<ContactNode> &nodes) const;
     /// @param own the unknowns of the nodes.

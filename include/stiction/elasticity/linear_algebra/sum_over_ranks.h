@@ -11,9 +11,10 @@ namespace stiction
   template<typename Values>
   void sum_over_ranks(Values &values, MPI_Comm communicator)
   {
+    using Number = typename Values::value_type;
     dealii::Utilities::MPI::sum(
-      dealii::ArrayView<const double>(values.data(), values.size()), communicator,
-      dealii::ArrayView<double>(values.data(), values.size()));
+      dealii::ArrayView<const Number>(values.data(), values.size()), communicator,
+      dealii::ArrayView<Number>(values.data(), values.size()));
   }
 } // namespace stiction
 
