@@ -59,8 +59,10 @@ namespace stiction
     {
       Eigen::VectorXd vectors(3 * v.size());
       for (Eigen::Index i = 0; i < v.size(); ++i)
-        set_at_node(vectors, i,
-                    surface.nodes()[i].displacement_to_cartesian({v(i), 0., 0.}));
+        {
+          const dealii::Tensor<1, 3> along = v(i) * surface.nodes()[i].normal;
+          set_at_node(vectors, i, {along[0], along[1], along[2]});
+        }
       return vectors;
     }
   } // namespace
@@ -124,11 +126,8 @@ namespace stiction
     const Eigen::VectorXd U       = surface.obstacle_displacements(state.distances);
     const Eigen::Index m          = surface.n_nodes();
     const Eigen::VectorXd offsets = surface.motion().offset(state.distances).head(m);
-    Eigen::VectorXd of_obstacles  = offsets; // what is prescribed is the supports' work
-    for (Eigen::Index i = 0; i < m; ++i)
-      if (const ContactNode &node = surface.nodes()[i]; node.is_held())
-        of_obstacles(i) += node.gap_growth * node.prescribed_displacement;
-    end.offset   = along_normals(surface, of_obstacles) + tangential(surface, U);
+
+    end.offset   = along_normals(surface, offsets) + tangential(surface, U);
     end.gap      = along_normals(surface, offsets - surface.B().apply(state.u).head(m));
     end.relative = surface.relative_displacement(state);
     end.sliding  = tangential(surface, end.relative);

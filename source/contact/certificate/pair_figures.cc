@@ -46,11 +46,10 @@ namespace stiction
         for (Eigen::Index k = 0; k < n; ++k)
           {
             const ContactNode &node = surface.nodes()[pressed[k]];
-            const auto normal       = node.gap_growth / node.gap_growth.norm();
             for (unsigned int c = 0; c < 3; ++c)
               {
                 positions(k, c) = node.position[c];
-                normals(k, c)   = normal[c];
+                normals(k, c)   = node.normal[c];
               }
             slip.row(k)     = -at_node(moved, pressed[k]);
             friction.row(k) = at_node(forces, pressed[k]);

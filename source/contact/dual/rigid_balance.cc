@@ -61,7 +61,7 @@ namespace stiction
       Tensor<1, 3> sum;
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         if (at_node(moved, i).norm() > no_motion_here)
-          sum += lambda(i) * surface.nodes()[i].normal;
+          sum += lambda(i) * surface.nodes()[i].free_normal;
       return sum.norm() > 0. ? sum / sum.norm() : sum;
     }
 

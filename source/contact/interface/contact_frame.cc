@@ -26,26 +26,26 @@ namespace stiction
 
   bool set_tangents(ContactFrame &frame)
   {
-    Tensor<1, 3> normal = frame.normal;
+    Tensor<1, 3> free = frame.normal;
     Tensor<1, 3> held;
     unsigned int n_held = 0;
     for (unsigned int c = 0; c < 3; ++c)
       if (frame.prescribed[c])
         {
-          normal[c] = 0.;
+          free[c] = 0.;
           if (n_held == 0)
             held[c] = 1.;
           ++n_held;
         }
-    if (normal.norm() < least_normal)
+    const double part = free.norm();
+    if (part < least_normal)
       return false;
-    if (n_held > 0)
-      normal /= normal.norm();
 
-    frame.normal   = normal;
-    frame.tangent1 = n_held > 0 ? held : first_tangent(normal);
-    frame.tangent2 = cross_product_3d(frame.tangent1, normal);
-    frame.scale    = {{n_held > 0 ? 0. : 1., n_held > 1 ? 0. : 1.}};
+    frame.free_part   = n_held > 0 ? part : 1.;
+    frame.free_normal = free / frame.free_part;
+    frame.tangent1    = n_held > 0 ? held : first_tangent(frame.normal);
+    frame.tangent2    = cross_product_3d(frame.tangent1, frame.free_normal);
+    frame.scale       = {{n_held > 0 ? 0. : 1., n_held > 1 ? 0. : 1.}};
     return true;
   }
 

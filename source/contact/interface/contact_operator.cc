@@ -63,18 +63,15 @@ namespace stiction
            are_equal(other_.A, other.other_.A) &&
            std::equal(frames_.begin(), frames_.end(), other.frames_.begin(),
                       [](const ContactFrame &a, const ContactFrame &b) {
-                        return a.axes() == b.axes() && a.scale == b.scale;
+                        return a.normal == b.normal && a.axes() == b.axes() &&
+                               a.scale == b.scale;
                       });
   }
 
   Eigen::VectorXd ContactOperator::apply(const LA::Vector &u) const
   {
-    Eigen::VectorXd w =
-      at_all_nodes(frames_, dofs_.restriction(u), &ContactFrame::displacement_to_local);
-    if (has_other_side())
-      w -= at_all_nodes(frames_, other_.A * other_.dofs.restriction(u),
-                        &ContactFrame::other_side_to_local);
-    return w;
+    return at_all_nodes(frames_, relative_displacement(u),
+                        &ContactFrame::displacement_to_local);
   }
 
   Eigen::VectorXd ContactOperator::relative_displacement(const LA::Vector &u) const
@@ -85,11 +82,16 @@ namespace stiction
     return relative;
   }
 
+  Eigen::VectorXd ContactOperator::free_forces(const Eigen::VectorXd &lambda) const
+  {
+    return at_all_nodes(frames_, force_to_cartesian(lambda),
+                        &ContactFrame::in_free_directions);
+  }
+
   Eigen::VectorXd ContactOperator::forces_on_other_side(
     const Eigen::VectorXd &lambda) const
   {
-    return -other_.A.transpose() *
-           at_all_nodes(frames_, lambda, &ContactFrame::force_on_other_side);
+    return -other_.A.transpose() * force_to_cartesian(lambda);
   }
 
   void ContactOperator::add_transpose(const double factor, const Eigen::VectorXd &lambda,
@@ -103,7 +105,7 @@ namespace stiction
   void ContactOperator::add_load(const double factor, const Eigen::VectorXd &lambda,
                                  LA::Vector &dst) const
   {
-    dofs_.add_extension(factor * force_to_cartesian(lambda), dst);
+    dofs_.add_extension(factor * free_forces(lambda), dst);
     if (has_other_side())
       other_.dofs.add_extension(
         factor * forces_on_other_side(lambda).cwiseProduct(other_.is_free), dst);
@@ -115,7 +117,7 @@ namespace stiction
     for (const auto dof : dofs_.dofs())
       if (dst.in_local_range(dof))
         dst(dof) = 0.;
-    dofs_.add_extension(force_to_cartesian(lambda), dst);
+    dofs_.add_extension(free_forces(lambda), dst);
   }
 
   void ContactOperator::add_displacement(const double factor, const Eigen::VectorXd &w,
@@ -156,10 +158,11 @@ namespace stiction
     for (Eigen::Index i = 0; i < m; ++i)
       for (Eigen::Index c = 0; c < 3; ++c)
         {
-          const ContactFrame &frame      = frames_[i];
-          const Eigen::Vector3d unit     = Eigen::Vector3d::Unit(c);
-          const Eigen::Vector3d own      = frame.displacement_to_local(unit);
-          const Eigen::Vector3d of_other = frame.other_side_to_local(unit);
+          const ContactFrame &frame  = frames_[i];
+          const Eigen::Vector3d unit = Eigen::Vector3d::Unit(c);
+          const Eigen::Vector3d own =
+            frame.displacement_to_local(frame.in_free_directions(unit));
+          const Eigen::Vector3d of_other = frame.displacement_to_local(unit);
           for (Eigen::Index r = 0; r < 3; ++r)
             {
               entries.emplace_back(i + r * m, i + c * m, own(r));

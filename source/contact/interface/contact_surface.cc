@@ -258,7 +258,7 @@ namespace stiction
   {
     Eigen::VectorXd forces(3 * n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(forces, i, nodes_[i].force_on_other_side(at_node(lambda, i)));
+      set_at_node(forces, i, nodes_[i].force_to_cartesian(at_node(lambda, i)));
     return forces;
   }
 

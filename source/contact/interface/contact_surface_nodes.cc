@@ -130,22 +130,10 @@ namespace stiction
             facing_away_.push_back(node);
             continue;
           }
-        const Tensor<1, 3> normal = node.normal;
-        if (!set_tangents(node))
-          {
-            if (!boundary.is_tied())
-              held.push_back(node);
-            continue;
-          }
-        node.gap_growth = normal;
-        // of a normal that is partly held, the free part has to close the gap
-        if (node.is_held())
-          {
-            node.gap_growth /= normal * node.normal;
-            node.gap = node.gap / (normal * node.normal) -
-                       node.gap_growth * node.prescribed_displacement;
-          }
-        facing.push_back(node);
+        if (set_tangents(node))
+          facing.push_back(node);
+        else if (!boundary.is_tied())
+          held.push_back(node);
       }
     nodes_ = std::move(facing);
 
@@ -206,7 +194,7 @@ namespace stiction
         const Tensor<1, 3> &P           = boundary.force();
         // friction is along the slip, and moves neither obstacles nor anything opposite
         const bool is_isotropic = !boundary.friction().is_orthotropic();
-        const bool is_normal    = (node.gap_growth - node.normal).norm() <= rounding;
+        const bool is_normal    = node.free_part >= 1. - rounding;
         const bool is_pressed_straight =
           (P - (P * node.normal) * node.normal).norm() <= rounding * P.norm();
         if (node.scale[0] == 0. && node.scale[1] == 0. && !boundary.is_pair() &&
@@ -234,7 +222,7 @@ namespace stiction
       Eigen::MatrixXd::Zero(3 * n_nodes(), static_cast<Eigen::Index>(forces.size()));
     std::vector<double> largest_approach(boundaries_.size(), 0.);
     const auto seen_from = [](const ContactFrame &frame, const Tensor<1, 3> &U) {
-      return frame.other_side_to_local({U[0], U[1], U[2]});
+      return frame.displacement_to_local({U[0], U[1], U[2]});
     };
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {

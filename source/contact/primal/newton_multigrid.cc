@@ -39,7 +39,7 @@ namespace stiction
           {
             const ContactFrame &frame   = B.frames()[i];
             const Eigen::Vector3d moved = frame.displacement_to_cartesian(
-              frame.other_side_to_local(Eigen::Vector3d::Unit(b)));
+              frame.displacement_to_local(Eigen::Vector3d::Unit(b)));
             for (decltype(other.A)::InnerIterator entry(other.A, i + b * m); entry;
                  ++entry)
               for (unsigned int a = 0; a < 3; ++a)

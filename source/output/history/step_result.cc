@@ -13,7 +13,7 @@ namespace stiction
                   const NodeStatus status, const Eigen::Vector3d &lambda,
                   const Eigen::Vector3d &gradient)
     {
-      const dealii::Tensor<1, 3> force = -to_tensor(node.force_on_other_side(lambda));
+      const dealii::Tensor<1, 3> force = -to_tensor(node.force_to_cartesian(lambda));
       boundary.force += force;
       boundary.moment += cross_product_3d(node.position, force);
       boundary.torque -=

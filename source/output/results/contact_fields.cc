@@ -126,14 +126,14 @@ namespace stiction
         const auto &lambda      = certificate_.lambda();
         const auto &r           = certificate_.gradient();
 
-        const Eigen::Vector3d force    = node.force_on_other_side(at_node(lambda, i)),
+        const Eigen::Vector3d force    = node.force_to_cartesian(at_node(lambda, i)),
                               friction = node.force_to_cartesian(
                                 {0., lambda(i + m), lambda(i + 2 * m)});
         const Eigen::Vector3d slip_vector =
           node.displacement_to_cartesian({0., -r(i + m), -r(i + 2 * m)});
 
         values[pressure_]          = lambda(i) / node.area;
-        values[gap_]               = r(i) / node.gap_growth.norm();
+        values[gap_]               = r(i);
         values[area_]              = node.area;
         const double bound         = certificate_.slip_bound()(i);
         values[slip_bound_]        = qp::is_tied(bound) ? 0. : bound / node.area;

@@ -89,7 +89,7 @@ namespace stiction
             write_three(out, node.normal);
             out << node.area << ',' << surface.boundaries()[node.boundary].id() << ',';
             write_three(out, (Eigen::Vector3d::Zero() -
-                              node.force_on_other_side(at_node(certificate.lambda(), i)))
+                              node.force_to_cartesian(at_node(certificate.lambda(), i)))
                                .eval());
             const double bound = certificate.slip_bound()(i);
             out << certificate.lambda()(i) << ',' << (qp::is_tied(bound) ? 0. : bound)

@@ -57,12 +57,8 @@ namespace stiction
           const Eigen::Index i = surface.node_of(dof);
           if (i < 0 || surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
             return std::nullopt;
-          // undone is what a partly held node makes of its normal and gap
-          const ContactNode &node   = surface.nodes()[i];
-          const double growth       = node.gap_growth.norm();
-          const Tensor<1, 3> normal = node.gap_growth / growth;
-          way += weight * ((node.gap + node.gap_growth * node.prescribed_displacement) /
-                           growth * normal);
+          const ContactNode &node = surface.nodes()[i];
+          way += weight * node.gap * node.normal;
         }
       return way;
     }

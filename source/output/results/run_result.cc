@@ -162,7 +162,7 @@ namespace stiction
                                     const Eigen::Vector3d &lambda,
                                     const NodeStatus status, const bool is_outer = true)
     {
-      const dealii::Tensor<1, 3> force    = -to_tensor(node.force_on_other_side(lambda)),
+      const dealii::Tensor<1, 3> force    = -to_tensor(node.force_to_cartesian(lambda)),
                                  friction = -to_tensor(
                                    node.force_to_cartesian({0., lambda(1), lambda(2)}));
       if (status.normal == NormalStatus::closed)

@@ -33,9 +33,10 @@ namespace
   const char *is_orthonormal(const ContactFrame &frame)
   {
     const Eigen::Matrix3d R = frame.axes();
-    return yes((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-14 &&
-               (cross_product_3d(frame.tangent1, frame.normal) - frame.tangent2).norm() <
-                 1e-14);
+    return yes(
+      (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-14 &&
+      (cross_product_3d(frame.tangent1, frame.free_normal) - frame.tangent2).norm() <
+        1e-14);
   }
 } // namespace
 
@@ -110,15 +111,20 @@ int main(int argc, char *argv[])
       const Eigen::Vector3d force = frame.force_to_cartesian(y);
       const Eigen::Vector3d w     = frame.displacement_to_local(u);
       const Eigen::Vector3d back  = frame.displacement_to_cartesian(w);
-      double in_held              = 0.;
-      for (unsigned int c = 0; c < 3; ++c)
-        if (prescribed[c])
-          in_held += std::abs(force(c)) + std::abs(back(c));
+      const Eigen::Vector3d free =
+        (frame.scales().array() > 0.).matrix().cast<double>().asDiagonal() * w;
       std::cout << "prescribed " << prescribed[0] << prescribed[1] << prescribed[2]
                 << ": orthonormal " << is_orthonormal(frame) << ", made twice the same "
                 << yes((again.axes() - frame.axes()).norm() < 1e-15) << ", held "
                 << (frame.scale[0] == 0.) << (frame.scale[1] == 0.)
-                << ", nothing in held directions " << yes(in_held == 0.)
+                << ", all of the normal force "
+                << yes(std::abs(force.dot(eigen(frame.normal)) - y(0)) < 1e-14)
+                << ", what is prescribed moves along the normal "
+                << yes(std::abs(w(0) - eigen(frame.normal).dot(u)) < 1e-14)
+                << ", the same work " << yes(std::abs(y.dot(w) - force.dot(u)) < 1e-14)
+                << ", there and back in free directions "
+                << yes(back == frame.in_free_directions(back) &&
+                       frame.displacement_to_local(back).isApprox(free, 1e-14))
                 << ", no force without work "
                 << yes(frame.force_to_local(force).isApprox(
                      y.cwiseProduct(

@@ -58,7 +58,7 @@ namespace stiction
     /// B u. Collective.
     Eigen::VectorXd apply(const LA::Vector &u) const;
 
-    /// dst += factor Bᵀ λ. Collective.
+    /// dst += factor Bᵀ λ, what supports bear included. Collective.
     void add_transpose(double factor, const Eigen::VectorXd &lambda,
                        LA::Vector &dst) const;
 
@@ -69,16 +69,15 @@ namespace stiction
     /// Collective.
     Eigen::VectorXd relative_displacement(const LA::Vector &u) const;
 
-    /// Sets the entries of the contact nodes to those of Bᵀ λ, in held
-    /// directions to 0. Collective.
+    /// Sets the entries of the contact nodes to those of Bᵀ λ, where they are
+    /// prescribed to 0. Collective.
     void set_transpose(const Eigen::VectorXd &lambda, LA::Vector &dst) const;
 
     /// u += factor × the displacement of the contact nodes with B u = w, in the
     /// directions that are not held. Collective.
     void add_displacement(double factor, const Eigen::VectorXd &w, LA::Vector &u) const;
 
-    /// The λ for which Bᵀ λ is R at the contact nodes, in directions that are
-    /// not held. Collective.
+    /// The λ for which Bᵀ λ is R at the contact nodes, in free directions. Collective.
     Eigen::VectorXd contact_forces(const LA::Vector &R) const;
 
     /// The forces Bᵀ λ at the contact nodes, by blocks (x; y; z), and back.
@@ -94,6 +93,9 @@ namespace stiction
     Eigen::VectorXd held() const;
 
   private:
+    /// Bᵀ λ at the contact nodes where unknowns are free.
+    Eigen::VectorXd free_forces(const Eigen::VectorXd &lambda) const;
+
     /// Forces on what lies opposite, by blocks (x; y; z).
     Eigen::VectorXd forces_on_other_side(const Eigen::VectorXd &lambda) const;
 
