@@ -1,5 +1,4 @@
-#ifndef stiction_tests_cut_block_file_h
-#define stiction_tests_cut_block_file_h
+#pragma once
 
 // Writes a block of cubes that are cut into tetrahedra or prisms as Gmsh, Abaqus and
 // VTK do. Its boundaries are left, right, front, back, bottom and top (1 to 6 in VTK);
@@ -288,5 +287,3 @@ private:
   std::map<Place, std::size_t> nodes_;
   std::vector<dealii::Point<3>> points_;
 };
-
-#endif

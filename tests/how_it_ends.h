@@ -1,5 +1,4 @@
-#ifndef stiction_tests_how_it_ends_h
-#define stiction_tests_how_it_ends_h
+#pragma once
 
 #include <stiction/base/errors.h>
 
@@ -23,5 +22,3 @@ inline std::string how_it_ends(const std::string &file, const Settings &settings
                                         : text.substr(begin, text.find(';') - begin);
     }
 }
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_tests_random_numbers_h
-#define stiction_tests_random_numbers_h
+#pragma once
 
 #include <cmath>
 #include <random>
@@ -29,8 +28,7 @@ public:
   // 0, ..., n − 1.
   unsigned int one_of(const unsigned int n) { return engine_() % n; }
 
-  template<typename T = double>
-  T pick(const std::vector<T> &values)
+  template<typename T = double> T pick(const std::vector<T> &values)
   {
     return values[one_of(static_cast<unsigned int>(values.size()))];
   }
@@ -38,5 +36,3 @@ public:
 private:
   std::mt19937 engine_;
 };
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_tests_random_problem_h
-#define stiction_tests_random_problem_h
+#pragma once
 
 // Small contact problems of any kind, by number, the same everywhere: boxes and
 // half balls, one material or two whose moduli differ by up to 1e8, supports on
@@ -241,5 +240,3 @@ inline Comparison solve_by_all_methods(const RandomProblem &problem)
     }
   return comparison;
 }
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_tests_h
-#define stiction_tests_h
+#pragma once
 
 // What the tests share. They print words and numbers of size one to be
 // compared with a reference output.
@@ -24,15 +23,9 @@
 inline const bool has_chosen_blas = (stiction::choose_blas_kernels(), true);
 
 // The shipped parameter file of that name.
-inline std::string shipped(const std::string &name)
-{
-  return PARAMETERS "/" + name;
-}
+inline std::string shipped(const std::string &name) { return PARAMETERS "/" + name; }
 
-inline const char *yes(const bool condition)
-{
-  return condition ? "yes" : "NO";
-}
+inline const char *yes(const bool condition) { return condition ? "yes" : "NO"; }
 
 // With all digits, for settings.
 inline std::string exact(const double value)
@@ -130,5 +123,3 @@ inline std::ostream &out()
   return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0 ? std::cout
                                                                        : nowhere;
 }
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_tests_vtu_file_h
-#define stiction_tests_vtu_file_h
+#pragma once
 
 // What stands in the VTU files of deal.II.
 
@@ -62,5 +61,3 @@ inline std::map<std::string, std::vector<float>> read_vtu(const std::string &fil
     }
   return arrays;
 }
-
-#endif

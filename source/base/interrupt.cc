@@ -46,10 +46,7 @@ namespace stiction
       sigaction(signal, &action, nullptr);
   }
 
-  void keep_iterate_when_interrupted()
-  {
-    has_iterate = 1;
-  }
+  void keep_iterate_when_interrupted() { has_iterate = 1; }
 
   void ignore_interrupts()
   {

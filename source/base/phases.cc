@@ -2,7 +2,6 @@
 #include <stiction/base/phases.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace stiction
 {

@@ -2,10 +2,7 @@
 
 namespace stiction
 {
-  const char *Units::choices()
-  {
-    return "none|SI|mm, N, MPa";
-  }
+  const char *Units::choices() { return "none|SI|mm, N, MPa"; }
 
   Units Units::named(const std::string &name)
   {

@@ -28,8 +28,7 @@ namespace stiction
     add_parameter("Write solution", write_solution,
                   "Whether solution.pvtu, the displacement and the stress in "
                   "the whole body, is written. contact.pvtu is always "
-                  "written.",
-                  prm, Patterns::Bool());
+                  "written.");
     add_parameter("Fields", fields,
                   "What solution.pvtu has. basic: displacement, stress, von "
                   "Mises stress, 0.1 kB an unknown on disk; all: strain, "
@@ -42,8 +41,7 @@ namespace stiction
                   "of every node of the body, and contact.csv, what "
                   "happens at every contact node, are written besides, as text "
                   "with 17 digits. The .vtu files have the 7 digits of "
-                  "single precision.",
-                  prm, Patterns::Bool());
+                  "single precision.");
     add_parameter("Every", every,
                   "With several load steps: files for ParaView are written of every "
                   "n-th step and of the last one. history.csv and energy.csv have "

@@ -1,7 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/memory.h>
-#include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>

@@ -22,10 +22,7 @@ namespace stiction
     elasticity.distribute(path_);
   }
 
-  std::vector<LA::Vector *> CarriedState::fields()
-  {
-    return {&u_, &traction_, &path_};
-  }
+  std::vector<LA::Vector *> CarriedState::fields() { return {&u_, &traction_, &path_}; }
 
   State CarriedState::on(const LinearElasticity &elasticity,
                          const ContactSurface &surface) const

@@ -3,7 +3,6 @@
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
-#include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
@@ -30,7 +29,6 @@
 #include <stiction/simulation/time_steps.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/la_parallel_vector.h>
 

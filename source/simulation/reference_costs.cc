@@ -7,8 +7,6 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <algorithm>
-
 namespace stiction
 {
   ElasticSolveCost measure_elastic_solve(const LinearElasticity &elasticity,

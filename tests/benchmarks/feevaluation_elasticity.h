@@ -1,5 +1,4 @@
-#ifndef stiction_tests_benchmarks_feevaluation_elasticity_h
-#define stiction_tests_benchmarks_feevaluation_elasticity_h
+#pragma once
 
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
@@ -32,8 +31,7 @@ namespace feevaluation
   template<typename Number>
   using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
 
-  template<typename Number>
-  using Displacement = dealii::FEEvaluation<3, 1, 2, 3, Number>;
+  template<typename Number> using Displacement = dealii::FEEvaluation<3, 1, 2, 3, Number>;
 
   /// Gradients in, stress out, in the quadrature points of a batch of cells.
   template<typename Number>
@@ -71,5 +69,3 @@ namespace feevaluation
       }
   }
 } // namespace feevaluation
-
-#endif

@@ -47,8 +47,7 @@ using namespace dealii;
 
 namespace
 {
-  template<typename Number>
-  using Vector = feevaluation::Vector<Number>;
+  template<typename Number> using Vector = feevaluation::Vector<Number>;
 
   // Faces of the brick in deal.II's colours.
   const types::boundary_id y_low = 2, y_high = 3, z_high = 5;

@@ -62,13 +62,9 @@ namespace
   Counter counter;
 
   // Whether it is this time's turn.
-  bool happens(const char *what)
-  {
-    return kind == what && ++counter.n == when;
-  }
+  bool happens(const char *what) { return kind == what && ++counter.n == when; }
 
-  template<typename Function>
-  Function *original(Function *, const char *name)
+  template<typename Function> Function *original(Function *, const char *name)
   {
     return reinterpret_cast<Function *>(dlsym(RTLD_NEXT, name));
   }
@@ -97,10 +93,7 @@ namespace
     return true;
   }
 
-  bool is_refused(const int file)
-  {
-    return is_refused(path_of(file).c_str());
-  }
+  bool is_refused(const int file) { return is_refused(path_of(file).c_str()); }
 
   bool is_full(const char *path)
   {
@@ -110,10 +103,7 @@ namespace
     return is_shared && kind == "shared";
   }
 
-  bool is_full(const int file)
-  {
-    return is_full(path_of(file).c_str());
-  }
+  bool is_full(const int file) { return is_full(path_of(file).c_str()); }
 } // namespace
 
 extern "C"

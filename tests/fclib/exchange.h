@@ -1,5 +1,4 @@
-#ifndef stiction_exchange_h
-#define stiction_exchange_h
+#pragma once
 
 // A contact problem with a known solution, for both sides of the exchange with
 // FCLIB: plain numbers, interleaved (ν, t1, t2) as FCLIB has them.
@@ -37,5 +36,3 @@ namespace exchange
     return result;
   }
 } // namespace exchange
-
-#endif

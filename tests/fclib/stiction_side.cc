@@ -17,10 +17,7 @@ using namespace stiction;
 
 namespace
 {
-  Eigen::Index in_blocks(const int k)
-  {
-    return k % 3 * exchange::m + k / 3;
-  }
+  Eigen::Index in_blocks(const int k) { return k % 3 * exchange::m + k / 3; }
 
   Eigen::VectorXd in_blocks(const std::array<double, exchange::n> &values)
   {

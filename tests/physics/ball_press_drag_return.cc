@@ -53,10 +53,7 @@ namespace
 
   // The way that goes with a part q of the force of sliding, as Cattaneo and Mindlin
   // have it, relative to that of sliding.
-  double way(const double q)
-  {
-    return 1. - std::pow(1. - q, 2. / 3.);
-  }
+  double way(const double q) { return 1. - std::pow(1. - q, 2. / 3.); }
 
   // At the end of a step: by how much the ball was dragged farther than theory says for
   // its force, relative to the largest way; the force as a part of that of sliding; and

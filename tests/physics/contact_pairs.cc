@@ -151,10 +151,7 @@ namespace
           << yes(error < 1e-8) << std::endl;
   }
 
-  double normal_force(const Run &run)
-  {
-    return run.summary()["contact"]["normal_force"];
-  }
+  double normal_force(const Run &run) { return run.summary()["contact"]["normal_force"]; }
 
   void exchange_sides()
   {

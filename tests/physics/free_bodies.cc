@@ -27,10 +27,7 @@ namespace
 
   const Settings on_slope = {"Boundary conditions/Gravity=0.25;0;-1"};
 
-  const Eigen::VectorXd &lambda(const Run &run)
-  {
-    return run.problem->state().lambda;
-  }
+  const Eigen::VectorXd &lambda(const Run &run) { return run.problem->state().lambda; }
 
   // The force on the body at a contact boundary.
   dealii::Tensor<1, 3> force(const Run &run, const unsigned int boundary = 0)
@@ -119,10 +116,7 @@ namespace
       }
   }
 
-  std::string refusal(const Settings &settings)
-  {
-    return how_it_ends(block, settings);
-  }
+  std::string refusal(const Settings &settings) { return how_it_ends(block, settings); }
 
   void go_to_the_limit()
   {

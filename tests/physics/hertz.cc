@@ -56,10 +56,7 @@ namespace
     return "Geometry/Global refinement=" + std::to_string(r);
   }
 
-  double error(const double ratio)
-  {
-    return std::abs(ratio - 1.);
-  }
+  double error(const double ratio) { return std::abs(ratio - 1.); }
 } // namespace
 
 int main(int argc, char **argv)

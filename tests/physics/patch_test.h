@@ -1,5 +1,4 @@
-#ifndef stiction_tests_patch_test_h
-#define stiction_tests_patch_test_h
+#pragma once
 
 // Patch tests: a brick pressed onto the foundation and sheared, with the exact
 // solution linear in space, so that all elements reproduce it. If the shear
@@ -108,5 +107,3 @@ inline Patch solve_patch(std::vector<std::string> settings, const std::string &l
     1.);
   return patch;
 }
-
-#endif

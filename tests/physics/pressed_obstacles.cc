@@ -14,10 +14,7 @@ using namespace stiction;
 
 namespace
 {
-  const Eigen::VectorXd &lambda(const Run &run)
-  {
-    return run.problem->state().lambda;
-  }
+  const Eigen::VectorXd &lambda(const Run &run) { return run.problem->state().lambda; }
 
   nlohmann::json boundary(const Run &run, const unsigned int number = 0)
   {

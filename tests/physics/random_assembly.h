@@ -1,5 +1,4 @@
-#ifndef stiction_tests_random_assembly_h
-#define stiction_tests_random_assembly_h
+#pragma once
 
 // Two to four bricks on one another, by number, the same everywhere: of other sizes,
 // meshes and moduli, one of them held or none, on a foundation or not, pressed, pulled
@@ -94,5 +93,3 @@ private:
     text += section("Contact pair " + boundary, lines);
   }
 };
-
-#endif

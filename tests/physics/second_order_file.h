@@ -1,5 +1,4 @@
-#ifndef stiction_second_order_file_h
-#define stiction_second_order_file_h
+#pragma once
 
 // Writes hexahedra with 20 or 27 nodes as Gmsh, Abaqus and VTK do. What a node
 // is to its cell is said by its place in half edges: "210" is the middle of the
@@ -110,8 +109,7 @@ private:
     return text;
   }
 
-  template<typename Function>
-  void for_boundary(const Function &function) const
+  template<typename Function> void for_boundary(const Function &function) const
   {
     for (const auto &cell : dofs_.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
@@ -209,5 +207,3 @@ private:
   dealii::DoFHandler<3> dofs_;
   std::vector<dealii::Point<3>> points_;
 };
-
-#endif

@@ -38,10 +38,7 @@ namespace
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }
 
-  const Body &body(const Run &run)
-  {
-    return run.problem->elasticity().body();
-  }
+  const Body &body(const Run &run) { return run.problem->elasticity().body(); }
 
   // Pressed onto the foundation and sheared by less than what friction holds;
   // u = (γ z, 0, -ε z).

@@ -1,5 +1,4 @@
-#ifndef stiction_tests_several_bodies_h
-#define stiction_tests_several_bodies_h
+#pragma once
 
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -71,5 +70,3 @@ inline dealii::Tensor<1, 3> moment_of_loads(const Run &run)
     }
   return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
 }
-
-#endif

@@ -40,10 +40,7 @@ namespace
     return run.summary()["contact"]["boundaries"][0];
   }
 
-  double number(const nlohmann::json &json)
-  {
-    return json.get<double>();
-  }
+  double number(const nlohmann::json &json) { return json.get<double>(); }
 
   // The force on the body at a contact node, tangential to the contact surface.
   Tensor<1, 3> friction(const Run &run, const Eigen::Index i)

@@ -1,5 +1,4 @@
-#ifndef stiction_base_all_gather_h
-#define stiction_base_all_gather_h
+#pragma once
 
 #include <deal.II/base/mpi.h>
 
@@ -31,5 +30,3 @@ namespace stiction
     return all;
   }
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_blas_choice_h
-#define stiction_base_blas_choice_h
+#pragma once
 
 #include <string>
 
@@ -18,5 +17,3 @@ namespace stiction
   /// did nothing.
   std::string blas_remark();
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_cores_h
-#define stiction_base_cores_h
+#pragma once
 
 #include <mpi.h>
 
@@ -16,5 +15,3 @@ namespace stiction
   /// processes was kept from. Collective.
   SharedCores shared_cores(MPI_Comm communicator);
 } // namespace stiction
-
-#endif

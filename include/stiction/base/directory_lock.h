@@ -1,5 +1,4 @@
-#ifndef stiction_base_directory_lock_h
-#define stiction_base_directory_lock_h
+#pragma once
 
 #include <string>
 
@@ -25,5 +24,3 @@ namespace stiction
     int file_ = -1;
   };
 } // namespace stiction
-
-#endif

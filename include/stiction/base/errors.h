@@ -1,11 +1,9 @@
-#ifndef stiction_base_errors_h
-#define stiction_base_errors_h
+#pragma once
 
 #include <mpi.h>
 
 #include <functional>
 #include <stdexcept>
-#include <string>
 
 namespace stiction
 {
@@ -30,5 +28,3 @@ namespace stiction
   /// The same for work of the first rank alone, such as writing a file.
   void do_on_first_rank(MPI_Comm communicator, const std::function<void()> &work);
 } // namespace stiction
-
-#endif

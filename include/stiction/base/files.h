@@ -1,5 +1,4 @@
-#ifndef stiction_base_files_h
-#define stiction_base_files_h
+#pragma once
 
 #include <functional>
 #include <ostream>
@@ -26,5 +25,3 @@ namespace stiction
   /// be written to or be made. Makes nothing. Not collective.
   void require_writable(const std::string &directory, const std::string &location);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_interrupt_h
-#define stiction_base_interrupt_h
+#pragma once
 
 #include <stiction/base/interrupted.h>
 
@@ -28,5 +27,3 @@ namespace stiction
   /// Throws Interrupted if is_interrupted(). Collective.
   void stop_if_interrupted(MPI_Comm communicator);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_interrupted_h
-#define stiction_base_interrupted_h
+#pragma once
 
 #include <exception>
 
@@ -12,5 +11,3 @@ namespace stiction
     const char *what() const noexcept override { return "interrupted"; }
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_log_h
-#define stiction_base_log_h
+#pragma once
 
 #include <stiction/base/directory_lock.h>
 
@@ -72,5 +71,3 @@ namespace stiction
            format(pattern, w[2]);
   }
 } // namespace stiction
-
-#endif

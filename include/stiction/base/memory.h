@@ -1,5 +1,4 @@
-#ifndef stiction_base_memory_h
-#define stiction_base_memory_h
+#pragma once
 
 #include <mpi.h>
 
@@ -9,5 +8,3 @@ namespace stiction
   /// machines they run on, or less if the process is limited. Collective.
   double available_memory(MPI_Comm communicator);
 } // namespace stiction
-
-#endif

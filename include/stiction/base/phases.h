@@ -1,5 +1,4 @@
-#ifndef stiction_base_phases_h
-#define stiction_base_phases_h
+#pragma once
 
 #include <chrono>
 #include <condition_variable>
@@ -73,5 +72,3 @@ namespace stiction
     std::thread announcer_;
   };
 } // namespace stiction
-
-#endif

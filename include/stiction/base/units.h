@@ -1,5 +1,4 @@
-#ifndef stiction_base_units_h
-#define stiction_base_units_h
+#pragma once
 
 #include <string>
 
@@ -27,5 +26,3 @@ namespace stiction
   /// "0.3 mm", or the number alone.
   std::string with_unit(const std::string &number, const std::string &unit);
 } // namespace stiction
-
-#endif

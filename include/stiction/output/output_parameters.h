@@ -1,5 +1,4 @@
-#ifndef stiction_output_output_parameters_h
-#define stiction_output_output_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -30,5 +29,3 @@ namespace stiction
     bool print_progress          = true;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_output_tensor_json_h
-#define stiction_output_tensor_json_h
+#pragma once
 
 #include <deal.II/base/tensor.h>
 
@@ -19,5 +18,3 @@ namespace dealii
       json.at(c).get_to(v[c]);
   }
 } // namespace dealii
-
-#endif

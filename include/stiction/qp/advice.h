@@ -1,5 +1,4 @@
-#ifndef stiction_qp_advice_h
-#define stiction_qp_advice_h
+#pragma once
 
 #include <string>
 #include <utility>
@@ -42,5 +41,3 @@ namespace stiction
     std::vector<std::pair<unsigned int, double>> rows_;
   };
 } // namespace stiction
-
-#endif

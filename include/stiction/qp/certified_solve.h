@@ -1,5 +1,4 @@
-#ifndef stiction_qp_certified_solve_h
-#define stiction_qp_certified_solve_h
+#pragma once
 
 #include <stiction/qp/methods/dual_method.h>
 
@@ -57,5 +56,3 @@ namespace stiction
                               const std::function<void(const ContactStep &)> &observer,
                               Eigen::VectorXd &lambda);
 } // namespace stiction
-
-#endif

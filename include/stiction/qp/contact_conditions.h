@@ -1,5 +1,4 @@
-#ifndef stiction_qp_contact_conditions_h
-#define stiction_qp_contact_conditions_h
+#pragma once
 
 #include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/slip_bound.h>
@@ -100,5 +99,3 @@ namespace stiction
     ContactFigures contact_figures_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_contact_scales_h
-#define stiction_qp_contact_scales_h
+#pragma once
 
 #include <stiction/qp/sets/feasible_set.h>
 
@@ -26,10 +25,7 @@ namespace stiction
   /// bodies of one material by some thousands.
   ///
   /// @param rounding what rounding alone makes of it, an estimate.
-  inline double reach_of_rounding(const double rounding)
-  {
-    return 1e4 * rounding;
-  }
+  inline double reach_of_rounding(const double rounding) { return 1e4 * rounding; }
 
   inline bool is_rounding(const double residual, const double rounding)
   {
@@ -53,10 +49,7 @@ namespace stiction
   };
 
   /// A scale to divide by: 1 where there is nothing to measure.
-  inline double nonzero(const double scale)
-  {
-    return scale == 0. ? 1. : scale;
-  }
+  inline double nonzero(const double scale) { return scale == 0. ? 1. : scale; }
 
   /// The scales in which the certificate measures contact forces and remaining
   /// gaps.
@@ -80,5 +73,3 @@ namespace stiction
   qp::Scaling contact_scaling(double S, double energy, const Eigen::VectorXd &areas,
                               double boundary_area, const ContactStiffness &stiffness);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_dual_problem_h
-#define stiction_qp_dual_problem_h
+#pragma once
 
 #include <stiction/qp/sets/slip_bound.h>
 
@@ -24,5 +23,3 @@ namespace stiction
     double asymmetry = 0.;
   };
 } // namespace stiction
-
-#endif

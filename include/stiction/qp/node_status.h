@@ -1,5 +1,4 @@
-#ifndef stiction_qp_node_status_h
-#define stiction_qp_node_status_h
+#pragma once
 
 #include <stiction/qp/sets/slip_bound.h>
 
@@ -78,5 +77,3 @@ namespace stiction
                                         const Eigen::VectorXd &stiffness,
                                         double tolerance);
 } // namespace stiction
-
-#endif

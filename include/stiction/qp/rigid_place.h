@@ -1,5 +1,4 @@
-#ifndef stiction_qp_rigid_place_h
-#define stiction_qp_rigid_place_h
+#pragma once
 
 #include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/sets/slip_bound.h>
@@ -28,5 +27,3 @@ namespace stiction::qp
                          const Eigen::VectorXd &gradient,
                          const Eigen::VectorXd &stiffness, const SlipBound &slip_bound);
 } // namespace stiction::qp
-
-#endif

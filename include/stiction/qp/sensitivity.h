@@ -1,5 +1,4 @@
-#ifndef stiction_qp_sensitivity_h
-#define stiction_qp_sensitivity_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -19,5 +18,3 @@ namespace stiction::qp
                               const Eigen::VectorXd &nodal_compliance,
                               const SlipBound &slip_bound);
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_unbalanced_load_h
-#define stiction_qp_unbalanced_load_h
+#pragma once
 
 #include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/sets/slip_bound.h>
@@ -42,5 +41,3 @@ namespace stiction::qp
   Eigen::MatrixXd unresisted_motions(const Eigen::MatrixXd &G,
                                      const SlipBound &slip_bound);
 } // namespace stiction::qp
-
-#endif

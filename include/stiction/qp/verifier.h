@@ -1,5 +1,4 @@
-#ifndef stiction_qp_verifier_h
-#define stiction_qp_verifier_h
+#pragma once
 
 #include <stiction/qp/contact_conditions.h>
 
@@ -42,5 +41,3 @@ namespace stiction
     std::unique_ptr<ContactConditions> conditions_;
   };
 } // namespace stiction
-
-#endif

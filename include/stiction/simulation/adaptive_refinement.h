@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_adaptive_refinement_h
-#define stiction_simulation_adaptive_refinement_h
+#pragma once
 
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -82,5 +81,3 @@ namespace stiction
     std::string remark_, why_not_estimated_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_carried_state_h
-#define stiction_simulation_carried_state_h
+#pragma once
 
 #include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -37,5 +36,3 @@ namespace stiction
     Eigen::VectorXd distances_;
   };
 } // namespace stiction
-
-#endif

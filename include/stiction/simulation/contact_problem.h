@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_contact_problem_h
-#define stiction_simulation_contact_problem_h
+#pragma once
 
 #include <stiction/base/phases.h>
 #include <stiction/contact/certificate/certificate.h>
@@ -206,5 +205,3 @@ namespace stiction
     unsigned int elastic_solve_iterations_ = 0;
   };
 } // namespace stiction
-
-#endif

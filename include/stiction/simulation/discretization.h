@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_discretization_h
-#define stiction_simulation_discretization_h
+#pragma once
 
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
@@ -29,5 +28,3 @@ namespace stiction
                   const SlipHistory &history);
   };
 } // namespace stiction
-
-#endif

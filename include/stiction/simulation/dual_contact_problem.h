@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_dual_contact_problem_h
-#define stiction_simulation_dual_contact_problem_h
+#pragma once
 
 #include <stiction/base/phases.h>
 #include <stiction/qp/certified_solve.h>
@@ -76,5 +75,3 @@ namespace stiction
     Phases phases_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_reference_costs_h
-#define stiction_simulation_reference_costs_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -39,5 +38,3 @@ namespace stiction
   FactorizationCost measure_factorizations(const LinearElasticity &elasticity,
                                            const Eigen::MatrixXd *Q);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_time_steps_h
-#define stiction_simulation_time_steps_h
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -54,5 +53,3 @@ namespace stiction
     unsigned int n_taken_ = 0, n_in_a_row_ = 0;
   };
 } // namespace stiction
-
-#endif

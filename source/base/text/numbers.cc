@@ -5,10 +5,7 @@
 
 namespace stiction
 {
-  bool is_sane(const double value)
-  {
-    return value >= 1e-30 && value <= 1e30;
-  }
+  bool is_sane(const double value) { return value >= 1e-30 && value <= 1e30; }
 
   void add_number(dealii::ParameterAcceptor &section, const std::string &name,
                   std::optional<double> &number, const std::string &documentation)

@@ -92,10 +92,7 @@ namespace stiction
       word();
   }
 
-  std::int64_t TextScanner::integer()
-  {
-    return to_integer(word());
-  }
+  std::int64_t TextScanner::integer() { return to_integer(word()); }
 
   std::vector<std::int64_t> TextScanner::integers(std::uint64_t n)
   {
@@ -105,15 +102,9 @@ namespace stiction
     return result;
   }
 
-  std::uint64_t TextScanner::count()
-  {
-    return to_count(word());
-  }
+  std::uint64_t TextScanner::count() { return to_count(word()); }
 
-  double TextScanner::real()
-  {
-    return to_real(word());
-  }
+  double TextScanner::real() { return to_real(word()); }
 
   std::int64_t TextScanner::to_integer(const std::string &word) const
   {

@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,4 @@
-#ifndef stiction_source_contact_certificate_cell_error_h
-#define stiction_source_contact_certificate_cell_error_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -34,5 +33,3 @@ namespace stiction
     virtual const LA::Vector &displacement() const = 0;
   };
 } // namespace stiction
-
-#endif

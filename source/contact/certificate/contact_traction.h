@@ -1,5 +1,4 @@
-#ifndef stiction_source_contact_certificate_contact_traction_h
-#define stiction_source_contact_certificate_contact_traction_h
+#pragma once
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -44,5 +43,3 @@ namespace stiction
     std::vector<dealii::types::global_dof_index> dofs_;
   };
 } // namespace stiction
-
-#endif

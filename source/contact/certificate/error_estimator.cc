@@ -14,10 +14,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <functional>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>

@@ -3,8 +3,6 @@
 
 #include <deal.II/base/geometry_info.h>
 
-#include <vector>
-
 namespace stiction
 {
   using namespace dealii;

@@ -1,5 +1,4 @@
-#ifndef stiction_source_contact_certificate_trilinear_cell_h
-#define stiction_source_contact_certificate_trilinear_cell_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -36,5 +35,3 @@ namespace stiction
     std::array<dealii::Tensor<1, 3>, 8> u_;
   };
 } // namespace stiction
-
-#endif

@@ -73,8 +73,5 @@ namespace stiction
                   prm, Patterns::Selection("direct|fixed point"));
   }
 
-  bool ContactSolverParameters::is_primal() const
-  {
-    return method == "newton multigrid";
-  }
+  bool ContactSolverParameters::is_primal() const { return method == "newton multigrid"; }
 } // namespace stiction

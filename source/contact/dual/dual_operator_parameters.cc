@@ -17,7 +17,6 @@ namespace stiction
                   "refused where it is not symmetric to 1e-8 of its diagonal. "
                   "true: its symmetric part, (Q + Q^T)/2, is taken in its "
                   "place, which is another problem; how far Q is from it is "
-                  "said with the certificate.",
-                  prm, Patterns::Bool());
+                  "said with the certificate.");
   }
 } // namespace stiction

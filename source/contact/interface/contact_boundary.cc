@@ -258,10 +258,7 @@ namespace stiction
       throw InputError(source_->describe(force_entry) + reason);
   }
 
-  bool ContactBoundary::is_tied() const
-  {
-    return friction_->law() == FrictionLaw::tied;
-  }
+  bool ContactBoundary::is_tied() const { return friction_->law() == FrictionLaw::tied; }
 
   void ContactBoundary::take_side(const bool is_slave, const std::string &reason)
   {
@@ -338,10 +335,7 @@ namespace stiction
                        name_ + "' wherever it is inside the body.");
   }
 
-  double ContactBoundary::initial_gap(const Point<3> &p) const
-  {
-    return gap_->value(p);
-  }
+  double ContactBoundary::initial_gap(const Point<3> &p) const { return gap_->value(p); }
 
   double ContactBoundary::penetration(const Point<3> &p) const
   {

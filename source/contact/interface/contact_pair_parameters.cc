@@ -42,8 +42,7 @@ namespace stiction
       "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Slave side, "
       "Mesh gap, Initial gap, Displacement, Rotation, Force, Law, Coefficient, Slip "
       "stress, First "
-      "direction.",
-      prm, Patterns::Anything());
+      "direction.");
     add_parameter(
       "Obstacle", obstacle,
       "What the contact boundary may touch. boundary : NAME, another boundary "
@@ -71,8 +70,7 @@ namespace stiction
       "outward normal is more than 84 degrees away from that normal face "
       "away from the obstacle and cannot touch it; they must not be inside. "
       "An obstacle that is moved by formulas in t drags nothing along; for "
-      "that there are 'Obstacle displacement' and 'Obstacle rotation'.",
-      prm, Patterns::Anything());
+      "that there are 'Obstacle displacement' and 'Obstacle rotation'.");
     add_parameter("Slave side", slave_side,
                   "Of a contact pair the side whose nodes carry the contact forces: "
                   "boundary, the one of 'Contact boundary', or obstacle, the one of "
@@ -82,8 +80,7 @@ namespace stiction
                   "before refinement, is less by a factor of two or more, otherwise that "
                   "with smaller cells. Either gives the same answer but for the "
                   "error of the "
-                  "mesh.",
-                  prm, Patterns::Anything());
+                  "mesh.");
     add_parameter("Mesh gap", mesh_gap,
                   "Of a contact pair, kept: the distance between both sides as they are "
                   "meshed, negative where they overlap, to which 'Initial gap' is added. "
@@ -91,21 +88,18 @@ namespace stiction
                   "sides that overlap by more than a body is thick; for round "
                   "surfaces, which facets keep apart or let overlap by more than the "
                   "bodies give way, and for overlaps that the drawing has and the bodies "
-                  "have not. A fit with interference is then a negative 'Initial gap'.",
-                  prm, Patterns::Anything());
+                  "have not. A fit with interference is then a negative 'Initial gap'.");
     add_parameter("Initial gap", initial_gap,
                   "Distance from the undeformed contact boundary to the "
                   "foundation along the outward normal, a formula in x, y, z, t; "
                   "for other obstacles it is added to their distance. "
-                  "Negative: initial interference. Unit: of length.",
-                  prm, Patterns::Anything());
+                  "Negative: initial interference. Unit: of length.");
     add_parameter("Obstacle displacement", obstacle_displacement,
                   "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' "
                   "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U, and slip is "
                   "that of the body relative to the moved surface, which drags the body "
                   "along by friction. Small, like the displacements of the body: normals "
-                  "stay. Unit: of length.",
-                  prm, Patterns::Anything());
+                  "stay. Unit: of length.");
     add_parameter("Obstacle rotation", obstacle_rotation,
                   "By how much the surface of the obstacle has turned, 'px; py; pz; ax; "
                   "ay; az; angle', formulas in t: a point p of the axis, which moves "
@@ -117,8 +111,7 @@ namespace stiction
                   "itself by U = angle a x (x - p), also after many turns, and drags the "
                   "body along by friction. All contact nodes count, those too that are "
                   "far away: where n.U is more than a tenth of U the axis is refused. "
-                  "Unit: of length, and radians.",
-                  prm, Patterns::Anything());
+                  "Unit: of length, and radians.");
     add_parameter("Obstacle force", obstacle_force,
                   "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
                   "The obstacle is then free to move along this vector, from where the "
@@ -127,8 +120,7 @@ namespace stiction
                   "across. Of a body cut by planes of symmetry it is the part of the "
                   "force that acts on what is modelled. '0; 0; 0': the obstacle is held; "
                   "in a history a force may begin, not end. "
-                  "Unit: of force.",
-                  prm, Patterns::Anything());
+                  "Unit: of force.");
   }
 
   bool ContactPairParameters::has_load() const

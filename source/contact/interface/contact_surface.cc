@@ -7,7 +7,6 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace stiction

@@ -19,7 +19,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 

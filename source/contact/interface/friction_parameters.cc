@@ -19,8 +19,7 @@ namespace stiction
                   "contact pressure; tied, of contact pairs alone: both sides are one "
                   "body, and neither slip nor open from where they are meshed. One for "
                   "all contact boundaries, or one for "
-                  "each, separated by '|'. Must be said.",
-                  prm, Patterns::Anything());
+                  "each, separated by '|'. Must be said.");
     add_parameter("Coefficient", coefficient,
                   "Coefficient F >= 0 of Coulomb's law, a formula in x, y, z, t, "
                   "pressure (contact pressure, unit: of stress) and slip (length of "
@@ -35,13 +34,11 @@ namespace stiction
                   "Figures of the certificate are then those of the ellipse "
                   "scaled to a disc, of radius F1 (slip_bound in "
                   "contact.pvtu). One axis may be up to 100 times the "
-                  "other.",
-                  prm, Patterns::Anything());
+                  "other.");
     add_parameter("Slip stress", slip_stress,
                   "Slip stress >= 0 of given friction, which must be said with it, a "
                   "formula in x, y, z, t, pressure, slip, "
-                  "or two for an ellipse, as for the coefficient. Unit: of stress.",
-                  prm, Patterns::Anything());
+                  "or two for an ellipse, as for the coefficient. Unit: of stress.");
     add_parameter("First direction", first_direction,
                   "The first principal direction of orthotropic friction, a "
                   "vector of three formulas in x, y, z, t separated by ';': its "
@@ -51,8 +48,7 @@ namespace stiction
                   "normal is within 26 degrees of the x-axis. At a node that "
                   "is held in one tangential direction ('free' in 'Prescribed "
                   "displacement'), friction acts along the other one, up to "
-                  "where the ellipse ends there.",
-                  prm, Patterns::Anything());
+                  "where the ellipse ends there.");
   }
 
   std::vector<FrictionLaw> FrictionParameters::laws() const

@@ -1,5 +1,4 @@
-#ifndef stiction_source_contact_interface_node_shares_h
-#define stiction_source_contact_interface_node_shares_h
+#pragma once
 
 #include <stiction/contact/interface/contact_surface.h>
 
@@ -65,5 +64,3 @@ namespace stiction
     double boundary_area_ = 0.;
   };
 } // namespace stiction
-
-#endif

@@ -12,7 +12,6 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>

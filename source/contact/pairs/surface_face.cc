@@ -16,10 +16,7 @@ namespace stiction
 
   namespace
   {
-    std::array<double, 3> in_array(const Point<3> &p)
-    {
-      return {{p[0], p[1], p[2]}};
-    }
+    std::array<double, 3> in_array(const Point<3> &p) { return {{p[0], p[1], p[2]}}; }
 
     // The Lagrange polynomials of one variable, and their slopes.
     std::array<double, 3> values(const unsigned int degree, const double x)

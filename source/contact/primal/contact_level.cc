@@ -12,16 +12,12 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/rigid_place.h>
 #include <stiction/qp/unbalanced_load.h>
-#include <stiction/qp/sets/feasible_set.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <Eigen/QR>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace stiction
@@ -224,10 +220,7 @@ namespace stiction
 
   ContactLevel::~ContactLevel() = default;
 
-  const MeshLevel &ContactLevel::mesh() const
-  {
-    return stiffness_->level();
-  }
+  const MeshLevel &ContactLevel::mesh() const { return stiffness_->level(); }
 
   void ContactLevel::find_inner_nodes()
   {

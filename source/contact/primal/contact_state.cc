@@ -1,4 +1,3 @@
-#include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>

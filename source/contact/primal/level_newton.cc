@@ -1,6 +1,5 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/level_newton.h>
-#include <stiction/contact/primal/primal_interior_point.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/contact_scales.h>
@@ -12,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <string>
 #include <utility>
 
 namespace stiction

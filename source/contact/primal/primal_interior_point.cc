@@ -1,9 +1,7 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/newton_system.h>
-#include <stiction/contact/primal/primal_active_set.h>
 #include <stiction/contact/primal/primal_interior_point.h>
 #include <stiction/qp/operators/nodal_blocks.h>
-#include <stiction/qp/solvers/central_path.h>
 
 #include <Eigen/Dense>
 

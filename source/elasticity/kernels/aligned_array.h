@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_aligned_array_h
-#define stiction_source_elasticity_kernels_aligned_array_h
+#pragma once
 
 #include <cstddef>
 #include <vector>
@@ -7,8 +6,7 @@
 namespace stiction::cell_kernel
 {
   /// Numbers in memory that a register of any width can be loaded from.
-  template<typename Number>
-  class AlignedArray
+  template<typename Number> class AlignedArray
   {
   public:
     /// Keeps the first numbers and gives back memory that is not needed.
@@ -33,5 +31,3 @@ namespace stiction::cell_kernel
     std::vector<Line> lines_;
   };
 } // namespace stiction::cell_kernel
-
-#endif

@@ -50,8 +50,7 @@ namespace stiction::cell_kernel
            map_.is_congruent(map);
   }
 
-  template<typename Number>
-  void CongruentCells<Number>::add(const CellNodes &nodes)
+  template<typename Number> void CongruentCells<Number>::add(const CellNodes &nodes)
   {
     unfinished_.push_back(nodes);
   }
@@ -134,8 +133,7 @@ namespace stiction::cell_kernel
     return entries.capacity() * sizeof(std::uint32_t) + coefficients.memory_consumption();
   }
 
-  template<typename Number>
-  std::size_t CongruentCells<Number>::memory_consumption() const
+  template<typename Number> std::size_t CongruentCells<Number>::memory_consumption() const
   {
     return sizeof(*this) + unfinished_.size() * sizeof(CellNodes) +
            cells_.memory_consumption() + patches_.memory_consumption();
@@ -154,8 +152,7 @@ namespace stiction::cell_kernel
     resize(block_size);
   }
 
-  template<typename Number>
-  bool GeneralCellBlock<Number>::is_full() const
+  template<typename Number> bool GeneralCellBlock<Number>::is_full() const
   {
     return n_cells_ == block_size;
   }
@@ -195,8 +192,7 @@ namespace stiction::cell_kernel
     ++n_cells_;
   }
 
-  template<typename Number>
-  void GeneralCellBlock<Number>::finish()
+  template<typename Number> void GeneralCellBlock<Number>::finish()
   {
     const std::size_t end = round_up(n_cells_, lanes_);
     for (std::size_t cell = n_cells_; cell < end; ++cell)

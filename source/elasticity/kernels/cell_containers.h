@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_cell_containers_h
-#define stiction_source_elasticity_kernels_cell_containers_h
+#pragma once
 
 #include "aligned_array.h"
 #include "cell_geometry.h"
@@ -18,8 +17,7 @@ namespace stiction::cell_kernel
 {
   /// The parallelepipeds of a class: cells of one material that are
   /// translations of each other.
-  template<typename Number>
-  class CongruentCells
+  template<typename Number> class CongruentCells
   {
   public:
     /// The class of this cell, still empty.
@@ -69,8 +67,7 @@ namespace stiction::cell_kernel
 
   /// Some of the cells that are neither parallelepipeds nor of few shapes. In
   /// blocks, since a single array would have to be copied to grow.
-  template<typename Number>
-  class GeneralCellBlock
+  template<typename Number> class GeneralCellBlock
   {
   public:
     explicit GeneralCellBlock(unsigned int lanes);
@@ -108,5 +105,3 @@ namespace stiction::cell_kernel
     AlignedArray<Number> numbers_;
   };
 } // namespace stiction::cell_kernel
-
-#endif

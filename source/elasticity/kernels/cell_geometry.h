@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_cell_geometry_h
-#define stiction_source_elasticity_kernels_cell_geometry_h
+#pragma once
 
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 
@@ -59,5 +58,3 @@ namespace stiction::cell_kernel
                                                        double lame_lambda,
                                                        double shear_modulus);
 } // namespace stiction::cell_kernel
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_cell_patches_h
-#define stiction_source_elasticity_kernels_cell_patches_h
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -29,5 +28,3 @@ namespace stiction::cell_kernel
   /// cell do, then any others. All nodes are numbered lexicographically.
   Patches find_patches(const std::deque<CellNodes> &cells);
 } // namespace stiction::cell_kernel
-
-#endif

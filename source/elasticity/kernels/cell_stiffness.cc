@@ -2,7 +2,6 @@
 
 #include "cell_containers.h"
 
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -13,10 +12,7 @@ namespace stiction
 
   namespace
   {
-    const Kernels<float> &choose(const KernelPair &pair, float)
-    {
-      return pair.of_float;
-    }
+    const Kernels<float> &choose(const KernelPair &pair, float) { return pair.of_float; }
 
     const Kernels<double> &choose(const KernelPair &pair, double)
     {
@@ -69,8 +65,7 @@ namespace stiction
   CellStiffness<Number> &CellStiffness<Number>::operator=(CellStiffness &&) noexcept =
     default;
 
-  template<typename Number>
-  CellStiffness<Number>::~CellStiffness() = default;
+  template<typename Number> CellStiffness<Number>::~CellStiffness() = default;
 
   template<typename Number>
   void CellStiffness<Number>::add_cell(const HexahedralCell &cell)
@@ -121,8 +116,7 @@ namespace stiction
     return &classes_.back();
   }
 
-  template<typename Number>
-  void CellStiffness<Number>::finish()
+  template<typename Number> void CellStiffness<Number>::finish()
   {
     for (CongruentCells<Number> &of_class : classes_)
       of_class.finish(*kernels_);
@@ -149,8 +143,7 @@ namespace stiction
       block.add_diagonal_blocks(dst);
   }
 
-  template<typename Number>
-  std::size_t CellStiffness<Number>::n_patched_cells() const
+  template<typename Number> std::size_t CellStiffness<Number>::n_patched_cells() const
   {
     std::size_t n = 0;
     for (const CongruentCells<Number> &of_class : classes_)
@@ -158,8 +151,7 @@ namespace stiction
     return n;
   }
 
-  template<typename Number>
-  std::size_t CellStiffness<Number>::n_general_cells() const
+  template<typename Number> std::size_t CellStiffness<Number>::n_general_cells() const
   {
     std::size_t n = 0;
     for (const GeneralCellBlock<Number> &block : general_)
@@ -167,8 +159,7 @@ namespace stiction
     return n;
   }
 
-  template<typename Number>
-  std::size_t CellStiffness<Number>::memory_consumption() const
+  template<typename Number> std::size_t CellStiffness<Number>::memory_consumption() const
   {
     std::size_t bytes = sizeof(*this);
     for (const CongruentCells<Number> &of_class : classes_)

@@ -6,12 +6,8 @@
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <deal.II/base/partitioner.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
-#include <algorithm>
-#include <map>
 #include <set>
-#include <utility>
 
 namespace stiction
 {

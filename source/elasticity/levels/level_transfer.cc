@@ -7,7 +7,6 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <array>
 #include <limits>
 
 namespace stiction

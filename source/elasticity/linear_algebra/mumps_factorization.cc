@@ -30,8 +30,7 @@ namespace stiction
     };
 
     // MUMPS never wants a null pointer, even where there is nothing to see.
-    template<typename T, typename Container>
-    T *data_or(Container &container, T &nothing)
+    template<typename T, typename Container> T *data_or(Container &container, T &nothing)
     {
       return container.size() == 0 ? &nothing : container.data();
     }
@@ -122,10 +121,7 @@ namespace stiction
     factorize(matrix);
   }
 
-  MumpsFactorization::Mumps::~Mumps()
-  {
-    call(terminate);
-  }
+  MumpsFactorization::Mumps::~Mumps() { call(terminate); }
 
   void MumpsFactorization::Mumps::factorize(const LA::SparseMatrix &matrix)
   {
@@ -300,20 +296,11 @@ namespace stiction
     mumps_->factorize(matrix);
   }
 
-  Eigen::MatrixXd &MumpsFactorization::schur_complement()
-  {
-    return mumps_->schur;
-  }
+  Eigen::MatrixXd &MumpsFactorization::schur_complement() { return mumps_->schur; }
 
-  bool MumpsFactorization::is_host() const
-  {
-    return mumps_->is_host;
-  }
+  bool MumpsFactorization::is_host() const { return mumps_->is_host; }
 
-  void MumpsFactorization::solve(Eigen::VectorXd &b)
-  {
-    mumps_->run_solve(0, b, nullptr);
-  }
+  void MumpsFactorization::solve(Eigen::VectorXd &b) { mumps_->run_solve(0, b, nullptr); }
 
   void MumpsFactorization::condense(Eigen::VectorXd &b, Eigen::VectorXd &condensed)
   {

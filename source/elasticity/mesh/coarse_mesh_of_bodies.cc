@@ -11,7 +11,6 @@
 #include <deal.II/grid/manifold.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -91,8 +90,7 @@ namespace stiction
     }
 
     // Those above all of them.
-    template<typename Ids>
-    unsigned int first_free(const Ids &ids)
+    template<typename Ids> unsigned int first_free(const Ids &ids)
     {
       return ids.empty() ? 0 : *ids.rbegin() + 1;
     }

@@ -34,8 +34,7 @@ namespace stiction
                   "A formula in x, y, z: 'Contact refinement' cuts the cells "
                   "whose face on the contact boundary has its centre where "
                   "this is above 0, 'x < 1' being 1 where it holds and 0 "
-                  "where it does not.",
-                  prm, Patterns::Anything());
+                  "where it does not.");
     add_parameter("Element degree", element_degree,
                   "1: trilinear displacements, 8 nodes a cell; 2: "
                   "triquadratic ones, 27 nodes. Either way contact and "

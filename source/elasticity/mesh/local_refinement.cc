@@ -11,7 +11,6 @@
 #include <deal.II/grid/tria_iterator.h>
 
 #include <set>
-#include <string>
 #include <vector>
 
 namespace stiction

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <set>
-#include <vector>
 
 namespace stiction
 {
@@ -31,8 +30,7 @@ namespace stiction
 
     // The rank of the first child owns the parent: it interpolates from the
     // parent to all children, whoever owns those.
-    template<typename Cell>
-    bool is_first_child(const Cell &cell)
+    template<typename Cell> bool is_first_child(const Cell &cell)
     {
       return cell->level() > 0 && cell->parent()->child_index(0) == cell->index();
     }
@@ -106,15 +104,9 @@ namespace stiction
       owned, ghost_set, body_.communicator());
   }
 
-  bool MeshLevel::is_trilinear() const
-  {
-    return dof_handler_.get_fe().degree == 1;
-  }
+  bool MeshLevel::is_trilinear() const { return dof_handler_.get_fe().degree == 1; }
 
-  MPI_Comm MeshLevel::communicator() const
-  {
-    return body_.communicator();
-  }
+  MPI_Comm MeshLevel::communicator() const { return body_.communicator(); }
 
   unsigned int MeshLevel::n_owned_nodes() const
   {
@@ -143,10 +135,7 @@ namespace stiction
     return positions;
   }
 
-  types::global_dof_index MeshLevel::n_dofs() const
-  {
-    return partitioner_->size();
-  }
+  types::global_dof_index MeshLevel::n_dofs() const { return partitioner_->size(); }
 
   unsigned int MeshLevel::local_node(const types::global_dof_index first_dof) const
   {
@@ -198,8 +187,7 @@ namespace stiction
         }
   }
 
-  template<typename Number>
-  LA::VectorOf<Number> MeshLevel::zero_vector() const
+  template<typename Number> LA::VectorOf<Number> MeshLevel::zero_vector() const
   {
     return LA::VectorOf<Number>(partitioner_);
   }

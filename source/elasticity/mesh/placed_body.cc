@@ -22,13 +22,11 @@ namespace stiction
                   prm, Patterns::Integer(0, 12));
     add_parameter("Translation", translation,
                   "By how much the body is moved from where its shape is, after it is "
-                  "turned, 'x; y; z'. Unit: of length.",
-                  prm, Patterns::Anything());
+                  "turned, 'x; y; z'. Unit: of length.");
     add_parameter("Rotation", rotation,
                   "How the body is turned, 'px; py; pz; ax; ay; az; angle': a point of "
                   "the axis, its direction a, and the angle in degrees, counterclockwise "
-                  "as seen from where a points to.",
-                  prm, Patterns::Anything());
+                  "as seen from where a points to.");
     add_number(*this, "Young's modulus", youngs_modulus,
                "E of the whole body, with its Poisson ratio; not said: the section "
                "'Material' has it. Unit: of stress.");

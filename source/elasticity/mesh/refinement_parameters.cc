@@ -33,8 +33,7 @@ namespace stiction
                   "the mesh is, as a part of the energy norm of the "
                   "displacement: an estimate, no bound. Above 16384 cells it "
                   "is made from a sample of them. Adaptive steps estimate it "
-                  "in any case.",
-                  prm, Patterns::Bool());
+                  "in any case.");
   }
 
   void RefinementParameters::check(const ParameterFile &source) const

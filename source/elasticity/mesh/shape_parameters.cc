@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 
 namespace stiction
 {
@@ -94,8 +93,7 @@ namespace stiction
                   "All arguments of the generator, separated by ':', such as '0, 0, 0 : "
                   "1 : 2 : 6 : true' of a shell; center, p1 and p2 are points. With "
                   "colorize = true boundaries get different "
-                  "numbers, as deal.II documents for each generator.",
-                  prm, Patterns::Anything());
+                  "numbers, as deal.II documents for each generator.");
     add_parameter("Mesh file", mesh_file,
                   "The file of the mesh, looked for from the working "
                   "directory and, if it is not there, from the directory of "
@@ -113,8 +111,7 @@ namespace stiction
                   "are several instances, loads, supports and laws passed over; in .vtk "
                   "files the numbers of the cell data "
                   "'MaterialID', of faces and of cells. Faces "
-                  "and cells that have none get the number 0. Unit: of length.",
-                  prm, Patterns::Anything());
+                  "and cells that have none get the number 0. Unit: of length.");
   }
 
   std::string ShapeParameters::entry_of_shape() const

@@ -8,8 +8,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
-#include <vector>
-
 namespace stiction
 {
   using namespace dealii;

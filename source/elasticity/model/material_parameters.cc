@@ -35,8 +35,7 @@ namespace stiction
                   ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
                   "with the axes x, y, z, nu12 being the contraction along y "
                   "under a pull along x, several separated by '|'. Cells of any "
-                  "other material have the numbers above.",
-                  prm, Patterns::Anything());
+                  "other material have the numbers above.");
     add_parameter(
       "Volume strain", volume_strain,
       "pointwise: as the displacements have it; trilinear elements "
@@ -48,15 +47,13 @@ namespace stiction
       prm, Patterns::Selection("automatic|pointwise|cell mean"));
     add_parameter("Densities", densities,
                   "Mass densities other than the one above: 'material : "
-                  "density', several separated by '|'. Unit: of mass per volume.",
-                  prm, Patterns::Anything());
+                  "density', several separated by '|'. Unit: of mass per volume.");
     add_parameter("Material ids", material_ids,
                   "Which material is where, as a formula in x, y, z, t: its "
                   "value at the centre of a coarse cell, an integer from 0 to "
                   "1000, is the material id of that cell, 'if(z < 0.5, 0, 1)' "
                   "makes two layers. Empty: the ids that the mesh has; all "
-                  "cells of a brick have 0.",
-                  prm, Patterns::Anything());
+                  "cells of a brick have 0.");
   }
 
   void MaterialParameters::add_bodies(

@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
-#include <vector>
 
 namespace stiction
 {

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_background_grid_h
-#define stiction_source_elasticity_multigrid_background_grid_h
+#pragma once
 
 #include "block_matrix.h"
 
@@ -78,5 +77,3 @@ namespace stiction
     Eigen::LLT<Eigen::MatrixXd> factors_;
   };
 } // namespace stiction
-
-#endif

@@ -1,7 +1,6 @@
 #include "block_matrix.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace stiction

@@ -1,10 +1,8 @@
-#ifndef stiction_source_elasticity_multigrid_block_matrix_h
-#define stiction_source_elasticity_multigrid_block_matrix_h
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -52,8 +50,7 @@ namespace stiction
 
   private:
     /// Calls back with the place of each block, its row and its column.
-    template<typename Callback>
-    void for_each_block(const Callback &callback) const;
+    template<typename Callback> void for_each_block(const Callback &callback) const;
 
     Eigen::Map<const Block> block(const std::size_t place) const
     {
@@ -69,5 +66,3 @@ namespace stiction
     mutable PaddedVector padded_x_, padded_y_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_chebyshev_h
-#define stiction_source_elasticity_multigrid_chebyshev_h
+#pragma once
 
 namespace stiction
 {
@@ -20,5 +19,3 @@ namespace stiction
     float keep, take;
   };
 } // namespace stiction
-
-#endif

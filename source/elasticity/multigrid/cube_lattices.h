@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_cube_lattices_h
-#define stiction_source_elasticity_multigrid_cube_lattices_h
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -67,5 +66,3 @@ namespace stiction
     Cube::Place n_{};
   };
 } // namespace stiction
-
-#endif

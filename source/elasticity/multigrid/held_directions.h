@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_held_directions_h
-#define stiction_source_elasticity_multigrid_held_directions_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
@@ -57,5 +56,3 @@ namespace stiction
     NodalSupports supports;
   };
 } // namespace stiction
-
-#endif

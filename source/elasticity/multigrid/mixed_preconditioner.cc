@@ -11,10 +11,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace stiction
 {

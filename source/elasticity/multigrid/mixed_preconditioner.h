@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_mixed_preconditioner_h
-#define stiction_source_elasticity_multigrid_mixed_preconditioner_h
+#pragma once
 
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -63,5 +62,3 @@ namespace stiction
     std::vector<std::unique_ptr<System>> systems_; ///< of the levels
   };
 } // namespace stiction
-
-#endif

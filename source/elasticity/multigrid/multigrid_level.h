@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_multigrid_level_h
-#define stiction_source_elasticity_multigrid_multigrid_level_h
+#pragma once
 
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
@@ -102,8 +101,7 @@ namespace stiction
 
     /// Step k of the polynomial: direction = keep × direction +
     /// take × D⁻¹ (b − Ax), x += direction, with Kx in product_.
-    template<Known known>
-    void smoothing_step(Vector &x, const Vector &b, unsigned int k);
+    template<Known known> void smoothing_step(Vector &x, const Vector &b, unsigned int k);
 
     /// The steps after the first one.
     void smooth_on(Vector &x, const Vector &b);
@@ -120,5 +118,3 @@ namespace stiction
     float largest_eigenvalue_ = 0.f;
   };
 } // namespace stiction
-
-#endif

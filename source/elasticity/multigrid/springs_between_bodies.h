@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_multigrid_springs_between_bodies_h
-#define stiction_source_elasticity_multigrid_springs_between_bodies_h
+#pragma once
 
 #include "block_matrix.h"
 
@@ -41,5 +40,3 @@ namespace stiction
     std::size_t n_touched_;               ///< on the first grid
   };
 } // namespace stiction
-
-#endif

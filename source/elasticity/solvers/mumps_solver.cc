@@ -11,8 +11,6 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <vector>
-
 namespace stiction
 {
   namespace

@@ -9,7 +9,6 @@
 #include <Epetra_Map.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 

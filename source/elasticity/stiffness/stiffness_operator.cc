@@ -1,4 +1,3 @@
-#include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/element_stiffness.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
@@ -7,7 +6,6 @@
 
 #include <algorithm>
 #include <unordered_map>
-#include <utility>
 
 namespace stiction
 {

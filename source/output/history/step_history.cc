@@ -9,8 +9,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <utility>
 
 namespace stiction
 {
@@ -147,10 +145,7 @@ namespace stiction
     return sum;
   }
 
-  std::string StepHistory::tag() const
-  {
-    return format("_%04u", steps_.back().number);
-  }
+  std::string StepHistory::tag() const { return format("_%04u", steps_.back().number); }
 
   void StepHistory::add_file(const std::string &name, const std::string &extension)
   {
@@ -180,10 +175,7 @@ namespace stiction
     return list;
   }
 
-  json StepHistory::progress() const
-  {
-    return {{"steps", steps_}, {"series", series_}};
-  }
+  json StepHistory::progress() const { return {{"steps", steps_}, {"series", series_}}; }
 
   void StepHistory::go_on_from(const json &progress, const bool in_place)
   {

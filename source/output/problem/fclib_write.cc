@@ -20,8 +20,7 @@ namespace stiction
     using Eigen::Index;
 
     // HDF5 in memory fails for one reason.
-    template<typename Result>
-    Result checked(const Result result)
+    template<typename Result> Result checked(const Result result)
     {
       if (result < 0)
         throw std::bad_alloc();

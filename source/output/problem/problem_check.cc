@@ -9,10 +9,7 @@
 
 namespace stiction::problem_check
 {
-  std::string text(const double value)
-  {
-    return format("%.10g", value);
-  }
+  std::string text(const double value) { return format("%.10g", value); }
 
   void require(const double value, const Allowed allowed,
                const std::function<std::string()> &place)

@@ -165,8 +165,7 @@ namespace stiction
       }
 
       // Calls f(cell, first unknowns of its nodes, patch).
-      template<typename Function>
-      void for_each_patch(const Function &f)
+      template<typename Function> void for_each_patch(const Function &f)
       {
         std::vector<types::global_dof_index> of_cell(3 * first_dof_.size()),
           of_nodes(first_dof_.size());

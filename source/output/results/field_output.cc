@@ -4,7 +4,6 @@
 #include <stiction/base/files.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 namespace stiction
 {

@@ -1,5 +1,4 @@
-#ifndef stiction_source_output_results_field_output_h
-#define stiction_source_output_results_field_output_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -17,8 +16,7 @@ namespace stiction
   /// Fields at the points of patches, which are cells of the body (dim = 3) or
   /// faces of it (2). Who derives from it adds first the fields, then the
   /// patches, whose data have a row for each component of each field.
-  template<int dim>
-  class FieldOutput : public dealii::DataOutInterface<dim, 3>
+  template<int dim> class FieldOutput : public dealii::DataOutInterface<dim, 3>
   {
   public:
     /// Writes NAMETAG.pvtu on rank 0 over one NAMETAG.RRRR.vtu a rank, and without a
@@ -101,5 +99,3 @@ namespace stiction
     dealii::DataOutBase::VtkFlags flags_;
   };
 } // namespace stiction
-
-#endif

@@ -42,8 +42,7 @@ namespace stiction
         });
     }
 
-    template<typename Vector>
-    void write_three(std::ostream &out, const Vector &v)
+    template<typename Vector> void write_three(std::ostream &out, const Vector &v)
     {
       out << v[0] << ',' << v[1] << ',' << v[2] << ',';
     }

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -38,10 +37,7 @@ namespace stiction
         log.line("  " + line.substr(0, line.find_last_not_of(' ') + 1));
     }
 
-    std::string number(const double value)
-    {
-      return format("%.4g", value);
-    }
+    std::string number(const double value) { return format("%.4g", value); }
 
     // Components that are rounding, also of vectors of this size from which it
     // was computed, are zero.

@@ -52,8 +52,7 @@ namespace stiction
       return entries;
     }
 
-    template<typename Value>
-    json value_or_null(const bool has_value, const Value &value)
+    template<typename Value> json value_or_null(const bool has_value, const Value &value)
     {
       return has_value ? json(value) : json(nullptr);
     }

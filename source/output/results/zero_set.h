@@ -1,5 +1,4 @@
-#ifndef stiction_source_output_results_zero_set_h
-#define stiction_source_output_results_zero_set_h
+#pragma once
 
 #include <stiction/contact/obstacles/stl_file.h>
 
@@ -20,5 +19,3 @@ namespace stiction
     const std::function<std::optional<double>(const dealii::Point<3> &)> &distance,
     const dealii::BoundingBox<3> &box);
 } // namespace stiction
-
-#endif

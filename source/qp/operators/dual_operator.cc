@@ -26,10 +26,7 @@ namespace stiction
   {
   }
 
-  void DualOperator::set_right_hand_side(Eigen::VectorXd h)
-  {
-    h_ = std::move(h);
-  }
+  void DualOperator::set_right_hand_side(Eigen::VectorXd h) { h_ = std::move(h); }
 
   void DualOperator::vmult(const DualBlock rows, const DualBlock columns,
                            Eigen::VectorXd &dst, const Eigen::VectorXd &src) const

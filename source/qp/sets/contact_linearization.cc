@@ -1,7 +1,6 @@
 #include <stiction/qp/sets/contact_linearization.h>
 #include <stiction/qp/sets/slip_bound.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stiction::qp

@@ -35,10 +35,7 @@ namespace stiction::qp
       }
   }
 
-  Eigen::VectorXd RotatedSquares::half_widths() const
-  {
-    return factor_ * slip_bound_;
-  }
+  Eigen::VectorXd RotatedSquares::half_widths() const { return factor_ * slip_bound_; }
 
   Eigen::VectorXd RotatedSquares::to_forces(const Eigen::VectorXd &unknowns) const
   {

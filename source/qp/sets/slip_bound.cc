@@ -35,10 +35,7 @@ namespace stiction::qp
     return qp::is_tied(constant_(node));
   }
 
-  bool SlipBound::has_tied() const
-  {
-    return (constant_.array() == tied).any();
-  }
+  bool SlipBound::has_tied() const { return (constant_.array() == tied).any(); }
 
   bool SlipBound::has_given() const
   {

@@ -46,10 +46,7 @@ namespace stiction::qp
   {
   }
 
-  void DiscActiveSet::start()
-  {
-    spectral_step_.reset();
-  }
+  void DiscActiveSet::start() { spectral_step_.reset(); }
 
   bool DiscActiveSet::must_release(const Scaling &scaling, const double tolerance) const
   {

@@ -2,7 +2,6 @@
 
 #include <Eigen/QR>
 
-#include <cmath>
 #include <vector>
 
 namespace stiction::qp

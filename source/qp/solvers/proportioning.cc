@@ -13,10 +13,7 @@ namespace stiction::qp
   {
   }
 
-  void Proportioning::start()
-  {
-    spectral_step_.reset();
-  }
+  void Proportioning::start() { spectral_step_.reset(); }
 
   bool Proportioning::must_release(const Scaling &, const double) const
   {

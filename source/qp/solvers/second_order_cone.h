@@ -1,5 +1,4 @@
-#ifndef stiction_source_qp_solvers_second_order_cone_h
-#define stiction_source_qp_solvers_second_order_cone_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -43,5 +42,3 @@ namespace stiction::qp
     return step;
   }
 } // namespace stiction::qp
-
-#endif

@@ -6,7 +6,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <utility>

@@ -1,7 +1,6 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/simulation/checkpoint/mesh_history.h>
 
-#include <array>
 #include <cstring>
 
 namespace stiction

@@ -6,7 +6,6 @@
 #include <stiction/simulation/parameters/parameters.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace stiction
 {

@@ -7,10 +7,7 @@
 
 namespace stiction
 {
-  Parameters::Reset::Reset()
-  {
-    dealii::ParameterAcceptor::clear();
-  }
+  Parameters::Reset::Reset() { dealii::ParameterAcceptor::clear(); }
 
   void Parameters::read(const std::string &file, const std::vector<std::string> &settings,
                         const std::optional<std::string> &output,

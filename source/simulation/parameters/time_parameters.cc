@@ -46,8 +46,7 @@ namespace stiction
                   "Into how many equal steps the way from Start to End is cut, or a list "
                   "of times after Start, separated by ',', of which the last one stands "
                   "in place of End. Friction acts on the slip of each step: the answer "
-                  "depends on the way. 1: the problem is solved once, at End.",
-                  prm, Patterns::Anything());
+                  "depends on the way. 1: the problem is solved once, at End.");
     add_parameter("Smallest step", smallest_step,
                   "A step whose answer is not certified is taken back and cut in half "
                   "(several times, if need be) unless it gets shorter than this; after "

@@ -22,10 +22,7 @@ namespace stiction
     return std::make_unique<DualContactSolver>(setting);
   }
 
-  const DualOperator *ContactSolver::dual_operator() const
-  {
-    return nullptr;
-  }
+  const DualOperator *ContactSolver::dual_operator() const { return nullptr; }
 
   std::string ContactSolver::other_method(const std::set<std::string> &tried) const
   {

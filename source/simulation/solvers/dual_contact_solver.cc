@@ -1,7 +1,6 @@
 #include <stiction/base/log.h>
 #include <stiction/base/phases.h>
 #include <stiction/base/units.h>
-#include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/dual_method_factory.h>
 #include <stiction/contact/dual/motion_search.h>

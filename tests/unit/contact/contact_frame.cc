@@ -15,10 +15,7 @@ using dealii::Tensor;
 
 namespace
 {
-  Eigen::Vector3d eigen(const Tensor<1, 3> &v)
-  {
-    return {v[0], v[1], v[2]};
-  }
+  Eigen::Vector3d eigen(const Tensor<1, 3> &v) { return {v[0], v[1], v[2]}; }
 
   ContactFrame frame_of(const Tensor<1, 3> &normal,
                         const std::array<bool, 3> &prescribed = {{false, false, false}})

@@ -39,10 +39,7 @@ namespace
     return std::sqrt(dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD));
   }
 
-  double estimate(const Run &run)
-  {
-    return estimate(run, run.problem->state().lambda);
-  }
+  double estimate(const Run &run) { return estimate(run, run.problem->state().lambda); }
 
   double energy_norm(const Run &run)
   {

@@ -14,10 +14,7 @@ using namespace stiction;
 
 namespace
 {
-  Eigen::VectorXd number(const double x)
-  {
-    return Eigen::VectorXd::Constant(1, x);
-  }
+  Eigen::VectorXd number(const double x) { return Eigen::VectorXd::Constant(1, x); }
 
   // Looks for the zero of a growing function with this slope.
   void check(const std::string &name, const std::function<double(double)> &f,

@@ -30,10 +30,7 @@ namespace
     std::size_t n_general, n_patched;
   };
 
-  Point identity(const Point &x)
-  {
-    return x;
-  }
+  Point identity(const Point &x) { return x; }
 
   Point stretched(const Point &x)
   {
@@ -59,10 +56,7 @@ namespace
   }
 
   // Cells of different length, so that each layer is a class.
-  Point graded(const Point &x)
-  {
-    return {{x[0] + .002 * x[0] * x[0], x[1], x[2]}};
-  }
+  Point graded(const Point &x) { return {{x[0] + .002 * x[0] * x[0], x[1], x[2]}}; }
 
   enum class Order
   {
@@ -207,8 +201,7 @@ namespace
     unsigned int outside = 0, miscounted = 0;
   };
 
-  template<typename Number>
-  using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+  template<typename Number> using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
   // K times a vector, added to ones, in the middle of arrays of NaN.
   template<typename Number>
@@ -276,8 +269,7 @@ namespace
                               norm);
   }
 
-  template<typename Number>
-  void print_errors(const std::string &number)
+  template<typename Number> void print_errors(const std::string &number)
   {
     const double bound = 50. * std::numeric_limits<Number>::epsilon();
     for (const Mesh &mesh : all_meshes())
@@ -305,8 +297,7 @@ namespace
       }
   }
 
-  template<typename Function>
-  bool throws(const Function &function)
+  template<typename Function> bool throws(const Function &function)
   {
     try
       {

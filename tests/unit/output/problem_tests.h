@@ -1,5 +1,4 @@
-#ifndef stiction_problem_tests_h
-#define stiction_problem_tests_h
+#pragma once
 
 // What the tests of problem files share.
 
@@ -17,10 +16,7 @@ namespace problem_tests
 {
   using Eigen::Index;
 
-  inline const char *yes(const bool condition)
-  {
-    return condition ? "yes" : "NO";
-  }
+  inline const char *yes(const bool condition) { return condition ? "yes" : "NO"; }
 
   // Numbers with all their bits in use.
   inline Eigen::MatrixXd random(const Index rows, const Index columns, const double from)
@@ -91,5 +87,3 @@ namespace problem_tests
       }
   }
 } // namespace problem_tests
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_tests_unit_qp_by_action_h
-#define stiction_tests_unit_qp_by_action_h
+#pragma once
 
 #include <stiction/qp/operators/dual_operator.h>
 
@@ -36,5 +35,3 @@ namespace qp_tests
     const DenseDualOperator dense_;
   };
 } // namespace qp_tests
-
-#endif

@@ -23,10 +23,7 @@ using namespace stiction;
 
 namespace
 {
-  const char *yes(const bool condition)
-  {
-    return condition ? "yes" : "NO";
-  }
+  const char *yes(const bool condition) { return condition ? "yes" : "NO"; }
 
   // Contact nodes on a grid, of which each gives way to the forces at the
   // others by 1/√(r² + 1/4), in directions that are coupled.

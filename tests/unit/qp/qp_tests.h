@@ -1,5 +1,4 @@
-#ifndef stiction_tests_unit_qp_tests_h
-#define stiction_tests_unit_qp_tests_h
+#pragma once
 
 #include <stiction/qp/operators/symmetric_operator.h>
 #include <stiction/qp/sets/slip_bound.h>
@@ -79,10 +78,7 @@ namespace qp_tests
     double value_ = 0.;
   };
 
-  inline const char *yes(const bool holds)
-  {
-    return holds ? "yes" : "no";
-  }
+  inline const char *yes(const bool holds) { return holds ? "yes" : "no"; }
 
   inline void print(const std::string &claim, const bool holds)
   {
@@ -214,5 +210,3 @@ namespace qp_tests
       }
   }
 } // namespace qp_tests
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_boundary_functions_h
-#define stiction_base_text_boundary_functions_h
+#pragma once
 
 #include <stiction/base/text/mesh_names.h>
 
@@ -14,8 +13,7 @@
 
 namespace dealii
 {
-  template<int dim>
-  class FunctionParser;
+  template<int dim> class FunctionParser;
 }
 
 namespace stiction
@@ -119,5 +117,3 @@ namespace stiction
                                              unsigned int n_components = 3,
                                              bool may_be_free = false, double time = 1.);
 } // namespace stiction
-
-#endif

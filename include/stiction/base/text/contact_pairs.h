@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_contact_pairs_h
-#define stiction_base_text_contact_pairs_h
+#pragma once
 
 #include <functional>
 #include <map>
@@ -66,5 +65,3 @@ namespace stiction
     std::vector<Pair> pairs_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_did_you_mean_h
-#define stiction_base_text_did_you_mean_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -12,5 +11,3 @@ namespace stiction
   std::string did_you_mean(const std::string &word,
                            const std::vector<std::string> &known);
 } // namespace stiction
-
-#endif

@@ -1,6 +1,6 @@
-#ifndef stiction_base_text_in_words_h
-#define stiction_base_text_in_words_h
+#pragma once
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +11,12 @@ namespace stiction
 
   /// "'x', 'y', 'z'".
   std::string in_quotes(const std::vector<std::string> &names);
-} // namespace stiction
 
-#endif
+  /// What a stream writes of these, one behind the other.
+  template<typename... Parts> std::string text_of(const Parts &...parts)
+  {
+    std::ostringstream text;
+    (text << ... << parts);
+    return text.str();
+  }
+} // namespace stiction

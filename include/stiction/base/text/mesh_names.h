@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_mesh_names_h
-#define stiction_base_text_mesh_names_h
+#pragma once
 
 #include <map>
 #include <set>
@@ -55,5 +54,3 @@ namespace stiction
     std::string how_to_name_;
   };
 } // namespace stiction
-
-#endif

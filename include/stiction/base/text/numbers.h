@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_numbers_h
-#define stiction_base_text_numbers_h
+#pragma once
 
 #include <optional>
 #include <string>
@@ -19,5 +18,3 @@ namespace stiction
   void add_number(dealii::ParameterAcceptor &section, const std::string &name,
                   std::optional<double> &number, const std::string &documentation);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_parameter_file_h
-#define stiction_base_text_parameter_file_h
+#pragma once
 
 #include <map>
 #include <string>
@@ -115,5 +114,3 @@ namespace stiction
     std::map<std::string, std::vector<Place>> of_pairs_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_text_scanner_h
-#define stiction_base_text_text_scanner_h
+#pragma once
 
 #include <cstdint>
 #include <fstream>
@@ -102,5 +101,3 @@ namespace stiction
     std::size_t line_number_ = 0;
   };
 } // namespace stiction
-
-#endif

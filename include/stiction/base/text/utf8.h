@@ -1,5 +1,4 @@
-#ifndef stiction_base_text_utf8_h
-#define stiction_base_text_utf8_h
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -10,5 +9,3 @@ namespace stiction
   /// none. By Table 3-7 of the Unicode Standard 15.
   std::size_t first_byte_not_utf8(const std::string &text);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_body_verifier_h
-#define stiction_contact_certificate_body_verifier_h
+#pragma once
 
 #include <stiction/qp/verifier.h>
 
@@ -52,5 +51,3 @@ namespace stiction
     std::unique_ptr<Certificate> certificate_;
   };
 } // namespace stiction
-
-#endif

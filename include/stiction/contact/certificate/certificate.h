@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_certificate_h
-#define stiction_contact_certificate_certificate_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/qp/contact_conditions.h>
@@ -119,5 +118,3 @@ namespace stiction
     double force_scale_ = 1., energy_scale_ = 0., strain_energy_ = 0., load_work_ = 0.;
   };
 } // namespace stiction
-
-#endif

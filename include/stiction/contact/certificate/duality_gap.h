@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_duality_gap_h
-#define stiction_contact_certificate_duality_gap_h
+#pragma once
 
 namespace stiction
 {
@@ -27,5 +26,3 @@ namespace stiction
   double duality_gap(const LinearElasticity &elasticity, const ContactSurface &surface,
                      const State &state, StiffnessSolver &solver);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_energy_balance_h
-#define stiction_contact_certificate_energy_balance_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -116,5 +115,3 @@ namespace stiction
     bool is_carried_       = false; ///< the last end, from another mesh
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_error_estimator_h
-#define stiction_contact_certificate_error_estimator_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -85,5 +84,3 @@ namespace stiction
                                 const ContactSurface &surface, const State &state,
                                 unsigned long long all_up_to = 16384);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_pair_figures_h
-#define stiction_contact_certificate_pair_figures_h
+#pragma once
 
 namespace stiction
 {
@@ -33,5 +32,3 @@ namespace stiction
   PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
                            const State &state);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_certificate_smooth_boundary_h
-#define stiction_contact_certificate_smooth_boundary_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -78,5 +77,3 @@ namespace stiction
     std::map<dealii::types::boundary_id, LA::Vector> normals_; // of any length
   };
 } // namespace stiction
-
-#endif

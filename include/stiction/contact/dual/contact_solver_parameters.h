@@ -1,5 +1,4 @@
-#ifndef stiction_contact_dual_contact_solver_parameters_h
-#define stiction_contact_dual_contact_solver_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -24,5 +23,3 @@ namespace stiction
     std::string coulomb_iteration   = "direct";
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_dual_dual_method_factory_h
-#define stiction_contact_dual_dual_method_factory_h
+#pragma once
 
 #include <stiction/qp/methods/dual_method.h>
 
@@ -30,5 +29,3 @@ namespace stiction
   /// slower methods that alternate between normal and tangential forces.
   double best_balance_weight(const ContactSolverParameters &parameters);
 } // namespace stiction
-
-#endif

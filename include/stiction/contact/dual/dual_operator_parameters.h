@@ -1,5 +1,4 @@
-#ifndef stiction_contact_dual_dual_operator_parameters_h
-#define stiction_contact_dual_dual_operator_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -16,5 +15,3 @@ namespace stiction
     bool symmetric_part = false; ///< of a problem from a file
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_dual_motion_search_h
-#define stiction_contact_dual_motion_search_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -29,5 +28,3 @@ namespace stiction
     double share_ = 0.; ///< of it that was tried; 0: none of it
   };
 } // namespace stiction
-
-#endif

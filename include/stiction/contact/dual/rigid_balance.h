@@ -1,5 +1,4 @@
-#ifndef stiction_contact_dual_rigid_balance_h
-#define stiction_contact_dual_rigid_balance_h
+#pragma once
 
 #include <stiction/base/units.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -55,5 +54,3 @@ namespace stiction
   void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,
                       const LA::Vector &before, double tolerance, State &state);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_dual_schur_complement_h
-#define stiction_contact_dual_schur_complement_h
+#pragma once
 
 #include <stiction/qp/operators/dual_operator.h>
 
@@ -54,5 +53,3 @@ namespace stiction
     const Eigen::VectorXd held_compliance_; ///< length 3m, 0 where not held
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_contact_boundary_h
-#define stiction_contact_interface_contact_boundary_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -158,5 +157,3 @@ namespace stiction
     std::shared_ptr<const ParameterFile> source_;
   };
 } // namespace stiction
-
-#endif

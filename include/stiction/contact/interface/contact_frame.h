@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_contact_frame_h
-#define stiction_contact_interface_contact_frame_h
+#pragma once
 
 #include <deal.II/base/tensor.h>
 
@@ -138,5 +137,3 @@ namespace stiction
     ContactFrame &frame, double first, double second,
     const std::optional<dealii::Tensor<1, 3>> &direction = std::nullopt);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_contact_operator_h
-#define stiction_contact_interface_contact_operator_h
+#pragma once
 
 #include <stiction/contact/interface/contact_frame.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
@@ -107,5 +106,3 @@ namespace stiction
     OtherSide other_;
   };
 } // namespace stiction
-
-#endif

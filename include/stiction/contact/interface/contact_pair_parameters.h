@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_contact_pair_parameters_h
-#define stiction_contact_interface_contact_pair_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -50,5 +49,3 @@ namespace stiction
     const ParameterFile &source; ///< for messages
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_contact_surface_h
-#define stiction_contact_interface_contact_surface_h
+#pragma once
 
 #include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
@@ -319,5 +318,3 @@ namespace stiction
   };
 
 } // namespace stiction
-
-#endif

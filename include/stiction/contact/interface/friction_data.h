@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_friction_data_h
-#define stiction_contact_interface_friction_data_h
+#pragma once
 
 #include <array>
 #include <memory>
@@ -7,8 +6,7 @@
 
 namespace dealii
 {
-  template<int dim, typename Number>
-  class Point;
+  template<int dim, typename Number> class Point;
 }
 
 namespace stiction
@@ -89,5 +87,3 @@ namespace stiction
     std::unique_ptr<ParsedFunction> first_direction_; ///< or nullptr
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_friction_parameters_h
-#define stiction_contact_interface_friction_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -42,5 +41,3 @@ namespace stiction
     std::string first_direction = "";
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_slip_history_h
-#define stiction_contact_interface_slip_history_h
+#pragma once
 
 #include <deal.II/base/types.h>
 
@@ -39,5 +38,3 @@ namespace stiction
   /// The history after a step that ended with this state. Collective.
   SlipHistory history_after(const State &state, const ContactSurface &surface);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_interface_state_h
-#define stiction_contact_interface_state_h
+#pragma once
 
 #include <stiction/contact/interface/slip_history.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -34,5 +33,3 @@ namespace stiction
     State state;
   };
 } // namespace stiction
-
-#endif

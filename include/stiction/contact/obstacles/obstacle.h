@@ -1,5 +1,4 @@
-#ifndef stiction_contact_obstacles_obstacle_h
-#define stiction_contact_obstacles_obstacle_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -51,5 +50,3 @@ namespace stiction
                                           double time, MPI_Comm communicator);
   };
 } // namespace stiction
-
-#endif

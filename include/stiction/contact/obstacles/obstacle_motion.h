@@ -1,5 +1,4 @@
-#ifndef stiction_contact_obstacles_obstacle_motion_h
-#define stiction_contact_obstacles_obstacle_motion_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -71,5 +70,3 @@ namespace stiction
     Eigen::VectorXd forces_;
   };
 } // namespace stiction
-
-#endif

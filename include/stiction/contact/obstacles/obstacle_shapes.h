@@ -1,5 +1,4 @@
-#ifndef stiction_contact_obstacles_obstacle_shapes_h
-#define stiction_contact_obstacles_obstacle_shapes_h
+#pragma once
 
 #include <stiction/contact/obstacles/obstacle.h>
 
@@ -28,5 +27,3 @@ namespace stiction
                                                 const std::string &numbers,
                                                 const std::string &location, double time);
 } // namespace stiction
-
-#endif

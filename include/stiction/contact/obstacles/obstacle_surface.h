@@ -1,11 +1,8 @@
-#ifndef stiction_contact_obstacles_obstacle_surface_h
-#define stiction_contact_obstacles_obstacle_surface_h
+#pragma once
 
 #include <stiction/contact/obstacles/obstacle.h>
 
-#include <array>
 #include <memory>
-#include <vector>
 
 namespace stiction
 {
@@ -33,5 +30,3 @@ namespace stiction
     std::unique_ptr<Data> data_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_obstacles_place_search_h
-#define stiction_contact_obstacles_place_search_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -34,5 +33,3 @@ namespace stiction
     Eigen::VectorXd too_near_, too_far_;        ///< infinite if there is none
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_obstacles_pressed_obstacles_h
-#define stiction_contact_obstacles_pressed_obstacles_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -28,5 +27,3 @@ namespace stiction
   Eigen::MatrixXd uniform_pressures(const ObstacleMotion &motion,
                                     const Eigen::VectorXd &areas);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_obstacles_stl_file_h
-#define stiction_contact_obstacles_stl_file_h
+#pragma once
 
 #include <deal.II/base/point.h>
 
@@ -28,5 +27,3 @@ namespace stiction
   /// triangle with an area.
   TriangulatedSurface read_stl(const std::string &file, const std::string &description);
 } // namespace stiction
-
-#endif

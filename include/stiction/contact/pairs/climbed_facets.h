@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_climbed_facets_h
-#define stiction_contact_pairs_climbed_facets_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -21,5 +20,3 @@ namespace stiction
                         const Eigen::MatrixX3d &normals, const Eigen::MatrixX3d &slip,
                         const Eigen::VectorXd &areas, const Eigen::VectorXd &forces);
 } // namespace stiction
-
-#endif

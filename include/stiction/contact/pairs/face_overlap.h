@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_face_overlap_h
-#define stiction_contact_pairs_face_overlap_h
+#pragma once
 
 #include <stiction/contact/pairs/surface_face.h>
 
@@ -61,5 +60,3 @@ namespace stiction
     double area_; ///< of its polygons
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_held_slaves_h
-#define stiction_contact_pairs_held_slaves_h
+#pragma once
 
 namespace stiction
 {
@@ -10,5 +9,3 @@ namespace stiction
   /// a tie has no hold on that there, since such a slave has no unknown left. Collective.
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar);
 } // namespace stiction
-
-#endif

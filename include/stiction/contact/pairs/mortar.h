@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_mortar_h
-#define stiction_contact_pairs_mortar_h
+#pragma once
 
 #include <stiction/contact/pairs/surface_face.h>
 
@@ -8,7 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <map>
 #include <vector>
 
 namespace stiction
@@ -53,5 +51,3 @@ namespace stiction
     Eigen::Index row_of(dealii::types::global_dof_index slave) const;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_rigid_turn_h
-#define stiction_contact_pairs_rigid_turn_h
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -34,5 +33,3 @@ namespace stiction
     const Eigen::VectorXd &positions, const Eigen::VectorXd &opposite,
     const std::vector<unsigned int> &surfaces);
 } // namespace stiction
-
-#endif

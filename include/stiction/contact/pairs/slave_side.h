@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_slave_side_h
-#define stiction_contact_pairs_slave_side_h
+#pragma once
 
 #include <stiction/contact/pairs/surface_face.h>
 
@@ -52,5 +51,3 @@ namespace stiction
   SlaveSide choose_slave_side(const std::vector<SurfaceFace> &first,
                               const std::vector<SurfaceFace> &second);
 } // namespace stiction
-
-#endif

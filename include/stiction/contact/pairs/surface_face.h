@@ -1,5 +1,4 @@
-#ifndef stiction_contact_pairs_surface_face_h
-#define stiction_contact_pairs_surface_face_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -61,5 +60,3 @@ namespace stiction
   std::vector<SurfaceFace> surface_faces(const LinearElasticity &elasticity,
                                          dealii::types::boundary_id id);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_contact_level_h
-#define stiction_contact_primal_contact_level_h
+#pragma once
 
 #include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
@@ -29,8 +28,7 @@ namespace stiction
   class MeshHierarchy;
   class MeshLevel;
   class DofSubsetHierarchy;
-  template<typename Number>
-  class StiffnessOperator;
+  template<typename Number> class StiffnessOperator;
 
   /// The contact problem on one level of the mesh, in displacements: K without
   /// a matrix, loads, contact nodes with their frames and data.
@@ -210,5 +208,3 @@ namespace stiction
     Eigen::MatrixXd driven_;
   };
 } // namespace stiction
-
-#endif

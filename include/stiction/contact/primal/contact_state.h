@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_contact_state_h
-#define stiction_contact_primal_contact_state_h
+#pragma once
 
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -52,5 +51,3 @@ namespace stiction
                     const qp::SlipBound &slip_bound, const ContactLevel::Scales &scales);
   };
 } // namespace stiction
-
-#endif

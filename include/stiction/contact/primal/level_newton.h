@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_level_newton_h
-#define stiction_contact_primal_level_newton_h
+#pragma once
 
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/newton_system.h>
@@ -152,5 +151,3 @@ namespace stiction
     Statistics statistics_;
   };
 } // namespace stiction
-
-#endif

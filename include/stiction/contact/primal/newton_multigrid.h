@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_newton_multigrid_h
-#define stiction_contact_primal_newton_multigrid_h
+#pragma once
 
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
@@ -13,7 +12,6 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace stiction
@@ -92,5 +90,3 @@ namespace stiction
     std::vector<LevelNewton::Statistics> statistics_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_newton_system_h
-#define stiction_contact_primal_newton_system_h
+#pragma once
 
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/primal_active_set.h>
@@ -157,5 +156,3 @@ namespace stiction
     bool is_factorized_ = false, is_too_hard_ = false;
   };
 } // namespace stiction
-
-#endif

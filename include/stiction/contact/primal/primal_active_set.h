@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_primal_active_set_h
-#define stiction_contact_primal_primal_active_set_h
+#pragma once
 
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
 
@@ -66,5 +65,3 @@ namespace stiction
     std::vector<Node> nodes;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_contact_primal_primal_interior_point_h
-#define stiction_contact_primal_primal_interior_point_h
+#pragma once
 
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/contact/primal/primal_active_set.h>
@@ -81,5 +80,3 @@ namespace stiction
     bool is_blocked_      = false; // the boundary of the cones is reached
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_kernels_cell_stiffness_h
-#define stiction_elasticity_kernels_cell_stiffness_h
+#pragma once
 
 #include <stiction/elasticity/kernels/instruction_set.h>
 
@@ -12,12 +11,9 @@ namespace stiction
   namespace cell_kernel
   {
     struct CellMap;
-    template<typename Number>
-    struct Kernels;
-    template<typename Number>
-    class CongruentCells;
-    template<typename Number>
-    class GeneralCellBlock;
+    template<typename Number> struct Kernels;
+    template<typename Number> class CongruentCells;
+    template<typename Number> class GeneralCellBlock;
   } // namespace cell_kernel
 
   struct Material;
@@ -55,8 +51,7 @@ namespace stiction
   /// More than max_classes shapes are treated as general.
   ///
   /// @tparam Number float or double
-  template<typename Number>
-  class CellStiffness
+  template<typename Number> class CellStiffness
   {
   public:
     static constexpr unsigned int max_classes = 64;
@@ -115,5 +110,3 @@ namespace stiction
     std::vector<cell_kernel::GeneralCellBlock<Number>> general_;
   };
 } // namespace stiction
-
-#endif

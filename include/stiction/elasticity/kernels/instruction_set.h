@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_kernels_instruction_set_h
-#define stiction_elasticity_kernels_instruction_set_h
+#pragma once
 
 namespace stiction
 {
@@ -26,5 +25,3 @@ namespace stiction
   /// "baseline", "AVX2" or "AVX-512".
   const char *name(InstructionSet instruction_set);
 } // namespace stiction
-
-#endif

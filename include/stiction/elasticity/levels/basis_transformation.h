@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_levels_basis_transformation_h
-#define stiction_elasticity_levels_basis_transformation_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -20,8 +19,7 @@ namespace stiction
 {
   class LevelTransfer;
   class MeshLevel;
-  template<typename Number>
-  class StiffnessOperator;
+  template<typename Number> class StiffnessOperator;
 
   /// Thrown where slaves count from each other in a circle, so that û does not say what u
   /// is.
@@ -90,17 +88,13 @@ namespace stiction
     const Eigen::VectorXd &ground() const { return ground_; }
 
     /// v ← T v, T⁻¹ v. Collective.
-    template<typename Number>
-    void to_absolute(LA::VectorOf<Number> &v) const;
-    template<typename Number>
-    void to_relative(LA::VectorOf<Number> &v) const;
+    template<typename Number> void to_absolute(LA::VectorOf<Number> &v) const;
+    template<typename Number> void to_relative(LA::VectorOf<Number> &v) const;
 
     /// Forces on absolute displacements become those on û that do the same work, Tᵀ r,
     /// and back. Collective.
-    template<typename Number>
-    void forces_to_relative(LA::VectorOf<Number> &r) const;
-    template<typename Number>
-    void forces_to_absolute(LA::VectorOf<Number> &r) const;
+    template<typename Number> void forces_to_relative(LA::VectorOf<Number> &r) const;
+    template<typename Number> void forces_to_absolute(LA::VectorOf<Number> &r) const;
 
     /// dst = K̂ src, with the springs. Collective.
     template<typename Number>
@@ -133,5 +127,3 @@ namespace stiction
     mutable std::tuple<LA::VectorOf<float>, LA::VectorOf<double>> scratch_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_levels_dof_subset_hierarchy_h
-#define stiction_elasticity_levels_dof_subset_hierarchy_h
+#pragma once
 
 #include <deal.II/base/types.h>
 
@@ -49,5 +48,3 @@ namespace stiction
     std::vector<Eigen::SparseMatrix<double>> prolongation_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_levels_level_transfer_h
-#define stiction_elasticity_levels_level_transfer_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -54,8 +53,7 @@ namespace stiction
   private:
     /// Fine nodes with the same number n of coarse ones: n + 1 numbers each,
     /// the fine node first.
-    template<unsigned int n>
-    using Rows = std::vector<std::array<unsigned int, n + 1>>;
+    template<unsigned int n> using Rows = std::vector<std::array<unsigned int, n + 1>>;
 
     const MeshLevel &coarse_;
     const MeshLevel &fine_;
@@ -65,5 +63,3 @@ namespace stiction
     Rows<8> cells_;
   };
 } // namespace stiction
-
-#endif

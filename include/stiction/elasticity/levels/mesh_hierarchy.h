@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_levels_mesh_hierarchy_h
-#define stiction_elasticity_levels_mesh_hierarchy_h
+#pragma once
 
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/levels/level_transfer.h>
@@ -45,5 +44,3 @@ namespace stiction
     std::vector<std::unique_ptr<LevelTransfer>> transfers_;
   };
 } // namespace stiction
-
-#endif

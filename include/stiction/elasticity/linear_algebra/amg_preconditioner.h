@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_amg_preconditioner_h
-#define stiction_elasticity_linear_algebra_amg_preconditioner_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -30,5 +29,3 @@ namespace stiction
     std::unique_ptr<Hierarchy> hierarchy_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_dense_cholesky_h
-#define stiction_elasticity_linear_algebra_dense_cholesky_h
+#pragma once
 
 namespace stiction
 {
@@ -20,5 +19,3 @@ namespace stiction
     void solve(const double *L, int n, double *b);
   } // namespace dense_cholesky
 } // namespace stiction
-
-#endif

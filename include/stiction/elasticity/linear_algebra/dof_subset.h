@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_dof_subset_h
-#define stiction_elasticity_linear_algebra_dof_subset_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -43,5 +42,3 @@ namespace stiction
     std::vector<dealii::types::global_dof_index> dofs_;
   };
 } // namespace stiction
-
-#endif

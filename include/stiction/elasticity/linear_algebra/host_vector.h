@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_host_vector_h
-#define stiction_elasticity_linear_algebra_host_vector_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -32,5 +31,3 @@ namespace stiction
     std::vector<int> counts_, offsets_;
   };
 } // namespace stiction
-
-#endif

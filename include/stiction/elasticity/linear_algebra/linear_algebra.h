@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_linear_algebra_h
-#define stiction_elasticity_linear_algebra_linear_algebra_h
+#pragma once
 
 namespace dealii
 {
@@ -11,8 +10,7 @@ namespace dealii
   {
     namespace distributed
     {
-      template<typename Number, typename MemorySpace>
-      class Vector;
+      template<typename Number, typename MemorySpace> class Vector;
     }
   } // namespace LinearAlgebra
   namespace TrilinosWrappers
@@ -37,5 +35,3 @@ namespace stiction
     using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
   } // namespace LA
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_mumps_factorization_h
-#define stiction_elasticity_linear_algebra_mumps_factorization_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -69,5 +68,3 @@ namespace stiction
     std::unique_ptr<Mumps> mumps_;
   };
 } // namespace stiction
-
-#endif

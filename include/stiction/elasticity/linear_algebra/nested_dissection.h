@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_nested_dissection_h
-#define stiction_elasticity_linear_algebra_nested_dissection_h
+#pragma once
 
 #include <mpi.h>
 
@@ -27,5 +26,3 @@ namespace stiction
                                      unsigned int dofs_per_node,
                                      const std::vector<int> &last, MPI_Comm communicator);
 } // namespace stiction
-
-#endif

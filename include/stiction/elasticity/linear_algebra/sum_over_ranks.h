@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_linear_algebra_sum_over_ranks_h
-#define stiction_elasticity_linear_algebra_sum_over_ranks_h
+#pragma once
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
@@ -8,8 +7,7 @@ namespace stiction
 {
   /// Adds up the entries of a dense matrix, vector or array over all ranks, in place.
   /// Collective.
-  template<typename Values>
-  void sum_over_ranks(Values &values, MPI_Comm communicator)
+  template<typename Values> void sum_over_ranks(Values &values, MPI_Comm communicator)
   {
     using Number = typename Values::value_type;
     dealii::Utilities::MPI::sum(
@@ -17,5 +15,3 @@ namespace stiction
       dealii::ArrayView<Number>(values.data(), values.size()));
   }
 } // namespace stiction
-
-#endif

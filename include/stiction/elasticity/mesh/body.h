@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_body_h
-#define stiction_elasticity_mesh_body_h
+#pragma once
 
 #include <stiction/base/text/mesh_names.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -241,5 +240,3 @@ namespace stiction
     MeshNames material_names_;
   };
 } // namespace stiction
-
-#endif

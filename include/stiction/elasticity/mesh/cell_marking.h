@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_cell_marking_h
-#define stiction_elasticity_mesh_cell_marking_h
+#pragma once
 
 #include <deal.II/lac/vector.h>
 
@@ -23,5 +22,3 @@ namespace stiction
   std::vector<bool> mark_largest_cells(const dealii::Vector<double> &values,
                                        double fraction, MPI_Comm communicator);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_coarse_mesh_h
-#define stiction_elasticity_mesh_coarse_mesh_h
+#pragma once
 
 #include <stiction/base/text/mesh_names.h>
 #include <stiction/elasticity/mesh/readers/quadratic_cells.h>
@@ -96,5 +95,3 @@ namespace stiction
                            const QuadraticCells &quadratic_cells,
                            const std::string &location);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_geometry_parameters_h
-#define stiction_elasticity_mesh_geometry_parameters_h
+#pragma once
 
 #include <stiction/elasticity/mesh/placed_body.h>
 #include <stiction/elasticity/mesh/shape_parameters.h>
@@ -67,5 +66,3 @@ namespace stiction
     void check_size(const ParameterFile &source) const;
   };
 } // namespace stiction
-
-#endif

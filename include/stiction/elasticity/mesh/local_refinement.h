@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_local_refinement_h
-#define stiction_elasticity_mesh_local_refinement_h
+#pragma once
 
 #include <string>
 
@@ -20,5 +19,3 @@ namespace stiction
                                const std::string &contact_boundary,
                                const ParameterFile &source);
 } // namespace stiction
-
-#endif

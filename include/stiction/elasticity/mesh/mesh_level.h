@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_mesh_level_h
-#define stiction_elasticity_mesh_mesh_level_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -15,8 +14,7 @@
 
 namespace dealii
 {
-  template<int dim, int spacedim>
-  class DoFHandler;
+  template<int dim, int spacedim> class DoFHandler;
   namespace Utilities
   {
     namespace MPI
@@ -78,8 +76,7 @@ namespace stiction
     dealii::types::global_dof_index first_dof(unsigned int local_node) const;
 
     /// A vector of zeros with room for the ghosts.
-    template<typename Number>
-    LA::VectorOf<Number> zero_vector() const;
+    template<typename Number> LA::VectorOf<Number> zero_vector() const;
 
     /// Calls back with every cell this rank owns, for trilinear elements alone,
     /// with its material id but without its material, see Materials::assign().
@@ -110,5 +107,3 @@ namespace stiction
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_mesh_pieces_h
-#define stiction_elasticity_mesh_mesh_pieces_h
+#pragma once
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/types.h>
@@ -74,5 +73,3 @@ namespace stiction
     std::vector<unsigned int> piece_of_coarse_cell_; // by index()
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_node_order_h
-#define stiction_elasticity_mesh_node_order_h
+#pragma once
 
 #include <deal.II/base/types.h>
 
@@ -45,5 +44,3 @@ namespace stiction
     std::uint64_t first_ = 0;
   };
 } // namespace stiction
-
-#endif

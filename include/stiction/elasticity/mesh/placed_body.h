@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_placed_body_h
-#define stiction_elasticity_mesh_placed_body_h
+#pragma once
 
 #include <stiction/elasticity/mesh/shape_parameters.h>
 
@@ -51,5 +50,3 @@ namespace stiction
     dealii::Tensor<2, 3> turn_;
   };
 } // namespace stiction
-
-#endif

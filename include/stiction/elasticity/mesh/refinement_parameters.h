@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_refinement_parameters_h
-#define stiction_elasticity_mesh_refinement_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -21,5 +20,3 @@ namespace stiction
     bool estimate_error           = true;
   };
 } // namespace stiction
-
-#endif

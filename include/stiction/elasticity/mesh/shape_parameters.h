@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_shape_parameters_h
-#define stiction_elasticity_mesh_shape_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -64,5 +63,3 @@ namespace stiction
     const std::string section_;
   };
 } // namespace stiction
-
-#endif

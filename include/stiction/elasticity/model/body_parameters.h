@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_body_parameters_h
-#define stiction_elasticity_model_body_parameters_h
+#pragma once
 
 namespace stiction
 {
@@ -16,5 +15,3 @@ namespace stiction
     double time;                 ///< the t of the first loads
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_boundary_parameters_h
-#define stiction_elasticity_model_boundary_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -24,5 +23,3 @@ namespace stiction
     std::string gravity                 = "";
   };
 } // namespace stiction
-
-#endif

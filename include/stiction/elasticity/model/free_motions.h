@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_free_motions_h
-#define stiction_elasticity_model_free_motions_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -78,5 +77,3 @@ namespace stiction
     Eigen::Index n_ = 0;
   };
 } // namespace stiction
-
-#endif

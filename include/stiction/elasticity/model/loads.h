@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_loads_h
-#define stiction_elasticity_model_loads_h
+#pragma once
 
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -77,5 +76,3 @@ namespace stiction
     std::unique_ptr<ParsedFunction> body_force_, gravity_; ///< null: none
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_material_parameters_h
-#define stiction_elasticity_model_material_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -42,5 +41,3 @@ namespace stiction
     std::string volume_strain = "automatic";
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_materials_h
-#define stiction_elasticity_model_materials_h
+#pragma once
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/types.h>
@@ -105,5 +104,3 @@ namespace stiction
   /// Throws InputError if the formula cannot be read or gives no id.
   void assign_material_ids(Body &body, const BodyParameters &parameters);
 } // namespace stiction
-
-#endif

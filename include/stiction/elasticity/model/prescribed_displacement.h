@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_prescribed_displacement_h
-#define stiction_elasticity_model_prescribed_displacement_h
+#pragma once
 
 #include <stiction/base/text/boundary_functions.h>
 
@@ -86,5 +85,3 @@ namespace stiction
     std::vector<PrescribedPoint> points_;
   };
 } // namespace stiction
-
-#endif

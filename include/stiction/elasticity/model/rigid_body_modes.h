@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_model_rigid_body_modes_h
-#define stiction_elasticity_model_rigid_body_modes_h
+#pragma once
 
 #include <deal.II/base/point.h>
 
@@ -19,5 +18,3 @@ namespace stiction
   std::vector<std::vector<double>> rigid_body_modes(
     const Body &body, const std::vector<dealii::Point<3>> &positions);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_multigrid_background_grids_h
-#define stiction_elasticity_multigrid_background_grids_h
+#pragma once
 
 #include <Eigen/SparseCore>
 
@@ -30,5 +29,3 @@ namespace stiction
     const std::vector<std::array<double, 3>> &nodes,
     const std::vector<std::array<unsigned int, 8>> &cells);
 } // namespace stiction
-
-#endif

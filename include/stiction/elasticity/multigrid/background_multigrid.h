@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_multigrid_background_multigrid_h
-#define stiction_elasticity_multigrid_background_multigrid_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
@@ -71,5 +70,3 @@ namespace stiction
     std::vector<std::unique_ptr<Grid>> grids_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_multigrid_coarse_solver_h
-#define stiction_elasticity_multigrid_coarse_solver_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
@@ -76,5 +75,3 @@ namespace stiction
     std::unique_ptr<AmgPreconditioner> amg_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_multigrid_multigrid_h
-#define stiction_elasticity_multigrid_multigrid_h
+#pragma once
 
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -153,5 +152,3 @@ namespace stiction
     std::vector<bool> is_factorized_; ///< from the next supports on
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_solvers_amg_solver_h
-#define stiction_elasticity_solvers_amg_solver_h
+#pragma once
 
 #include <stiction/elasticity/solvers/stiffness_solver.h>
 
@@ -24,5 +23,3 @@ namespace stiction
     const double relative_residual_;
   };
 } // namespace stiction
-
-#endif

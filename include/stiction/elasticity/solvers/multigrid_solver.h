@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_solvers_multigrid_solver_h
-#define stiction_elasticity_solvers_multigrid_solver_h
+#pragma once
 
 #include <stiction/elasticity/solvers/stiffness_solver.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
@@ -40,5 +39,3 @@ namespace stiction
     const double relative_residual_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_solvers_mumps_solver_h
-#define stiction_elasticity_solvers_mumps_solver_h
+#pragma once
 
 #include <stiction/elasticity/solvers/stiffness_solver.h>
 
@@ -31,5 +30,3 @@ namespace stiction
     bool is_condensed_ = false;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_solvers_stiffness_solver_h
-#define stiction_elasticity_solvers_stiffness_solver_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -57,5 +56,3 @@ namespace stiction
     unsigned long n_solves_ = 0, n_iterations_ = 0;
   };
 } // namespace stiction
-
-#endif

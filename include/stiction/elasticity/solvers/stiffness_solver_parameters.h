@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_solvers_stiffness_solver_parameters_h
-#define stiction_elasticity_solvers_stiffness_solver_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -15,5 +14,3 @@ namespace stiction
     std::string type = "automatic";
   };
 } // namespace stiction
-
-#endif

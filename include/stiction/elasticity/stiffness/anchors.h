@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_anchors_h
-#define stiction_elasticity_stiffness_anchors_h
+#pragma once
 
 #include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -23,5 +22,3 @@ namespace stiction
     const FreeMotions &free_motions,
     const std::vector<dealii::types::global_dof_index> &excluded);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_assembled_stiffness_h
-#define stiction_elasticity_stiffness_assembled_stiffness_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -19,5 +18,3 @@ namespace stiction
     const MeshLevel &level, const Materials &materials,
     const dealii::AffineConstraints<double> &constraints);
 } // namespace stiction
-
-#endif

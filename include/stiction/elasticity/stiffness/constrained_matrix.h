@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_constrained_matrix_h
-#define stiction_elasticity_stiffness_constrained_matrix_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/stiffness/nodal_constraint.h>
@@ -64,5 +63,3 @@ namespace stiction
     double mean_diagonal_ = 0.; ///< N/m, of unknowns with stiffness
   };
 } // namespace stiction
-
-#endif

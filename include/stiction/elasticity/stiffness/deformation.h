@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_deformation_h
-#define stiction_elasticity_stiffness_deformation_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -26,5 +25,3 @@ namespace stiction
   /// The mean of ∇·u over the cell where the values are.
   double mean_dilatation(const dealii::FEValues<3> &values, const LA::Vector &u);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_element_matrices_h
-#define stiction_elasticity_stiffness_element_matrices_h
+#pragma once
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -17,8 +16,7 @@ namespace stiction
   /// Vectors are arrays of three numbers a node, entry 3·node + component.
   ///
   /// @tparam Number float or double
-  template<typename Number>
-  class ElementMatrices
+  template<typename Number> class ElementMatrices
   {
   public:
     /// A cell by its nodes, as many as all others have, and its matrix, node by node.
@@ -45,5 +43,3 @@ namespace stiction
     dealii::FullMatrix<double> last_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_element_stiffness_h
-#define stiction_elasticity_stiffness_element_stiffness_h
+#pragma once
 
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 
@@ -14,10 +13,8 @@
 
 namespace dealii
 {
-  template<int dim, int spacedim>
-  class FEValues;
-  template<int dim, int spacedim>
-  class Mapping;
+  template<int dim, int spacedim> class FEValues;
+  template<int dim, int spacedim> class Mapping;
 } // namespace dealii
 
 namespace stiction
@@ -76,5 +73,3 @@ namespace stiction
     const std::function<void(const std::vector<unsigned int> &nodes,
                              const dealii::FullMatrix<double> &K)> &callback);
 } // namespace stiction
-
-#endif

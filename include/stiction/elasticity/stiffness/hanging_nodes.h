@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_hanging_nodes_h
-#define stiction_elasticity_stiffness_hanging_nodes_h
+#pragma once
 
 #include <stiction/elasticity/mesh/mesh_level.h>
 
@@ -30,8 +29,7 @@ namespace stiction
     }
 
     /// Gives hanging nodes the displacement that follows from the others.
-    template<typename Number>
-    void interpolate(Number *const u) const
+    template<typename Number> void interpolate(Number *const u) const
     {
       for (const auto &[node, others] : nodes_)
         for (unsigned int c = 0; c < 3; ++c)
@@ -44,8 +42,7 @@ namespace stiction
     }
 
     /// Hands the forces of hanging nodes on to the others; zero is left.
-    template<typename Number>
-    void distribute(Number *const f) const
+    template<typename Number> void distribute(Number *const f) const
     {
       for (const auto &[node, others] : nodes_)
         for (unsigned int c = 0; c < 3; ++c)
@@ -61,5 +58,3 @@ namespace stiction
     std::vector<MeshLevel::HangingNode> nodes_;
   };
 } // namespace stiction
-
-#endif

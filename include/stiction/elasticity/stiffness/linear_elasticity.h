@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_linear_elasticity_h
-#define stiction_elasticity_stiffness_linear_elasticity_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/model/body_parameters.h>
@@ -20,8 +19,7 @@ namespace stiction
   class Materials;
   class MeshLevel;
   class PrescribedDisplacement;
-  template<typename Number>
-  class StiffnessOperator;
+  template<typename Number> class StiffnessOperator;
 
   /// The elastic body under its loads, without contact: K u = f.
   ///
@@ -176,5 +174,3 @@ namespace stiction
     LA::Vector constrained_load_, load_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_nodal_constraint_h
-#define stiction_elasticity_stiffness_nodal_constraint_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -19,5 +18,3 @@ namespace stiction
 
   using NodalSupports = std::vector<NodalConstraint>;
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_stiffness_operator_h
-#define stiction_elasticity_stiffness_stiffness_operator_h
+#pragma once
 
 #include <stiction/elasticity/kernels/cell_stiffness.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
@@ -9,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,8 +19,7 @@ namespace stiction
   /// boundary condition, cell by cell: integrated in every product for trilinear cells
   /// of simple materials, else by element matrices. With hanging nodes it is CᵀKC: what a
   /// vector has there is ignored, and the product is zero there.
-  template<typename Number>
-  class StiffnessOperator
+  template<typename Number> class StiffnessOperator
   {
   public:
     using Vector = LA::VectorOf<Number>;
@@ -56,5 +53,3 @@ namespace stiction
     mutable std::vector<Number> interpolated_; ///< src with values at hanging nodes
   };
 } // namespace stiction
-
-#endif

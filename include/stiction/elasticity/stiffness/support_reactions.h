@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_stiffness_support_reactions_h
-#define stiction_elasticity_stiffness_support_reactions_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -65,5 +64,3 @@ namespace stiction
     std::vector<AtPoint> points_;
   };
 } // namespace stiction
-
-#endif

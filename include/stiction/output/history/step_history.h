@@ -1,5 +1,4 @@
-#ifndef stiction_output_history_step_history_h
-#define stiction_output_history_step_history_h
+#pragma once
 
 #include <stiction/output/history/step_result.h>
 
@@ -68,5 +67,3 @@ namespace stiction
     std::map<std::string, std::vector<std::pair<double, std::string>>> series_;
   };
 } // namespace stiction
-
-#endif

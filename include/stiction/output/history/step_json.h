@@ -1,5 +1,4 @@
-#ifndef stiction_output_history_step_json_h
-#define stiction_output_history_step_json_h
+#pragma once
 
 #include <stiction/output/history/step_result.h>
 
@@ -13,5 +12,3 @@ namespace stiction
   /// Back. Throws what nlohmann's library does if something is missing.
   void from_json(const nlohmann::json &json, StepResult &step);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_output_history_step_result_h
-#define stiction_output_history_step_result_h
+#pragma once
 
 #include <stiction/contact/certificate/energy_balance.h>
 #include <stiction/qp/node_status.h>
@@ -63,5 +62,3 @@ namespace stiction
                                            const Certificate &certificate,
                                            const std::vector<NodeStatus> &statuses);
 } // namespace stiction
-
-#endif

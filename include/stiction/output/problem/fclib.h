@@ -1,5 +1,4 @@
-#ifndef stiction_output_problem_fclib_h
-#define stiction_output_problem_fclib_h
+#pragma once
 
 #include <stiction/qp/dual_problem.h>
 
@@ -42,5 +41,3 @@ namespace stiction
   /// @param symmetric_part of any W its symmetric part is taken.
   DualProblem read_fclib(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
-
-#endif

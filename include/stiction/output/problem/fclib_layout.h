@@ -1,5 +1,4 @@
-#ifndef stiction_output_problem_fclib_layout_h
-#define stiction_output_problem_fclib_layout_h
+#pragma once
 
 // HDF5's C interface: deal.II's wrapper checks what HDF5 returns in debug mode
 // only, and a user's file may hold anything. libfclib itself stands on the
@@ -88,5 +87,3 @@ namespace stiction
     };
   } // namespace fclib
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_output_problem_matrix_market_h
-#define stiction_output_problem_matrix_market_h
+#pragma once
 
 #include <stiction/qp/dual_problem.h>
 
@@ -39,5 +38,3 @@ namespace stiction
   /// @param symmetric_part of any Q its symmetric part is taken.
   DualProblem read_matrix_market(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
-
-#endif

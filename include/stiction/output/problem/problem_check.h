@@ -1,5 +1,4 @@
-#ifndef stiction_output_problem_problem_check_h
-#define stiction_output_problem_problem_check_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -65,5 +64,3 @@ namespace stiction
     std::string text(double value);
   } // namespace problem_check
 } // namespace stiction
-
-#endif

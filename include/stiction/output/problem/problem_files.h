@@ -1,5 +1,4 @@
-#ifndef stiction_output_problem_problem_files_h
-#define stiction_output_problem_problem_files_h
+#pragma once
 
 #include <stiction/qp/dual_problem.h>
 
@@ -34,5 +33,3 @@ namespace stiction
   /// @param symmetric_part of any Q its symmetric part is taken.
   DualProblem import_problem(const std::string &path, bool symmetric_part = false);
 } // namespace stiction
-
-#endif

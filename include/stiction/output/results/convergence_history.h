@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_convergence_history_h
-#define stiction_output_results_convergence_history_h
+#pragma once
 
 #include <ostream>
 #include <string>
@@ -50,5 +49,3 @@ namespace stiction
     std::string rows_; ///< of convergence.csv
   };
 } // namespace stiction
-
-#endif

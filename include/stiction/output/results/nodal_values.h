@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_nodal_values_h
-#define stiction_output_results_nodal_values_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/qp/node_status.h>
@@ -39,5 +38,3 @@ namespace stiction
                            const std::vector<NodeStatus> &statuses, MPI_Comm communicator,
                            const std::string &tag);
 } // namespace stiction
-
-#endif

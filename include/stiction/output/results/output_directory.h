@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_output_directory_h
-#define stiction_output_results_output_directory_h
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -38,5 +37,3 @@ namespace stiction
   void write_summary(const nlohmann::json &summary, const std::string &directory,
                      MPI_Comm communicator);
 } // namespace stiction
-
-#endif

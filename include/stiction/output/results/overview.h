@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_overview_h
-#define stiction_output_results_overview_h
+#pragma once
 
 namespace stiction
 {
@@ -20,5 +19,3 @@ namespace stiction
   void print_overview(Log &log, const LinearElasticity &elasticity,
                       const ContactSurface &surface, const Units &units);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_report_h
-#define stiction_output_results_report_h
+#pragma once
 
 #include <string>
 
@@ -27,5 +26,3 @@ namespace stiction
   void print_report(Log &log, const RunResult &result, double tolerance,
                     bool prints_costs, const std::string &mesh_remedy = "");
 } // namespace stiction
-
-#endif

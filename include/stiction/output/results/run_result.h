@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_run_result_h
-#define stiction_output_results_run_result_h
+#pragma once
 
 #include <stiction/base/units.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
@@ -172,5 +171,3 @@ namespace stiction
                          const std::string &units, const ParameterFile &source,
                          MPI_Comm communicator);
 } // namespace stiction
-
-#endif

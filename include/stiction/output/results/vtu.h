@@ -1,5 +1,4 @@
-#ifndef stiction_output_results_vtu_h
-#define stiction_output_results_vtu_h
+#pragma once
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
@@ -12,8 +11,7 @@
 
 namespace dealii
 {
-  template<typename Number>
-  class Vector;
+  template<typename Number> class Vector;
 }
 
 namespace stiction
@@ -67,5 +65,3 @@ namespace stiction
                        const ContactSurface &surface, const State &state,
                        const std::string &tag);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_methods_active_set_run_h
-#define stiction_qp_methods_active_set_run_h
+#pragma once
 
 #include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/solvers/active_set_method.h>
@@ -22,5 +21,3 @@ namespace stiction
     const std::function<void(const Eigen::VectorXd &)> &show,
     const DualMethod::Observer &observer);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_methods_coulomb_fixed_point_h
-#define stiction_qp_methods_coulomb_fixed_point_h
+#pragma once
 
 #include <stiction/qp/methods/dual_method.h>
 
@@ -33,5 +32,3 @@ namespace stiction
     double contraction_      = 0.;
   };
 } // namespace stiction
-
-#endif

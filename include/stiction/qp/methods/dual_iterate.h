@@ -1,5 +1,4 @@
-#ifndef stiction_qp_methods_dual_iterate_h
-#define stiction_qp_methods_dual_iterate_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -23,5 +22,3 @@ namespace stiction
   void make_feasible(DualIterate &iterate, const Eigen::VectorXd &slip_bound,
                      const DualOperator &Q);
 } // namespace stiction
-
-#endif

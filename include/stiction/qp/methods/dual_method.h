@@ -1,5 +1,4 @@
-#ifndef stiction_qp_methods_dual_method_h
-#define stiction_qp_methods_dual_method_h
+#pragma once
 
 #include <stiction/qp/methods/dual_iterate.h>
 #include <stiction/qp/sets/feasible_set.h>
@@ -92,5 +91,3 @@ namespace stiction
     virtual DualMethodStatistics statistics() const = 0;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_methods_gauss_seidel_h
-#define stiction_qp_methods_gauss_seidel_h
+#pragma once
 
 #include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -71,5 +70,3 @@ namespace stiction
   };
 
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_methods_mpgp_h
-#define stiction_qp_methods_mpgp_h
+#pragma once
 
 #include <stiction/qp/methods/dual_method.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -39,5 +38,3 @@ namespace stiction
     DualMethodStatistics statistics_;
   };
 } // namespace stiction
-
-#endif

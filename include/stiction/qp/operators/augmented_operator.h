@@ -1,5 +1,4 @@
-#ifndef stiction_qp_operators_augmented_operator_h
-#define stiction_qp_operators_augmented_operator_h
+#pragma once
 
 #include <stiction/qp/operators/equality_constraint.h>
 #include <stiction/qp/operators/dual_operator.h>
@@ -57,5 +56,3 @@ namespace stiction
     std::unique_ptr<DenseDualOperator> dense_; ///< if Q is known as a matrix
   };
 } // namespace stiction
-
-#endif

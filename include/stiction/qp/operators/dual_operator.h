@@ -1,5 +1,4 @@
-#ifndef stiction_qp_operators_dual_operator_h
-#define stiction_qp_operators_dual_operator_h
+#pragma once
 
 #include <stiction/qp/operators/symmetric_operator.h>
 
@@ -107,5 +106,3 @@ namespace stiction
   /// Collective.
   DecoupledScales decoupled_scales(const DualOperator &Q);
 } // namespace stiction
-
-#endif

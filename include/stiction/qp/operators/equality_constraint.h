@@ -1,5 +1,4 @@
-#ifndef stiction_qp_operators_equality_constraint_h
-#define stiction_qp_operators_equality_constraint_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -14,5 +13,3 @@ namespace stiction
     Eigen::VectorXd e; ///< N, length n
   };
 } // namespace stiction
-
-#endif

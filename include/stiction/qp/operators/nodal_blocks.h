@@ -1,5 +1,4 @@
-#ifndef stiction_qp_operators_nodal_blocks_h
-#define stiction_qp_operators_nodal_blocks_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -34,5 +33,3 @@ namespace stiction
     return largest;
   }
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_operators_spectral_norm_h
-#define stiction_qp_operators_spectral_norm_h
+#pragma once
 
 namespace stiction::qp
 {
@@ -16,5 +15,3 @@ namespace stiction::qp
   double spectral_norm(const SymmetricOperator &A, double accuracy = 0.05,
                        unsigned int max_multiplications = 30);
 } // namespace stiction::qp
-
-#endif

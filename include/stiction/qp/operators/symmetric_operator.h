@@ -1,5 +1,4 @@
-#ifndef stiction_qp_operators_symmetric_operator_h
-#define stiction_qp_operators_symmetric_operator_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -47,5 +46,3 @@ namespace stiction::qp
   void make_feasible(Eigen::VectorXd &x, Eigen::VectorXd &gradient,
                      const SymmetricOperator &A, const SlipBound &slip_bound);
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_sets_contact_linearization_h
-#define stiction_qp_sets_contact_linearization_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -67,5 +66,3 @@ namespace stiction::qp
     double residual_ = 0.;
   };
 } // namespace stiction::qp
-
-#endif

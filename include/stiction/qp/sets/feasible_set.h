@@ -1,5 +1,4 @@
-#ifndef stiction_qp_sets_feasible_set_h
-#define stiction_qp_sets_feasible_set_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -75,10 +74,7 @@ namespace stiction::qp
   /// along the normal neither.
   constexpr double tied = std::numeric_limits<double>::infinity();
 
-  constexpr bool is_tied(const double slip_bound)
-  {
-    return slip_bound == tied;
-  }
+  constexpr bool is_tied(const double slip_bound) { return slip_bound == tied; }
 
   /// x_i ≥ 0: the normal contact forces, Λ_ν of the paper's problem (D); any number
   /// where the node is tied.
@@ -147,5 +143,3 @@ namespace stiction::qp
     Discs discs_;
   };
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_sets_half_lines_times_boxes_h
-#define stiction_qp_sets_half_lines_times_boxes_h
+#pragma once
 
 #include <stiction/qp/sets/feasible_set.h>
 
@@ -30,5 +29,3 @@ namespace stiction::qp
     HalfLines half_lines_;
   };
 } // namespace stiction::qp
-
-#endif

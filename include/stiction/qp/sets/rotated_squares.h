@@ -1,5 +1,4 @@
-#ifndef stiction_qp_sets_rotated_squares_h
-#define stiction_qp_sets_rotated_squares_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -61,5 +60,3 @@ namespace stiction::qp
     std::vector<double> cosine_, sine_; ///< of k π/(2r), k = 0 ... 4r − 1
   };
 } // namespace stiction::qp
-
-#endif

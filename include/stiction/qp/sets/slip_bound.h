@@ -1,5 +1,4 @@
-#ifndef stiction_qp_sets_slip_bound_h
-#define stiction_qp_sets_slip_bound_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -96,5 +95,3 @@ namespace stiction::qp
   double natural_residual(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
                           const SlipBound &slip_bound, const Scaling &scaling);
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_active_set_method_h
-#define stiction_qp_solvers_active_set_method_h
+#pragma once
 
 #include <stiction/qp/solvers/solver_run.h>
 
@@ -109,5 +108,3 @@ namespace stiction::qp
                                        const Eigen::VectorXd &direction) const;
   };
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_central_path_h
-#define stiction_qp_solvers_central_path_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -99,5 +98,3 @@ namespace stiction::qp
     std::vector<ConePoint> changes_; // of the products, to first order
   };
 } // namespace stiction::qp
-
-#endif

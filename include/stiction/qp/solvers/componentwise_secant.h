@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_componentwise_secant_h
-#define stiction_qp_solvers_componentwise_secant_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -20,5 +19,3 @@ namespace stiction::qp
     Eigen::VectorXd last_s_, last_step_; ///< of the call before, empty at the start
   };
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_interior_point_h
-#define stiction_qp_solvers_interior_point_h
+#pragma once
 
 #include <stiction/qp/solvers/solver_run.h>
 
@@ -51,5 +50,3 @@ namespace stiction::qp
     const Eigen::MatrixXd &Q_;
   };
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_krylov_methods_h
-#define stiction_qp_solvers_krylov_methods_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -37,5 +36,3 @@ namespace stiction::qp
                        const Preconditioner &preconditioner, double reduction,
                        unsigned int max_iterations);
 } // namespace stiction::qp
-
-#endif

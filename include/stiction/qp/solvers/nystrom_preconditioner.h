@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_nystrom_preconditioner_h
-#define stiction_qp_solvers_nystrom_preconditioner_h
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -44,5 +43,3 @@ namespace stiction::qp
     Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;
   };
 } // namespace stiction::qp
-
-#endif

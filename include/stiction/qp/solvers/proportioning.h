@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_proportioning_h
-#define stiction_qp_solvers_proportioning_h
+#pragma once
 
 #include <stiction/qp/solvers/active_set_method.h>
 #include <stiction/qp/solvers/spectral_step.h>
@@ -47,5 +46,3 @@ namespace stiction::qp
     SpectralStep spectral_step_;
   };
 } // namespace stiction::qp
-
-#endif

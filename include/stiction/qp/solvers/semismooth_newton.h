@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_semismooth_newton_h
-#define stiction_qp_solvers_semismooth_newton_h
+#pragma once
 
 #include <stiction/qp/solvers/nystrom_preconditioner.h>
 #include <stiction/qp/solvers/solver_run.h>
@@ -80,5 +79,3 @@ namespace stiction::qp
     NystromPreconditioner preconditioner_; ///< so is this
   };
 } // namespace stiction::qp
-
-#endif

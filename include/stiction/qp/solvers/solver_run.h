@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_solver_run_h
-#define stiction_qp_solvers_solver_run_h
+#pragma once
 
 #include <array>
 
@@ -64,5 +63,3 @@ namespace stiction::qp
     bool stagnated               = false; ///< no progress: fall back
   };
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_qp_solvers_spectral_step_h
-#define stiction_qp_solvers_spectral_step_h
+#pragma once
 
 #include <Eigen/Core>
 
@@ -28,5 +27,3 @@ namespace stiction::qp
     std::deque<double> short_steps_;
   };
 } // namespace stiction::qp
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_checkpoint_checkpoint_h
-#define stiction_simulation_checkpoint_checkpoint_h
+#pragma once
 
 #include <stiction/contact/interface/state.h>
 #include <stiction/simulation/checkpoint/mesh_history.h>
@@ -63,5 +62,3 @@ namespace stiction
     nlohmann::json header_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_checkpoint_checkpoint_files_h
-#define stiction_simulation_checkpoint_checkpoint_files_h
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -33,5 +32,3 @@ namespace stiction
     void remove(const std::string &directory);
   } // namespace checkpoint_files
 } // namespace stiction
-
-#endif

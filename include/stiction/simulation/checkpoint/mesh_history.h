@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_checkpoint_mesh_history_h
-#define stiction_simulation_checkpoint_mesh_history_h
+#pragma once
 
 #include <cstdint>
 #include <set>
@@ -36,5 +35,3 @@ namespace stiction
     std::vector<Cells> cut_; ///< one for each refinement
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_checkpoint_problem_identity_h
-#define stiction_simulation_checkpoint_problem_identity_h
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -21,5 +20,3 @@ namespace stiction
   void require_same_problem(const Parameters &parameters, const nlohmann::json &identity,
                             const std::string &checkpoint);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_checkpoint_word_file_h
-#define stiction_simulation_checkpoint_word_file_h
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -35,5 +34,3 @@ namespace stiction
     std::vector<double> to_numbers(const Words &words);
   } // namespace word_file
 } // namespace stiction
-
-#endif

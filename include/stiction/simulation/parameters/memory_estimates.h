@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_parameters_memory_estimates_h
-#define stiction_simulation_parameters_memory_estimates_h
+#pragma once
 
 #include <mpi.h>
 
@@ -34,5 +33,3 @@ namespace stiction
   void print_memory(Log &log, const Parameters &parameters, double n_cells,
                     double n_dual_unknowns, MPI_Comm communicator);
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_parameters_missing_entries_h
-#define stiction_simulation_parameters_missing_entries_h
+#pragma once
 
 namespace stiction
 {
@@ -24,5 +23,3 @@ namespace stiction
   void require_load(const Parameters &parameters, const MeshNames &boundaries,
                     const ContactSurface &surface);
 } // namespace stiction
-
-#endif

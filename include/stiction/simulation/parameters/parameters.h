@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_parameters_parameters_h
-#define stiction_simulation_parameters_parameters_h
+#pragma once
 
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/dual/contact_solver_parameters.h>
@@ -138,5 +137,3 @@ namespace stiction
     std::string used_file_;
   };
 } // namespace stiction
-
-#endif

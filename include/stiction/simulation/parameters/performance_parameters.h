@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_parameters_performance_parameters_h
-#define stiction_simulation_parameters_performance_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -15,5 +14,3 @@ namespace stiction
     bool print_timing              = true;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_parameters_time_parameters_h
-#define stiction_simulation_parameters_time_parameters_h
+#pragma once
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -40,5 +39,3 @@ namespace stiction
     unsigned int checkpoint_every = 0; ///< steps; 0: never
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_solvers_contact_solver_h
-#define stiction_simulation_solvers_contact_solver_h
+#pragma once
 
 #include <stiction/qp/certified_solve.h>
 
@@ -77,5 +76,3 @@ namespace stiction
     std::unique_ptr<StiffnessSolver> stiffness_solver_;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_solvers_dual_contact_solver_h
-#define stiction_simulation_solvers_dual_contact_solver_h
+#pragma once
 
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/qp/rigid_place.h>
@@ -84,5 +83,3 @@ namespace stiction
     double earlier_multiplications_ = 0.; ///< of augmented operators before
   };
 } // namespace stiction
-
-#endif

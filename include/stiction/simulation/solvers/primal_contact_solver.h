@@ -1,5 +1,4 @@
-#ifndef stiction_simulation_solvers_primal_contact_solver_h
-#define stiction_simulation_solvers_primal_contact_solver_h
+#pragma once
 
 #include <stiction/simulation/solvers/contact_solver.h>
 
@@ -38,5 +37,3 @@ namespace stiction
     std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
   };
 } // namespace stiction
-
-#endif

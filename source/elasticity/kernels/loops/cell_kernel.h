@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_h
-#define stiction_source_elasticity_kernels_loops_cell_kernel_h
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +17,7 @@ namespace stiction::cell_kernel
   /// element, N = 8 or 27, lexicographic, node n of element b·lanes + l has
   /// its first vector entry at entries[(b·N + n)·lanes + l]. The last batch is
   /// filled up with any valid entries.
-  template<typename Number>
-  struct AffineElements
+  template<typename Number> struct AffineElements
   {
     std::size_t n_elements;
     const std::uint32_t *entries;
@@ -35,8 +33,7 @@ namespace stiction::cell_kernel
 
   /// General cells, in batches as above; number i of cell b·lanes + l is
   /// geometry[(b·n_general_numbers + i)·lanes + l].
-  template<typename Number>
-  struct GeneralCells
+  template<typename Number> struct GeneralCells
   {
     std::size_t n_elements;
     const std::uint32_t *entries;
@@ -44,8 +41,7 @@ namespace stiction::cell_kernel
   };
 
   /// The kernels for one instruction set: all add K src to dst.
-  template<typename Number>
-  struct Kernels
+  template<typename Number> struct Kernels
   {
     using Affine  = void (*)(const AffineElements<Number> &, Number *, const Number *);
     using General = void (*)(const GeneralCells<Number> &, Number *, const Number *);
@@ -65,5 +61,3 @@ namespace stiction::cell_kernel
 
   extern const KernelPair baseline, avx2, avx512;
 } // namespace stiction::cell_kernel
-
-#endif

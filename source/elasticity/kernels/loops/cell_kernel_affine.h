@@ -1,9 +1,6 @@
-#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_affine_h
-#define stiction_source_elasticity_kernels_loops_cell_kernel_affine_h
+#pragma once
 
 #include "cell_kernel_nodes.h"
-
-#include <utility>
 
 // The product of an element whose map is affine: with n = 2 nodes in a
 // direction a cell, with n = 3 a patch of 2×2×2 equal cells.
@@ -24,16 +21,14 @@ namespace stiction::cell_kernel
   namespace
   {
     // ------------------------------------------------------- the transform
-    template<typename V>
-    STICTION_INLINE void line_to_modes(V &a, V &b)
+    template<typename V> STICTION_INLINE void line_to_modes(V &a, V &b)
     {
       const V sum = a + b;
       b           = b - a;
       a           = sum;
     }
 
-    template<typename V>
-    STICTION_INLINE void line_to_modes(V &a, V &b, V &c)
+    template<typename V> STICTION_INLINE void line_to_modes(V &a, V &b, V &c)
     {
       const V sum = a + c, middle = b;
       b = c - a;
@@ -42,16 +37,14 @@ namespace stiction::cell_kernel
     }
 
     // The transposed transforms.
-    template<typename V>
-    STICTION_INLINE void line_to_nodes(V &a, V &b)
+    template<typename V> STICTION_INLINE void line_to_nodes(V &a, V &b)
     {
       const V sum = a + b;
       a           = a - b;
       b           = sum;
     }
 
-    template<typename V>
-    STICTION_INLINE void line_to_nodes(V &a, V &b, V &c)
+    template<typename V> STICTION_INLINE void line_to_nodes(V &a, V &b, V &c)
     {
       const V sum = a + c, half = a - c;
       a = sum - b;
@@ -59,8 +52,7 @@ namespace stiction::cell_kernel
       b = half + half;
     }
 
-    template<typename V>
-    STICTION_INLINE void to_modes(V (&u)[8])
+    template<typename V> STICTION_INLINE void to_modes(V (&u)[8])
     {
       V a = u[0], b = u[1], c = u[2], d = u[3];
       V e = u[4], f = u[5], g = u[6], h = u[7];
@@ -74,8 +66,7 @@ namespace stiction::cell_kernel
       u[4] = e, u[5] = f, u[6] = g, u[7] = h;
     }
 
-    template<typename V>
-    STICTION_INLINE void to_nodes(V (&u)[8])
+    template<typename V> STICTION_INLINE void to_nodes(V (&u)[8])
     {
       V a = u[0], b = u[1], c = u[2], d = u[3];
       V e = u[4], f = u[5], g = u[6], h = u[7];
@@ -89,8 +80,7 @@ namespace stiction::cell_kernel
       u[4] = e, u[5] = f, u[6] = g, u[7] = h;
     }
 
-    template<typename V>
-    STICTION_INLINE void to_modes(V (&u)[27])
+    template<typename V> STICTION_INLINE void to_modes(V (&u)[27])
     {
       for (int i = 0; i < 27; i += 9)
         {
@@ -111,8 +101,7 @@ namespace stiction::cell_kernel
         line_to_modes(u[i], u[i + 9], u[i + 18]);
     }
 
-    template<typename V>
-    STICTION_INLINE void to_nodes(V (&u)[27])
+    template<typename V> STICTION_INLINE void to_nodes(V (&u)[27])
     {
       for (int i = 0; i < 9; ++i)
         line_to_nodes(u[i], u[i + 9], u[i + 18]);
@@ -134,8 +123,7 @@ namespace stiction::cell_kernel
     }
 
     // ----------------------------------------------------------- the modes
-    template<int n>
-    struct Grid
+    template<int n> struct Grid
     {
       static constexpr int size = n * n * n;
 
@@ -279,5 +267,3 @@ namespace stiction::cell_kernel
     }
   } // namespace
 } // namespace stiction::cell_kernel
-
-#endif

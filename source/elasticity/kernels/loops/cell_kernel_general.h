@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_general_h
-#define stiction_source_elasticity_kernels_loops_cell_kernel_general_h
+#pragma once
 
 #include "cell_kernel_affine.h"
 
@@ -15,8 +14,7 @@ namespace stiction::cell_kernel
 {
   namespace
   {
-    template<typename Number>
-    struct Gauss
+    template<typename Number> struct Gauss
     {
       static constexpr Number point   = Number(0.57735026918962576451L);
       static constexpr Number squared = Number(1) / Number(3);
@@ -53,8 +51,7 @@ namespace stiction::cell_kernel
     }
 
     // A matrix at the Gauss points, its column of a direction at four places.
-    template<typename V>
-    struct PointMatrix
+    template<typename V> struct PointMatrix
     {
       V of[3][3][4];
     };
@@ -201,5 +198,3 @@ namespace stiction::cell_kernel
     }
   } // namespace
 } // namespace stiction::cell_kernel
-
-#endif

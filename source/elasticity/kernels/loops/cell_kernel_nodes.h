@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_nodes_h
-#define stiction_source_elasticity_kernels_loops_cell_kernel_nodes_h
+#pragma once
 
 #include "cell_kernel_vector.h"
 
@@ -49,10 +48,7 @@ namespace stiction::cell_kernel
       return reinterpret_cast<const __m64 *>(xy);
     }
 
-    STICTION_INLINE __m64 *pair(float *const xy)
-    {
-      return reinterpret_cast<__m64 *>(xy);
-    }
+    STICTION_INLINE __m64 *pair(float *const xy) { return reinterpret_cast<__m64 *>(xy); }
 
     STICTION_INLINE __m128 load_pairs(const float *const a, const float *const b)
     {
@@ -188,8 +184,7 @@ namespace stiction::cell_kernel
 
     // ------------------------------------------------------ a batch of nodes
     /// The three components at the nodes of a batch, component by component.
-    template<typename Number, int n_nodes>
-    struct Values
+    template<typename Number, int n_nodes> struct Values
     {
       Vector<Number> of[3][n_nodes];
     };
@@ -228,5 +223,3 @@ namespace stiction::cell_kernel
     }
   } // namespace
 } // namespace stiction::cell_kernel
-
-#endif

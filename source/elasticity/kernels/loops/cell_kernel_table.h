@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_table_h
-#define stiction_source_elasticity_kernels_loops_cell_kernel_table_h
+#pragma once
 
 #include "cell_kernel_general.h"
 
@@ -7,8 +6,7 @@ namespace stiction::cell_kernel
 {
   namespace
   {
-    template<typename Number>
-    constexpr Kernels<Number> kernels()
+    template<typename Number> constexpr Kernels<Number> kernels()
     {
       return {Register<Number>::lanes,
               Register<Number>::repeats ? Register<Number>::lanes : 1,
@@ -20,5 +18,3 @@ namespace stiction::cell_kernel
     }
   } // namespace
 } // namespace stiction::cell_kernel
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_kernels_loops_cell_kernel_vector_h
-#define stiction_source_elasticity_kernels_loops_cell_kernel_vector_h
+#pragma once
 
 #include "cell_kernel.h"
 
@@ -12,8 +11,7 @@ namespace stiction::cell_kernel
   namespace
   {
     /// A register: as many numbers as fit, one of each element of a batch.
-    template<typename Number>
-    struct Register
+    template<typename Number> struct Register
     {
       static constexpr unsigned int lanes = STICTION_VECTOR_BYTES / sizeof(Number);
       typedef Number Type __attribute__((vector_size(STICTION_VECTOR_BYTES)));
@@ -29,9 +27,6 @@ namespace stiction::cell_kernel
 #endif
     };
 
-    template<typename Number>
-    using Vector = typename Register<Number>::Type;
+    template<typename Number> using Vector = typename Register<Number>::Type;
   } // namespace
 } // namespace stiction::cell_kernel
-
-#endif

@@ -10,12 +10,9 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <set>
 #include <sstream>
 #include <tuple>
 #include <unordered_map>

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_faces_h
-#define stiction_source_elasticity_mesh_readers_faces_h
+#pragma once
 
 #include <stiction/elasticity/mesh/readers/mesh_data.h>
 
@@ -82,5 +81,3 @@ namespace stiction
     std::vector<Face> faces_; // in the order of their vertices
   };
 } // namespace stiction
-
-#endif

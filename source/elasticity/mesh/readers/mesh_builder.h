@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_mesh_builder_h
-#define stiction_source_elasticity_mesh_readers_mesh_builder_h
+#pragma once
 
 #include <stiction/base/text/text_scanner.h>
 #include <stiction/elasticity/mesh/readers/mesh_data.h>
@@ -7,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <unordered_map>
-#include <utility>
 
 namespace stiction
 {
@@ -106,5 +104,3 @@ namespace stiction
 
   MeshData read_vtk(TextScanner &text);
 } // namespace stiction
-
-#endif

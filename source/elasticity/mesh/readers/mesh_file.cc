@@ -8,7 +8,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <filesystem>
-#include <vector>
 
 namespace stiction
 {

@@ -195,8 +195,5 @@ namespace stiction
     };
   } // namespace
 
-  MeshData read_gmsh(TextScanner &text)
-  {
-    return GmshReader(text).read();
-  }
+  MeshData read_gmsh(TextScanner &text) { return GmshReader(text).read(); }
 } // namespace stiction

@@ -199,8 +199,5 @@ namespace stiction
     };
   } // namespace
 
-  MeshData read_vtk(TextScanner &text)
-  {
-    return VtkReader(text).read();
-  }
+  MeshData read_vtk(TextScanner &text) { return VtkReader(text).read(); }
 } // namespace stiction

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <numeric>
 
 namespace stiction
 {
@@ -10,10 +9,7 @@ namespace stiction
 
   namespace
   {
-    unsigned int n_bits(const unsigned int bits)
-    {
-      return std::bitset<8>(bits).count();
-    }
+    unsigned int n_bits(const unsigned int bits) { return std::bitset<8>(bits).count(); }
 
     bool has(const unsigned int bits, const unsigned int i)
     {

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_product_cell_h
-#define stiction_source_elasticity_mesh_readers_product_cell_h
+#pragma once
 
 #include <stiction/elasticity/mesh/readers/mesh_data.h>
 
@@ -94,5 +93,3 @@ namespace stiction
     bool is_curved_ = false;
   };
 } // namespace stiction
-
-#endif

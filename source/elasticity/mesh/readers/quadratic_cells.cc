@@ -15,10 +15,7 @@ namespace stiction
     // 0 at the beginning of an edge, 1 in the middle, 2 at the end
     using Place = std::array<unsigned int, 3>;
 
-    Place place(const unsigned int node)
-    {
-      return {{node % 3, node / 3 % 3, node / 9}};
-    }
+    Place place(const unsigned int node) { return {{node % 3, node / 3 % 3, node / 9}}; }
 
     // Of what a node is the middle: 0 a vertex, 1 an edge, 2 a face, 3 a cell.
     unsigned int dimension(const Place &node)

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_readers_cut_into_hexahedra_h
-#define stiction_elasticity_mesh_readers_cut_into_hexahedra_h
+#pragma once
 
 namespace stiction
 {
@@ -21,5 +20,3 @@ namespace stiction
   /// image of a cube under a trilinear map is triquadratic.
   void cut_into_hexahedra(MeshData &mesh);
 } // namespace stiction
-
-#endif

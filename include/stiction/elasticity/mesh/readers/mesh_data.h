@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_readers_mesh_data_h
-#define stiction_elasticity_mesh_readers_mesh_data_h
+#pragma once
 
 #include <stiction/elasticity/mesh/readers/quadratic_cells.h>
 
@@ -62,5 +61,3 @@ namespace stiction
     return n_vertices == 4 ? "tetrahedron" : n_vertices == 6 ? "prism" : "hexahedron";
   }
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_readers_mesh_file_h
-#define stiction_elasticity_mesh_readers_mesh_file_h
+#pragma once
 
 #include <stiction/elasticity/mesh/readers/mesh_data.h>
 
@@ -18,5 +17,3 @@ namespace stiction
   /// elements than these, contradicts itself, or if they do not make one body.
   MeshData read_mesh_file(const std::string &file, const std::string &location);
 } // namespace stiction
-
-#endif

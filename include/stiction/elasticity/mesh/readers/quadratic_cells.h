@@ -1,5 +1,4 @@
-#ifndef stiction_elasticity_mesh_readers_quadratic_cells_h
-#define stiction_elasticity_mesh_readers_quadratic_cells_h
+#pragma once
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -55,5 +54,3 @@ namespace stiction
     Nodes nodes_;
   };
 } // namespace stiction
-
-#endif

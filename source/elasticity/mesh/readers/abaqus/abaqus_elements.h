@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_abaqus_abaqus_elements_h
-#define stiction_source_elasticity_mesh_readers_abaqus_abaqus_elements_h
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -23,5 +22,3 @@ namespace stiction::abaqus
   /// The faces S1, S2, ... of Abaqus' manual, by the numbers of deal.II's vertices.
   const std::vector<std::vector<unsigned int>> &faces_of(std::size_t n_vertices);
 } // namespace stiction::abaqus
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_abaqus_abaqus_keyword_h
-#define stiction_source_elasticity_mesh_readers_abaqus_abaqus_keyword_h
+#pragma once
 
 #include <stiction/base/text/text_scanner.h>
 
@@ -44,5 +43,3 @@ namespace stiction
     std::map<std::string, std::string> options;
   };
 } // namespace stiction
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_abaqus_abaqus_parts_h
-#define stiction_source_elasticity_mesh_readers_abaqus_abaqus_parts_h
+#pragma once
 
 #include <stiction/base/text/text_scanner.h>
 
@@ -55,5 +54,3 @@ namespace stiction
     unsigned int n_lines_     = 0;
   };
 } // namespace stiction
-
-#endif

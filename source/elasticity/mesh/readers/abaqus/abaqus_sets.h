@@ -1,5 +1,4 @@
-#ifndef stiction_source_elasticity_mesh_readers_abaqus_abaqus_sets_h
-#define stiction_source_elasticity_mesh_readers_abaqus_abaqus_sets_h
+#pragma once
 
 #include <stiction/base/text/text_scanner.h>
 
@@ -62,5 +61,3 @@ namespace stiction
     std::map<std::string, std::vector<AbaqusElement>> sets_; // by prefix and name in such
   };
 } // namespace stiction
-
-#endif

@@ -391,8 +391,5 @@ namespace stiction
     };
   } // namespace
 
-  MeshData read_abaqus(TextScanner &text)
-  {
-    return AbaqusReader(text).read();
-  }
+  MeshData read_abaqus(TextScanner &text) { return AbaqusReader(text).read(); }
 } // namespace stiction
