@@ -119,7 +119,9 @@ def draw_curves(axes, what, words, unit, curves, units):
                           exponents[0]), size=NORMAL, color=TEXT)
     axes.set_ylabel(label(ordinate, units[kind], exponents[1]), size=NORMAL, color=TEXT)
     if axes.get_legend_handles_labels()[0]:
-        axes.legend(fontsize=SMALL, frameon=False, labelcolor=TEXT)
+        # above, where no curve is
+        axes.legend(fontsize=SMALL, frameon=False, labelcolor=TEXT, loc="lower left",
+                    bbox_to_anchor=(0, 1), ncol=3, borderpad=0)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
     for axis in (axes.xaxis, axes.yaxis):

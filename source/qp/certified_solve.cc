@@ -128,12 +128,10 @@ namespace stiction
     while (!is_content())
       {
         if (!iterate.gradient.allFinite() || !Q.nodal_compliance().allFinite())
-          {
-            status.reason = "the displacements that loads and forces cause are no "
-                            "numbers, which a fault in an elastic solve leads to, " +
-                            advice;
-            return status;
-          }
+          return {false,
+                  "the displacements that loads and forces cause are no numbers, which a "
+                  "fault in an elastic solve leads to, " +
+                    advice};
         const StoppingRule rule{target, std::max(tolerance, target),
                                 max_iterations - iterations};
         const auto after_step = [&](const DualMethod::Step &step) {

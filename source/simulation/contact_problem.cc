@@ -2,7 +2,7 @@
 #include <stiction/base/files.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
-#include <stiction/base/units.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
@@ -51,6 +51,7 @@ namespace stiction
                                  const std::string &restart)
     : parameters_(parameters)
     , communicator_(communicator)
+    , units_(Units::named(parameters.output.units))
     , log_(std::make_unique<Log>(communicator))
     , history_(std::make_unique<ConvergenceHistory>(
         *log_, step_name(parameters.contact_solver, parameters.friction.has_coulomb()),
@@ -77,7 +78,7 @@ namespace stiction
       make_grid();
       assemble_system();
       make_contact_surface();
-      print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
+      print_applied(*log_, elasticity(), contact_surface());
       describe_interference();
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       go_on(times);
@@ -125,11 +126,10 @@ namespace stiction
 
   void ContactProblem::certify()
   {
-    const auto phase                    = phases_.scope("certificate");
-    auto &[elasticity, surface, solver] = *discretization_;
-    certificate_      = std::make_unique<Certificate>(*elasticity, *surface, state_);
+    const auto phase = phases_.scope("certificate");
+    certificate_ = std::make_unique<Certificate>(elasticity(), contact_surface(), state_);
     status_.converged = certificate_->converged(parameters_.contact_solver.tolerance);
-    if (status_.converged && surface->are_obstacles_too_deep(state_.distances))
+    if (status_.converged && contact_surface().are_obstacles_too_deep(state_.distances))
       status_ = {false,
                  "an obstacle would have to move by more than the body is large to "
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
@@ -137,8 +137,8 @@ namespace stiction
                  status_.interrupted};
     if (status_.converged || status_.interrupted)
       return;
-    if (const std::string slide = why_it_slides(*elasticity, *surface, *certificate_,
-                                                Units::named(parameters_.output.units));
+    if (const std::string slide =
+          why_it_slides(elasticity(), contact_surface(), *certificate_, units_);
         !slide.empty())
       status_.reason = slide;
     else if (status_.reason.empty())
@@ -150,14 +150,14 @@ namespace stiction
   {
     if (!state_.lambda.allFinite() || (status_.interrupted && !status_.converged))
       return; // the gap only informs, and takes an elastic solve
-    if (discretization_->elasticity->free_motions().n() > 0)
+    if (elasticity().free_motions().n() > 0)
       return; // forces that are not balanced to the last digit bound nothing
-    const auto phase                    = phases_.scope("certificate");
-    auto &[elasticity, surface, solver] = *discretization_;
+    const auto phase = phases_.scope("certificate");
     try
       {
         certificate_->set_duality_gap(
-          duality_gap(*elasticity, *surface, state_, solver->stiffness_solver()));
+          duality_gap(elasticity(), contact_surface(), state_,
+                      discretization_->solver->stiffness_solver()));
       }
     catch (const std::runtime_error &)
       {
@@ -181,14 +181,12 @@ namespace stiction
     make_contact_surface();
     require_writable_output(parameters_.output, parameters_.source, communicator_);
     if (parameters_.time.has_steps())
-      log_->line(
-        format("Of the times the first, t = %.6g:", discretization_->elasticity->time()));
-    print_applied(*log_, *discretization_->elasticity, *discretization_->surface);
-    print_overview(*log_, *discretization_->elasticity, *discretization_->surface,
-                   Units::named(parameters_.output.units));
+      log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
+    print_applied(*log_, elasticity(), contact_surface());
+    print_overview(*log_, elasticity(), contact_surface(), units_);
     print_memory(*log_, parameters_,
                  static_cast<double>(body_->triangulation().n_global_active_cells()),
-                 static_cast<double>(discretization_->surface->B().all_dofs().size()),
+                 static_cast<double>(contact_surface().B().all_dofs().size()),
                  communicator_);
     log_->line("The input is valid; nothing was solved.");
   }
@@ -231,61 +229,53 @@ namespace stiction
 
   void ContactProblem::make_contact_surface()
   {
-    const auto phase         = phases_.scope("contact_surface");
-    discretization_->surface = std::make_unique<ContactSurface>(
-      *discretization_->elasticity, parameters_.of_contact());
-    discretization_->elasticity->choose_anchors(discretization_->surface->first_dofs());
-    require_load(parameters_, body_->boundary_names(), *discretization_->surface);
+    const auto phase = phases_.scope("contact_surface");
+    discretization_->surface =
+      std::make_unique<ContactSurface>(elasticity(), parameters_.of_contact());
+    discretization_->elasticity->choose_anchors(contact_surface().first_dofs());
+    require_load(parameters_, body_->boundary_names(), contact_surface());
     const std::string law = parameters_.friction.name();
     require_memory_for_dual_operator(
-      parameters_, static_cast<double>(discretization_->surface->B().all_dofs().size()),
+      parameters_, static_cast<double>(contact_surface().B().all_dofs().size()),
       communicator_);
-    log_->line(format("Contact: %lld nodes, %lld dual unknowns, %s",
-                      static_cast<long long>(discretization_->surface->n_nodes()),
-                      static_cast<long long>(3 * discretization_->surface->n_nodes()),
-                      law == "coulomb" ? "Coulomb friction"
-                      : law == "given" ? "given friction"
-                      : law == "mixed" ? "several laws of friction"
-                      : law == "tied"  ? "tied"
-                                       : "no friction"));
-    if (const std::string loose =
-          why_loose(*discretization_->elasticity, *discretization_->surface);
+    const Eigen::Index m = contact_surface().n_nodes();
+    log_->line(text_of("Contact: ", m, " nodes, ", 3 * m, " dual unknowns, ",
+                       law == "coulomb" ? "Coulomb friction"
+                       : law == "given" ? "given friction"
+                       : law == "mixed" ? "several laws of friction"
+                       : law == "tied"  ? "tied"
+                                        : "no friction"));
+    if (const std::string loose = why_loose(elasticity(), contact_surface());
         !loose.empty())
       throw InputError(parameters_.geometry.location + ": " + loose + ".");
     describe_touching_bodies();
     const Eigen::MatrixXd unresisted =
-      unresisted_motions(*discretization_->elasticity, *discretization_->surface);
+      unresisted_motions(elasticity(), contact_surface());
     if (unresisted.cols() > 0)
       log_->line("  nothing resists where the body can " +
-                 discretization_->elasticity->free_motions().in_words(unresisted) +
+                 elasticity().free_motions().in_words(unresisted) +
                  ": there it is left where it is");
     if (!has_steps())
-      if (const std::string reason = why_no_equilibrium(); !reason.empty())
+      if (const std::string reason =
+            why_no_equilibrium(elasticity(), contact_surface(), units_);
+          !reason.empty())
         throw InputError(parameters_.source.file() + ": " + reason +
                          "; change the loads, or hold the body with 'Boundary "
                          "conditions/Prescribed displacement'.");
-    if (discretization_->surface->n_facing_away() > 0)
-      log_->line(format(
-        "  %llu nodes face away from the obstacle and are none",
-        static_cast<unsigned long long>(discretization_->surface->n_facing_away())));
-    if (!parameters_.output.export_directory.empty() &&
-        discretization_->surface->slip_bound().is_mixed())
+    if (contact_surface().n_facing_away() > 0)
+      log_->line(text_of("  ", contact_surface().n_facing_away(),
+                         " nodes face away from the obstacle and are none"));
+    if (parameters_.output.export_directory.empty())
+      return;
+    if (contact_surface().slip_bound().is_mixed())
       throw InputError(parameters_.source.describe("Output/Export directory") +
                        ", problem files know one law of friction for all nodes, "
                        "so 'Friction/Law' must not have both 'given' and "
                        "'coulomb'.");
-    if (!parameters_.output.export_directory.empty() &&
-        discretization_->surface->slip_bound().has_tied())
+    if (contact_surface().slip_bound().has_tied())
       throw InputError(parameters_.source.describe("Output/Export directory") +
                        ", problem files know no tied nodes, so 'Friction/Law' must not "
                        "have 'tied'.");
-  }
-
-  std::string ContactProblem::why_no_equilibrium() const
-  {
-    return stiction::why_no_equilibrium(*discretization_->elasticity,
-                                        *discretization_->surface,
-                                        Units::named(parameters_.output.units));
   }
 
   void ContactProblem::open_output()
@@ -311,8 +301,7 @@ namespace stiction
         const auto phase = phases_.scope("error_estimate");
         try
           {
-            mesh_error_ = estimate_mesh_error(*discretization_->elasticity,
-                                              *discretization_->surface, state_);
+            mesh_error_ = estimate_mesh_error(elasticity(), contact_surface(), state_);
           }
         catch (const InputError &error)
           {
@@ -327,17 +316,17 @@ namespace stiction
     const auto phase = phases_.scope("yardsticks");
     if (parameters_.performance.measure_one_elastic_solve)
       {
-        const ElasticSolveCost cost = measure_elastic_solve(
-          *discretization_->elasticity, contact_force(), parameters_.is_matrix_free());
-        elastic_solve_iterations_ = cost.iterations;
+        const ElasticSolveCost cost = measure_elastic_solve(elasticity(), contact_force(),
+                                                            parameters_.is_matrix_free());
+        elastic_solve_iterations_   = cost.iterations;
         phases_.set("elastic_solve", cost.seconds);
         phases_.set("elastic_solve_iteration", cost.seconds_of_iteration);
       }
     if (parameters_.performance.measure_factorizations && discretization_->solver)
       {
-        const DualOperator *const Q  = discretization_->solver->dual_operator();
-        const FactorizationCost cost = measure_factorizations(
-          *discretization_->elasticity, Q != nullptr ? Q->matrix() : nullptr);
+        const DualOperator *const Q = discretization_->solver->dual_operator();
+        const FactorizationCost cost =
+          measure_factorizations(elasticity(), Q != nullptr ? Q->matrix() : nullptr);
         phases_.set("sparse_factorization", cost.sparse_seconds);
         if (cost.dense_seconds > 0.)
           phases_.set("dual_cholesky", cost.dense_seconds);

@@ -54,11 +54,9 @@ namespace stiction
 
   void ContactProblem::describe_body()
   {
-    log_->line(format(
-      "Body: %llu cells, %llu nodes, %llu unknowns",
-      static_cast<unsigned long long>(body_->triangulation().n_global_active_cells()),
-      static_cast<unsigned long long>(body_->n_nodes()),
-      static_cast<unsigned long long>(body_->dof_handler().n_dofs())));
+    log_->line(text_of("Body: ", body_->triangulation().n_global_active_cells(),
+                       " cells, ", body_->n_nodes(), " nodes, ",
+                       body_->dof_handler().n_dofs(), " unknowns"));
     if (body_->pieces().size() > 1)
       {
         std::vector<std::string> names;
@@ -67,16 +65,15 @@ namespace stiction
         log_->line("Several bodies: " + listed(names));
       }
     if (body_->n_hanging_nodes() > 0)
-      log_->line(format("Hanging nodes: %llu",
-                        static_cast<unsigned long long>(body_->n_hanging_nodes())));
+      log_->line(text_of("Hanging nodes: ", body_->n_hanging_nodes()));
   }
 
   void ContactProblem::describe_touching_bodies() const
   {
     std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>> pairs;
-    for (const ContactBoundary &boundary : discretization_->surface->boundaries())
-      if (boundary.is_pair())
-        pairs.emplace_back(boundary.id(), boundary.partner());
+    for (const ContactBoundary &boundary : contact_surface().boundaries())
+      for (const auto partner : boundary.partners())
+        pairs.emplace_back(boundary.id(), partner);
     for (const auto &[first, second] : body_->touching_without(pairs))
       log_->line(
         "WARNING: bodies '" + first + "' and '" + second +
@@ -86,14 +83,13 @@ namespace stiction
 
   void ContactProblem::describe_interference()
   {
-    const Eigen::VectorXd gaps = discretization_->surface->gaps();
+    const Eigen::VectorXd gaps = contact_surface().gaps();
     const double rounding      = 1e-12 * body_->diameter();
     const auto n               = (gaps.array() < -rounding).count();
     if (n > 0)
-      log_->line(format("  %lld contact node%s overlap%s the obstacle before the body "
-                        "gives way, by up to ",
-                        static_cast<long long>(n), n == 1 ? "" : "s", n == 1 ? "s" : "") +
-                 with_unit(format("%.3g", -gaps.minCoeff()),
-                           Units::named(parameters_.output.units).length));
+      log_->line(text_of("  ", n,
+                         n == 1 ? " contact node overlaps" : " contact nodes overlap",
+                         " the obstacle before the body gives way, by up to ",
+                         with_unit(format("%.3g", -gaps.minCoeff()), units_.length)));
   }
 } // namespace stiction

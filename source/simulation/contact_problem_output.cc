@@ -37,25 +37,25 @@ namespace stiction
 
   std::vector<NodeStatus> ContactProblem::node_statuses() const
   {
+    const ContactSurface &surface = contact_surface();
     // that of a patch of a half-space
     const Eigen::VectorXd stiffness =
-      discretization_->surface->stiffness().youngs_moduli.cwiseProduct(
-        discretization_->surface->areas().cwiseSqrt());
-    return stiction::node_statuses(*certificate_, discretization_->surface->slip_bound(),
-                                   stiffness, parameters_.contact_solver.tolerance);
+      surface.stiffness().youngs_moduli.cwiseProduct(surface.areas().cwiseSqrt());
+    return stiction::node_statuses(*certificate_, surface.slip_bound(), stiffness,
+                                   parameters_.contact_solver.tolerance);
   }
 
   LA::Vector ContactProblem::contact_force() const
   {
-    LA::Vector force = discretization_->elasticity->zero_vector();
-    discretization_->surface->add_forces(-1., state_.lambda, force);
+    LA::Vector force = elasticity().zero_vector();
+    contact_surface().add_forces(-1., state_.lambda, force);
     return force;
   }
 
   void ContactProblem::compute_reactions()
   {
-    reactions_ = std::make_unique<SupportReactions>(*discretization_->elasticity,
-                                                    state_.u, contact_force());
+    reactions_ =
+      std::make_unique<SupportReactions>(elasticity(), state_.u, contact_force());
   }
 
   void ContactProblem::output_results()
@@ -73,8 +73,7 @@ namespace stiction
                                    const EnergyBalance::Step &energy)
   {
     const auto phase      = phases_.scope("output");
-    const auto &surface   = *discretization_->surface;
-    const Units units     = Units::named(parameters_.output.units);
+    const auto &surface   = contact_surface();
     const StepResult step = {
       times.n_taken(),
       times.reached(),
@@ -86,7 +85,7 @@ namespace stiction
     if (parameters_.output.print_progress)
       log_->line(format("Step %u: t = %.6g certified", step.number, step.time) +
                  (surface.has_obstacles()
-                    ? ", " + label("force on the body", units.force) + " " +
+                    ? ", " + label("force on the body", units_.force) + " " +
                         format_vector("%.6g", step.force())
                     : ""));
     if (step.number % parameters_.output.every != 0 && !times.is_finished())
@@ -105,21 +104,19 @@ namespace stiction
     const OutputParameters &output = parameters_.output;
     const LA::Vector &u            = state_.u;
     if (output.write_solution)
-      write_solution(*discretization_->elasticity, u, reactions_->nodal(),
+      write_solution(elasticity(), u, reactions_->nodal(),
                      refinement_ ? refinement_->indicators() : dealii::Vector<double>(),
                      output, tag);
     const std::vector<NodeStatus> statuses = node_statuses();
-    write_contact(*discretization_->elasticity, u, *discretization_->surface,
-                  *certificate_, statuses, output, tag,
-                  steps_ ? state_.history.path : Eigen::VectorXd());
+    write_contact(elasticity(), u, contact_surface(), *certificate_, statuses, output,
+                  tag, steps_ ? state_.history.path : Eigen::VectorXd());
     if (output.double_precision)
       {
         write_nodal_displacement(output.directory, *body_, u, reactions_->nodal(), tag);
-        write_contact_nodes(output.directory, *discretization_->surface, *certificate_,
-                            statuses, communicator_, tag);
+        write_contact_nodes(output.directory, contact_surface(), *certificate_, statuses,
+                            communicator_, tag);
       }
-    write_obstacles(output.directory, *discretization_->elasticity,
-                    *discretization_->surface, state_, tag);
+    write_obstacles(output.directory, elasticity(), contact_surface(), state_, tag);
   }
 
   void ContactProblem::export_problem()
@@ -127,23 +124,22 @@ namespace stiction
     const std::string &directory = parameters_.output.export_directory;
     if (directory.empty() || !discretization_->solver)
       return;
-    const auto phase        = phases_.scope("output");
-    const auto &elasticity  = *discretization_->elasticity;
-    const Eigen::MatrixXd G = rigid_balance(elasticity, *discretization_->surface).G;
+    const auto phase              = phases_.scope("output");
+    const ContactSurface &surface = contact_surface();
+    const Eigen::MatrixXd G       = rigid_balance(elasticity(), surface).G;
     Eigen::VectorXd places(G.cols()); // of obstacles and body, as they are
-    places << state_.distances, elasticity.free_motion_of(state_.u);
+    places << state_.distances, elasticity().free_motion_of(state_.u);
     do_on_first_rank(communicator_, [&]() {
       const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
       problem.Q          = *Q.matrix();
       problem.h          = Q.right_hand_side() - G.lazyProduct(places);
-      problem.slip_bound = discretization_->surface->slip_bound();
-      problem.areas      = discretization_->surface->areas();
-      problem.positions.resize(discretization_->surface->n_nodes(), 3);
-      for (Eigen::Index i = 0; i < discretization_->surface->n_nodes(); ++i)
+      problem.slip_bound = surface.slip_bound();
+      problem.areas      = surface.areas();
+      problem.positions.resize(surface.n_nodes(), 3);
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
-          problem.positions(i, c) = discretization_->surface->nodes()[i].position[c];
-      const ContactSurface &surface = *discretization_->surface;
+          problem.positions(i, c) = surface.nodes()[i].position[c];
       stiction::export_problem(directory, problem, surface.without_dragged(state_.lambda),
                                surface.without_dragged(certificate_->gradient()));
     });
@@ -151,7 +147,7 @@ namespace stiction
 
   RunResult ContactProblem::result() const
   {
-    const ContactSurface &surface          = *discretization_->surface;
+    const ContactSurface &surface          = contact_surface();
     const std::vector<NodeStatus> statuses = node_statuses();
     RunResult result =
       result_of(status_, *certificate_, statuses, parameters_.contact_solver.tolerance,
@@ -178,7 +174,7 @@ namespace stiction
     json list = steps_->to_json(
       elastic_solve_iterations_ > 0 ? phases_.seconds("elastic_solve") : 0.);
     if (!status_.converged && !ends_between_steps_)
-      list.push_back({{"t", discretization_->elasticity->time()},
+      list.push_back({{"t", elasticity().time()},
                       {"certified", false},
                       {"residual", certificate_->worst_figure().second}});
     return list;
@@ -187,15 +183,14 @@ namespace stiction
   void ContactProblem::print_totals() const
   {
     const EnergyBalance::Step all = steps_->energy();
-    log_->line(format("Certified steps: %zu, ", steps_->steps().size()) +
-               label("work", Units::named(parameters_.output.units).energy) +
-               format(" of loads %.6g, supports %.6g, %s %.6g; dissipated %.6g, "
-                      "elastic energy %.6g, time stepping and initial interference %.6g.",
-                      all.loads, all.supports,
-                      discretization_->surface->has_obstacles() ? "obstacles"
-                                                                : "growing interference",
-                      all.obstacles, all.dissipation, all.elastic_energy,
-                      all.time_stepping));
+    log_->line(
+      format("Certified steps: %zu, ", steps_->steps().size()) +
+      label("work", units_.energy) +
+      format(" of loads %.6g, supports %.6g, %s %.6g; dissipated %.6g, "
+             "elastic energy %.6g, time stepping and initial interference %.6g.",
+             all.loads, all.supports,
+             contact_surface().has_obstacles() ? "obstacles" : "growing interference",
+             all.obstacles, all.dissipation, all.elastic_energy, all.time_stepping));
   }
 
   std::string ContactProblem::files_to_open() const
@@ -222,8 +217,8 @@ namespace stiction
     summary["problem"]     = {{"cells", body_->triangulation().n_global_active_cells()},
                               {"nodes", body_->n_nodes()},
                               {"dofs", body_->dof_handler().n_dofs()},
-                              {"contact_nodes", discretization_->surface->n_nodes()},
-                              {"dual_unknowns", 3 * discretization_->surface->n_nodes()},
+                              {"contact_nodes", contact_surface().n_nodes()},
+                              {"dual_unknowns", 3 * contact_surface().n_nodes()},
                               {"free_motions", elasticity().free_motions().in_words()},
                               {"boundaries", json::array()}};
     const MeshNames &names = body_->boundary_names();

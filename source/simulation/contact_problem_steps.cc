@@ -5,6 +5,7 @@
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -82,15 +83,14 @@ namespace stiction
   {
     if (!steps_)
       return;
-    const auto &[elasticity, surface, solver] = *discretization_;
     discretization_->set_time(parameters_.of_contact(),
                               ends_.empty() ? parameters_.time.start : ends_.front().time,
                               {});
     if (ends_.empty())
-      balance_ = std::make_unique<EnergyBalance>(*elasticity, *surface);
+      balance_ = std::make_unique<EnergyBalance>(elasticity(), contact_surface());
     else
       balance_ = std::make_unique<EnergyBalance>(
-        *elasticity, *surface, ends_.front().state,
+        elasticity(), contact_surface(), ends_.front().state,
         balance_ ? std::optional(balance_->elastic_energy()) : std::nullopt);
   }
 
@@ -121,16 +121,18 @@ namespace stiction
     const SlipHistory history =
       ends_.empty() ? SlipHistory() : ends_.front().state.history;
     discretization_->set_time(parameters_.of_contact(), time, history);
-    if (const std::string reason = why_no_equilibrium(); !reason.empty())
+    const std::string reason =
+      why_no_equilibrium(elasticity(), contact_surface(), units_);
+    if (!reason.empty())
       return refuse_step(reason);
-    if (!ends_.empty() && ends_.front().state.distances.size() >
-                            discretization_->surface->motion().n_pressed())
+    if (!ends_.empty() &&
+        ends_.front().state.distances.size() > contact_surface().motion().n_pressed())
       return refuse_step("'Boundary conditions/Obstacle force' becomes zero, which would "
                          "hold the obstacle where it is drawn, and may press harder "
                          "there, let a small force remain");
     if (!ends_.empty())
       state_ = first_guess(time);
-    const SlipHistory here = on_nodes(history, *discretization_->surface);
+    const SlipHistory here = on_nodes(history, contact_surface());
     const bool is_warm     = state_.lambda.size() > 0;
     const auto solve_from  = [&](State guess) {
       state_         = std::move(guess);
@@ -149,11 +151,11 @@ namespace stiction
 
   void ContactProblem::refuse_step(const std::string &reason)
   {
-    const auto &[elasticity, surface, solver] = *discretization_;
+    const ContactSurface &surface = contact_surface();
     open_output();
-    state_  = ends_.empty() ? State{elasticity->zero_vector(),
-                                   Eigen::VectorXd::Zero(3 * surface->n_nodes()),
-                                   Eigen::VectorXd::Zero(surface->motion().n_pressed()),
+    state_  = ends_.empty() ? State{elasticity().zero_vector(),
+                                   Eigen::VectorXd::Zero(3 * surface.n_nodes()),
+                                   Eigen::VectorXd::Zero(surface.motion().n_pressed()),
                                    {}}
                             : ends_.front().state;
     status_ = {};
@@ -209,26 +211,24 @@ namespace stiction
   {
     RunResult all; // that the solver did so far
     discretization_->solver->add_to(all);
-    effort_.newton_steps += all.solver.newton_steps - counted_.newton_steps;
-    effort_.krylov_iterations +=
-      all.solver.krylov_iterations - counted_.krylov_iterations;
+    const RunResult::Solver &now = all.solver;
+    effort_.newton_steps += now.newton_steps - counted_.newton_steps;
+    effort_.krylov_iterations += now.krylov_iterations - counted_.krylov_iterations;
     effort_.dual_multiplications +=
-      all.solver.dual_multiplications - counted_.dual_multiplications;
+      now.dual_multiplications - counted_.dual_multiplications;
     effort_.seconds += seconds;
-    counted_ = {all.solver.newton_steps, all.solver.krylov_iterations,
-                all.solver.dual_multiplications, 0.};
+    counted_ = {now.newton_steps, now.krylov_iterations, now.dual_multiplications, 0.};
   }
 
   State ContactProblem::first_guess(const double time) const
   {
-    const auto &[elasticity, surface, solver] = *discretization_;
-    const auto &[last_time, last]             = ends_.front();
-    const auto &[earlier_time, earlier]       = ends_.back();
+    const auto &[last_time, last]       = ends_.front();
+    const auto &[earlier_time, earlier] = ends_.back();
     // a force that begins or ends to press makes an obstacle another one
-    if (last.distances.size() != surface->motion().n_pressed())
+    if (last.distances.size() != contact_surface().motion().n_pressed())
       return {{}, {}, {}, {}};
     // where an obstacle made others contact nodes their forces are no guess
-    if (on_nodes(last.history, *surface).nodes != last.history.nodes)
+    if (on_nodes(last.history, contact_surface()).nodes != last.history.nodes)
       return {{}, {}, last.distances, {}};
     if (ends_.size() < 2 || earlier.history.nodes != last.history.nodes ||
         earlier.distances.size() != last.distances.size())
@@ -241,19 +241,17 @@ namespace stiction
 
     // Forces beyond their bounds tell which nodes will slip or open, and are no error of
     // the guess; loads or supports that turned leave nodes inside out of balance.
-    const auto imbalance = [&elasticity = elasticity, &surface = surface](State state) {
-      elasticity->prescribe(state.u);
-      return Certificate(*elasticity, *surface, state)
-        .body_figures()
-        .equilibrium_residual;
+    const auto imbalance = [this](State state) {
+      elasticity().prescribe(state.u);
+      const Certificate certificate(elasticity(), contact_surface(), state);
+      return certificate.body_figures().equilibrium_residual;
     };
     return imbalance(further) <= std::max(balanced, imbalance(last)) ? further : last;
   }
 
   void ContactProblem::end_step(const TimeSteps &times)
   {
-    const auto &[elasticity, surface, solver] = *discretization_;
-    state_.history                            = history_after(state_, *surface);
+    state_.history = history_after(state_, contact_surface());
     largest_deformation_.include(largest_deformation(*body_, state_.u));
     if (!certificate_->bears_nothing())
       state_.scales = {std::max(state_.scales.force, certificate_->force_scale()),
@@ -261,7 +259,7 @@ namespace stiction
     ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));
     if (steps_)
-      record_step(times, balance_->add_step(*elasticity, *surface, state_));
+      record_step(times, balance_->add_step(elasticity(), contact_surface(), state_));
   }
 
   bool ContactProblem::refine_mesh()
@@ -271,10 +269,9 @@ namespace stiction
     std::vector<bool> is_cut;
     {
       const auto phase = phases_.scope("error_estimate");
-      refinement_->add_mesh(*discretization_->elasticity, *discretization_->surface,
-                            status_.converged, state_, certificate_->strain_energy());
-      is_cut = refinement_->cells_to_cut(*discretization_->elasticity,
-                                         *discretization_->surface);
+      refinement_->add_mesh(elasticity(), contact_surface(), status_.converged, state_,
+                            certificate_->strain_energy());
+      is_cut = refinement_->cells_to_cut(elasticity(), contact_surface());
     }
     log_->line(refinement_->remark());
     if (refinement_->is_finished())
@@ -311,8 +308,7 @@ namespace stiction
   {
     std::optional<CarriedState> carried;
     if (!ends_.empty())
-      carried.emplace(ends_.front().state, *discretization_->elasticity,
-                      *discretization_->surface);
+      carried.emplace(ends_.front().state, elasticity(), contact_surface());
     discretization_.reset();
     // where obstacles are is no matter of the mesh
     state_ = {{}, {}, state_.distances, {}};
@@ -329,8 +325,7 @@ namespace stiction
       {
         const double time = ends_.front().time;
         discretization_->set_time(parameters_.of_contact(), time, {});
-        State state =
-          carried->on(*discretization_->elasticity, *discretization_->surface);
+        State state  = carried->on(elasticity(), contact_surface());
         state.scales = ends_.front().state.scales;
         ends_        = {{time, std::move(state)}};
       }
@@ -355,7 +350,7 @@ namespace stiction
   {
     if (!restart_)
       return;
-    Checkpoint checkpoint = restart_->read(*discretization_->elasticity);
+    Checkpoint checkpoint = restart_->read(elasticity());
     times.go_on_from(checkpoint.steps);
     const std::string last =
       parameters_.source.given().count("Time/End") > 0 || !parameters_.time.has_steps()
@@ -366,11 +361,11 @@ namespace stiction
       format("must go on after t = %.6g, which the checkpoint ", times.reached()) +
         restart_->directory() + " has reached");
     const auto n_pressed = checkpoint.ends.front().state.distances.size();
-    parameters_.source.require(
-      discretization_->surface->motion().n_pressed() == n_pressed,
-      "Boundary conditions/Obstacle force",
-      "must press on as many obstacles as in the checkpoint " + restart_->directory() +
-        ", " + std::to_string(n_pressed));
+    parameters_.source.require(contact_surface().motion().n_pressed() == n_pressed,
+                               "Boundary conditions/Obstacle force",
+                               "must press on as many obstacles as in the checkpoint " +
+                                 restart_->directory() + ", " +
+                                 std::to_string(n_pressed));
     ends_               = std::move(checkpoint.ends);
     const bool in_place = goes_on_in_place();
     steps_->go_on_from(checkpoint.history, in_place);
@@ -388,7 +383,7 @@ namespace stiction
     const auto phase = phases_.scope("output");
     write_checkpoint(parameters_.output.directory,
                      {times.progress(), steps_->progress(), ends_}, mesh_history_,
-                     *discretization_->elasticity, parameters_);
+                     elasticity(), parameters_);
     n_steps_saved_ = times.n_taken();
   }
 

@@ -151,7 +151,8 @@ namespace stiction
                     const Body &body, const Certificate &certificate, Warnings &warnings)
     {
       std::set<unsigned int> pieces = body.pieces_at(pair.id());
-      pieces.merge(body.pieces_at(pair.partner()));
+      for (const auto partner : pair.partners())
+        pieces.merge(body.pieces_at(partner));
       double energy = 0.;
       for (const unsigned int piece : pieces)
         energy += certificate.strain_energy(piece);
@@ -187,8 +188,7 @@ namespace stiction
   std::vector<std::string> ContactProblem::warnings(
     const double largest_displacement) const
   {
-    const ContactSurface &surface = *discretization_->surface;
-    const Units units             = Units::named(parameters_.output.units);
+    const ContactSurface &surface = contact_surface();
     Warnings warnings;
     if (parameters_.has_locking())
       warnings.push_back(
@@ -207,7 +207,7 @@ namespace stiction
             depth > rounding_of_depth * largest_displacement)
           warnings.push_back(
             "a node that faces away from its obstacle came " +
-            with_unit(format("%.2g", depth), units.length) +
+            with_unit(format("%.2g", depth), units_.length) +
             " into it; such nodes are no contact nodes, and the certificate does "
             "not speak of them.");
         if (const auto [body, lacking] = certificate_->worst_balanced();
@@ -225,7 +225,7 @@ namespace stiction
           {
             add_supports(surface.boundaries()[b], frictionless[b], warnings);
             if (depths[b] > deep * largest_displacement)
-              add_idle(surface.boundaries()[b], depths[b], units, warnings);
+              add_idle(surface.boundaries()[b], depths[b], units_, warnings);
             add_fall(surface.boundaries()[b], falls[b], steps_ != nullptr, warnings);
           }
         for (const ContactBoundary &pair : surface.boundaries())
@@ -233,8 +233,8 @@ namespace stiction
             {
               const PairFigures figures = pair_figures(surface, pair, state_);
               add_edge(pair, figures, warnings);
-              add_slide(pair, figures, units, warnings);
-              add_gap(pair, figures, units, warnings);
+              add_slide(pair, figures, units_, warnings);
+              add_gap(pair, figures, units_, warnings);
               add_facets(pair, figures, *body_, *certificate_, warnings);
             }
         deformation.include(largest_deformation(*body_, state_.u));

@@ -11,6 +11,7 @@
 
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -76,6 +77,14 @@ namespace
     return K;
   }
 
+  // Of this process, in bytes.
+  std::size_t memory_in_use()
+  {
+    Utilities::System::MemoryStats stats;
+    Utilities::System::get_memory_stats(stats);
+    return 1024 * stats.VmRSS;
+  }
+
   // What memory has to do in any product.
   template<typename Number>
   void add(Number *const dst, const Number *const src, const std::size_t n)
@@ -112,12 +121,13 @@ namespace
     for (const InstructionSet instruction_set : all_instruction_sets)
       if (is_supported(instruction_set))
         {
+          const std::size_t before = memory_in_use();
           products.push_back(make_stiffness<Number>(dof_handler, instruction_set));
           candidates.push_back({name(instruction_set),
                                 [&, i = products.size() - 1] {
                                   products[i].add_product(dst.begin(), src.begin());
                                 },
-                                products.back().memory_consumption(),
+                                std::max(memory_in_use(), before) - before,
                                 {}});
         }
     candidates.push_back(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/base/phases.h>
+#include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
@@ -112,8 +113,6 @@ namespace stiction
     /// answer itself.
     void solve_and_certify();
     void solve();
-    /// See stiction::why_no_equilibrium().
-    std::string why_no_equilibrium() const;
     /// Makes the end of the last step what was reached, where nothing stops the body.
     void refuse_step(const std::string &reason);
     /// Adds what the solver did, in so many seconds, to that of the step.
@@ -169,6 +168,7 @@ namespace stiction
 
     const Parameters &parameters_;
     const MPI_Comm communicator_;
+    const Units units_;
 
     std::unique_ptr<Log> log_;
     std::unique_ptr<ConvergenceHistory> history_;

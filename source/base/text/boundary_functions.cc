@@ -1,14 +1,15 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/in_words.h>
 
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iostream>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -27,15 +28,12 @@ namespace stiction
       const std::string mark = "said:";
       if (text.find(mark) != std::string::npos)
         text = text.substr(text.find(mark) + mark.size());
-      for (char &c : text)
-        if (c == '\n')
-          c = ' ';
+      std::replace(text.begin(), text.end(), '\n', ' ');
       text = trim(text);
       while (!text.empty() && (text.back() == '.' || text.back() == '>'))
         text.pop_back();
-      return trim(text.substr(text.find_first_not_of("< ") == std::string::npos
-                                ? 0
-                                : text.find_first_not_of("< ")));
+      text.erase(0, text.find_first_not_of("< "));
+      return trim(text);
     }
 
     // deal.II writes muParser's complaints to the screen as well, on every
@@ -83,16 +81,7 @@ namespace stiction
     // Whether a name stands in a formula as a word of its own.
     bool mentions(const std::string &formula, const std::string &name)
     {
-      const auto is_part = [&](const std::size_t i) {
-        return i < formula.size() &&
-               (std::isalnum(static_cast<unsigned char>(formula[i])) ||
-                formula[i] == '_');
-      };
-      for (std::size_t i = formula.find(name); i != std::string::npos;
-           i             = formula.find(name, i + 1))
-        if ((i == 0 || !is_part(i - 1)) && !is_part(i + name.size()))
-          return true;
-      return false;
+      return std::regex_search(formula, std::regex("\\b" + name + "\\b"));
     }
 
     // Zeros in place of components that are 'free', which are taken out of the
@@ -192,10 +181,8 @@ namespace stiction
 
   std::string ParsedFunction::time_in_words() const
   {
-    std::ostringstream words;
-    if (slots_.empty() && mentions(expression_, "t"))
-      words << ", t = " << get_time();
-    return words.str();
+    const bool depends = slots_.empty() && mentions(expression_, "t");
+    return depends ? text_of(", t = ", get_time()) : "";
   }
 
   double ParsedFunction::value(const dealii::Point<3> &p,
@@ -220,13 +207,12 @@ namespace stiction
     const double value = parser_->value(variables, component);
     if (!(std::abs(value) <= 1e30))
       {
-        std::ostringstream message;
-        message << location_ << " = " << expression_ << ", gives " << value << " at ("
-                << p << ')' << time_in_words();
+        std::string here = time_in_words();
         for (std::size_t k = 0; k < quantities.size() && !slots_.empty(); ++k)
-          message << ", " << quantities_[k] << " = " << quantities[k];
-        message << ", must be a finite number of at most 1e30 everywhere.";
-        throw InputError(message.str());
+          here += text_of(", ", quantities_[k], " = ", quantities[k]);
+        throw InputError(
+          text_of(location_, " = ", expression_, ", gives ", value, " at (", p, ')', here,
+                  ", must be a finite number of at most 1e30 everywhere."));
       }
     return value;
   }
@@ -265,6 +251,15 @@ namespace stiction
         }
     parts.back() = trim(parts.back());
     return parts;
+  }
+
+  std::pair<std::string, std::optional<std::string>> split_at_colon(
+    const std::string &text)
+  {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos)
+      return {trim(text), {}};
+    return {trim(text.substr(0, colon)), trim(text.substr(colon + 1))};
   }
 
   bool are_zero(const std::string &formulas)
@@ -307,25 +302,24 @@ namespace stiction
       form += std::string(c > 0 ? "; f" : "") + "xyz"[c];
     form += "'";
 
+    const std::string entry = location + " = " + trim(text);
     for (const std::string &part : split_at_bars(text))
       {
-        const std::size_t colon = part.find(':');
-        const std::string name  = trim(part.substr(0, colon));
-        if (colon == std::string::npos || name.empty())
-          throw InputError(location + " = " + trim(text) + ", must read " + form +
+        const auto [name, formulas] = split_at_colon(part);
+        if (!formulas || name.empty())
+          throw InputError(entry + ", must read " + form +
                            ", several separated by '|', with the name or the "
                            "number of a boundary.");
-        const auto id = names.id(name, location + " = " + trim(text));
+        const auto id = names.id(name, entry);
         if (functions.count(id) != 0)
-          throw InputError(location + " = " + trim(text) + ", boundary " + name +
+          throw InputError(entry + ", boundary " + name +
                            " stands twice, must stand once.");
 
         functions[id] =
-          may_be_free
-            ? parse_components(part.substr(colon + 1), location, "boundary " + name, time)
-            : BoundaryFunction{std::make_unique<ParsedFunction>(
-                                 part.substr(colon + 1), n_components, location, time),
-                               dealii::ComponentMask(n_components, true)};
+          may_be_free ? parse_components(*formulas, location, "boundary " + name, time)
+                      : BoundaryFunction{std::make_unique<ParsedFunction>(
+                                           *formulas, n_components, location, time),
+                                         dealii::ComponentMask(n_components, true)};
       }
     return functions;
   }

@@ -22,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +55,7 @@ namespace stiction
       return t * (invert(A) * t);
     }
 
-    class Estimator : public CellError
+    class Estimator
     {
     public:
       Estimator(const LinearElasticity &elasticity, const ContactSurface &surface,
@@ -87,25 +89,19 @@ namespace stiction
       }
 
       // η_K²
-      double square(const Cell &cell) override
+      double square(const Cell &cell)
       {
+        std::optional<TrilinearCell> own;
+        if (degree_ == 1 && !has_mean_dilatation_)
+          own.emplace(cell, u_);
         double sum = degree_ == 1 ? 0. : residual(cell);
-        if (degree_ > 1 || has_mean_dilatation_)
-          {
-            for (const unsigned int f : cell->face_indices())
-              sum += cell->at_boundary(f) ? at_boundary(cell, f) : between_cells(cell, f);
-            return sum;
-          }
-        const TrilinearCell own(cell, u_);
         for (const unsigned int f : cell->face_indices())
           sum += cell->at_boundary(f) ? at_boundary(cell, f)
-                 : cell->face(f)->has_children() || cell->neighbor_is_coarser(f)
+                 : !own || cell->face(f)->has_children() || cell->neighbor_is_coarser(f)
                    ? between_cells(cell, f)
-                   : between_alike(own, cell, f);
+                   : between_alike(*own, cell, f);
         return sum;
       }
-
-      const LA::Vector &displacement() const override { return u_; }
 
     private:
       const Material &material_of(const Cell &cell) const
@@ -370,10 +366,11 @@ namespace stiction
     };
   } // namespace
 
-  std::unique_ptr<CellError> CellError::create(const LinearElasticity &elasticity,
-                                               const ContactSurface &surface,
-                                               const State &state)
+  std::function<double(const Cell &)> cell_error(const LinearElasticity &elasticity,
+                                                 const ContactSurface &surface,
+                                                 const State &state)
   {
-    return std::make_unique<Estimator>(elasticity, surface, state);
+    const auto estimator = std::make_shared<Estimator>(elasticity, surface, state);
+    return [estimator](const Cell &cell) { return estimator->square(cell); };
   }
 } // namespace stiction

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <stiction/elasticity/linear_algebra/linear_algebra.h>
-
 #include <deal.II/dofs/dof_handler.h>
 
-#include <Eigen/Core>
-
-#include <memory>
+#include <functional>
 
 namespace stiction
 {
@@ -14,22 +10,10 @@ namespace stiction
   class LinearElasticity;
   struct State;
 
-  /// The estimated error of one cell after another, see estimate_error().
-  class CellError
-  {
-  public:
-    /// Collective. What is given, but for the state, must outlive the object.
-    static std::unique_ptr<CellError> create(const LinearElasticity &elasticity,
-                                             const ContactSurface &surface,
-                                             const State &state);
-
-    virtual ~CellError() = default;
-
-    /// η_K² of a cell that this rank owns, J. Throws InputError where a formula
-    /// has no finite value, or an obstacle no normal.
-    virtual double square(const dealii::DoFHandler<3>::active_cell_iterator &cell) = 0;
-
-    /// u with what the own cells and their neighbours need of it.
-    virtual const LA::Vector &displacement() const = 0;
-  };
+  /// The estimated error η_K², J, of a cell that this rank owns, see estimate_error().
+  /// What is returned throws InputError where a formula has no finite value, or an
+  /// obstacle no normal; what is given, but for the state, must outlive it. Collective.
+  std::function<double(const dealii::DoFHandler<3>::active_cell_iterator &)> cell_error(
+    const LinearElasticity &elasticity, const ContactSurface &surface,
+    const State &state);
 } // namespace stiction

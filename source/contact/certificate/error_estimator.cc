@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -114,9 +115,10 @@ namespace stiction
     // The numbers of the families that seem to have the largest errors, one
     // cell of each being looked at.
     std::set<std::uint64_t> roughest_families(const LinearElasticity &elasticity,
-                                              const LA::Vector &u,
+                                              const State &state,
                                               const unsigned int level)
     {
+      const LA::Vector u = elasticity.body().with_ghosts(state.u);
       // float: rounding of u is not to decide between cells that are alike
       using Family = std::pair<float, std::uint64_t>;
       std::vector<Family> own, all;
@@ -146,11 +148,11 @@ namespace stiction
   {
     const Body &body = elasticity.body();
     Vector<double> squares(body.triangulation().n_active_cells());
-    const auto error = CellError::create(elasticity, surface, state);
+    const auto error = cell_error(elasticity, surface, state);
     throw_on_all_ranks(body.communicator(), [&]() {
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
-          squares[cell->active_cell_index()] = error->square(cell);
+          squares[cell->active_cell_index()] = error(cell);
     });
     return squares;
   }
@@ -166,15 +168,14 @@ namespace stiction
     const unsigned int up = n_cells <= all_up_to ? 0 : n_cells <= 4 * all_up_to ? 1 : 2;
     const unsigned int level = finest - std::min(up, finest);
 
-    const auto error = CellError::create(elasticity, surface, state);
-    const auto whole = level < finest
-                         ? roughest_families(elasticity, error->displacement(), level)
-                         : std::set<std::uint64_t>();
+    const auto error = cell_error(elasticity, surface, state);
+    const auto whole = level < finest ? roughest_families(elasticity, state, level)
+                                      : std::set<std::uint64_t>();
     MeshError sum;
     throw_on_all_ranks(body.communicator(), [&]() {
       for_each_family(body, level, [&](const AnyCell &family) {
         const auto add = [&](const AnyCell &cell, const double weight) {
-          sum.square += weight * error->square(cell);
+          sum.square += weight * error(cell);
           ++sum.n_cells;
         };
         if (level == finest || whole.count(number_of(family)) > 0)

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace stiction
 {
@@ -87,13 +86,6 @@ namespace stiction
                 : ", given friction, slip stress " + slip_stress) +
              (direction.empty() ? "" : ", first direction " + direction);
     }
-
-    std::string text_of(const Point<3> &p)
-    {
-      std::ostringstream out;
-      out << '(' << p << ')';
-      return out.str();
-    }
   } // namespace
 
   // Of one boundary, as the parameter file has them.
@@ -157,11 +149,12 @@ namespace stiction
         if (!boundary.is_pair() && !ids.insert(boundary.id_).second)
           throw InputError(source.describe(boundary_entry) + ", boundary " +
                            entries.name + " stands twice, must stand once.");
-        if (boundary.is_pair() &&
-            !pairs.insert(std::minmax(boundary.id_, boundary.partner_)).second)
-          throw InputError(source.describe(obstacle_entry) + ", the boundaries '" +
-                           boundary.name_ + "' and '" + boundary.partner_name_ +
-                           "' are a pair already, must be one once.");
+        for (const auto partner : boundary.partners_)
+          if (!pairs.insert(std::minmax(boundary.id_, partner)).second)
+            throw InputError(source.describe(obstacle_entry) + ", the boundaries '" +
+                             boundary.name_ + "' and '" +
+                             body.boundary_names().name(partner) +
+                             "' are a pair already, must be one once.");
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;
@@ -190,12 +183,12 @@ namespace stiction
     set_rotation(
       read_numbers(entries.rotation, 7, source_->locate(rotation_entry), time));
     describe(entries);
-    const std::string partner = paired_boundary(entries.obstacle);
+    const auto partners = paired_boundaries(entries.obstacle);
     if (is_tied())
-      require_tied_pair(partner, entries.gap);
-    if (!partner.empty())
+      require_tied_pair(!partners.empty(), entries.gap);
+    if (!partners.empty())
       {
-        pair_with(partner, body);
+        pair_with(partners, body);
         return;
       }
     std::string obstacle;
@@ -218,10 +211,10 @@ namespace stiction
                         entries.first_direction);
   }
 
-  void ContactBoundary::require_tied_pair(const std::string &partner,
+  void ContactBoundary::require_tied_pair(const bool has_partners,
                                           const std::string &gap) const
   {
-    if (partner.empty())
+    if (!has_partners)
       throw InputError(source_->describe("Friction/Law") + ", boundary '" + name_ +
                        "' can only be tied to another boundary of the mesh, say "
                        "'Obstacle = boundary : NAME', or hold it with 'Boundary "
@@ -232,13 +225,22 @@ namespace stiction
                        "', which is tied to what it is paired with as both are meshed.");
   }
 
-  void ContactBoundary::pair_with(const std::string &other, const Body &body)
+  void ContactBoundary::pair_with(const std::vector<std::string> &others,
+                                  const Body &body)
   {
-    partner_      = body.boundary_names().id(other, source_->locate(obstacle_entry));
-    partner_name_ = body.boundary_names().name(partner_);
-    if (partner_ == id_)
-      throw InputError(source_->describe(obstacle_entry) + ", boundary '" + name_ +
-                       "' cannot touch itself, must be another one.");
+    for (const std::string &other : others)
+      {
+        const auto id = body.boundary_names().id(other, source_->locate(obstacle_entry));
+        if (id == id_)
+          throw InputError(source_->describe(obstacle_entry) + ", boundary '" + name_ +
+                           "' cannot touch itself, must be another one.");
+        partner_name_ += (partners_.empty() ? "" : ", ") + body.boundary_names().name(id);
+        partners_.push_back(id);
+      }
+    if (others.size() > 1 && slave_side_ == "obstacle")
+      throw InputError(source_->describe(slave_entry) + ", of boundary '" + name_ +
+                       "', which has several opposite to it, must be automatic or "
+                       "boundary; make a pair of each of them.");
     const auto require_one_of = [&](const std::string &entry, const std::string &value,
                                     const std::vector<std::string> &allowed) {
       if (std::count(allowed.begin(), allowed.end(), value) == 0)
@@ -264,7 +266,7 @@ namespace stiction
   {
     if (!is_slave)
       {
-        std::swap(id_, partner_);
+        std::swap(id_, partners_.front());
         std::swap(name_, partner_name_);
       }
     const std::string said = description_.substr(0, description_.find("; forces on "));
@@ -293,8 +295,8 @@ namespace stiction
         !(std::abs(n * arm) <= sine_of_round * arm.norm() + rounding * size_))
       throw InputError(source_->describe(rotation_entry) +
                        ", turns the obstacle of boundary '" + name_ +
-                       "' about an axis about which it is not round at " + text_of(x) +
-                       ", must turn it about an axis of revolution.");
+                       "' about an axis about which it is not round at (" + text_of(x) +
+                       ')' + ", must turn it about an axis of revolution.");
     return arm;
   }
 
@@ -311,13 +313,13 @@ namespace stiction
     const double slope          = value.gradient.norm();
     // a formula's differences leave rounding where there is no slope
     if (!(slope > 0.) || slope * size_ < 1e-8 * std::abs(value.psi))
-      refuse("has no normal for the contact node at " + text_of(node.position) +
-             ", the gradient of the distance must not vanish there");
+      refuse("has no normal for the contact node at (" + text_of(node.position) +
+             "), the gradient of the distance must not vanish there");
 
     node.gap += value.psi / slope;
     if (node.gap < -size_)
-      refuse("is deeper in the body at " + text_of(node.position) +
-             " than the body is large, must be outside but for a small "
+      refuse("is deeper in the body at (" + text_of(node.position) +
+             ") than the body is large, must be outside but for a small "
              "interference");
     const Tensor<1, 3> towards_obstacle = value.gradient / -slope;
     const bool is_facing                = towards_obstacle * node.normal >= facing_cosine;
@@ -329,8 +331,8 @@ namespace stiction
   {
     if (node.gap < -rounding * size_)
       throw InputError(source_->describe(obstacle_entry) +
-                       ", contains the contact node at " + text_of(node.position) +
-                       ", which faces away from its surface there, must face the "
+                       ", contains the contact node at (" + text_of(node.position) +
+                       "), which faces away from its surface there, must face the "
                        "boundary '" +
                        name_ + "' wherever it is inside the body.");
   }

@@ -47,7 +47,9 @@ namespace stiction
       "Obstacle", obstacle,
       "What the contact boundary may touch. boundary : NAME, another boundary "
       "of the mesh, of another body or of the same one: a contact pair of "
-      "elastic bodies, whose meshes need not match. All others are rigid. "
+      "elastic bodies, whose meshes need not match; boundary : NAME, NAME, several of "
+      "them side by side, as the plates under a pad, whose forces act at the nodes of "
+      "the pad. All others are rigid. "
       "foundation: it lies "
       "opposite to the boundary along its outward normal, at the distance "
       "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "
@@ -78,8 +80,9 @@ namespace stiction
                   "are flat, or round and fit; of two "
                   "that go on the softer one if E/h of its cells, h being their size "
                   "before refinement, is less by a factor of two or more, otherwise that "
-                  "with smaller cells. Either gives the same answer but for the "
-                  "error of the "
+                  "with smaller cells; the other one if supports hold nodes of this one "
+                  "alone, which lack friction; the boundary itself if several are "
+                  "opposite. Either gives the same answer but for the error of the "
                   "mesh.");
     add_parameter("Mesh gap", mesh_gap,
                   "Of a contact pair, kept: the distance between both sides as they are "
@@ -133,7 +136,7 @@ namespace stiction
   {
     const auto obstacles = split_at_bars(obstacle);
     return std::any_of(obstacles.begin(), obstacles.end(), [](const std::string &text) {
-      return !paired_boundary(text).empty();
+      return !paired_boundaries(text).empty();
     });
   }
 
@@ -141,18 +144,18 @@ namespace stiction
   {
     std::string all = contact_boundary;
     for (const std::string &text : split_at_bars(obstacle))
-      if (!paired_boundary(text).empty())
-        all += " | " + paired_boundary(text);
+      for (const std::string &name : paired_boundaries(text))
+        all += " | " + name;
     return all;
   }
 
-  std::string paired_boundary(const std::string &obstacle)
+  std::vector<std::string> paired_boundaries(const std::string &obstacle)
   {
     const std::size_t colon = obstacle.find(':');
-    return colon != std::string::npos &&
-               dealii::Utilities::trim(obstacle.substr(0, colon)) == "boundary"
-             ? dealii::Utilities::trim(obstacle.substr(colon + 1))
-             : "";
+    if (colon == std::string::npos ||
+        dealii::Utilities::trim(obstacle.substr(0, colon)) != "boundary")
+      return {};
+    return dealii::Utilities::split_string_list(obstacle.substr(colon + 1), ',');
   }
 
   bool ContactPairParameters::has_pressed_obstacles() const

@@ -79,7 +79,8 @@ namespace stiction
   {
     return std::any_of(boundaries_.begin(), boundaries_.end(),
                        [&](const ContactBoundary &boundary) {
-                         return boundary.is_pair() && boundary.partner() == id;
+                         const auto &of = boundary.partners();
+                         return std::find(of.begin(), of.end(), id) != of.end();
                        });
   }
 

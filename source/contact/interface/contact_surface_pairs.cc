@@ -29,85 +29,20 @@ namespace stiction
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
 
-    // Of the area of a surface: more than the first is all of it, less than the second is
-    // a smaller one. Facets of round surfaces do not cover each other to the last digit.
-    constexpr double all_of_it = 0.999, all_of_facets = 0.98, smaller = 0.99;
-
     // Of the largest area of a node: less is a sliver, whose gap may be anything.
     constexpr double sliver = 1e-3;
-
-    // Of a cosine: normals within it are those of a flat surface, whose area stays what
-    // it is when the mesh is refined.
-    constexpr double flat = 0.99;
-
-    bool is_flat(const std::vector<SurfaceFace> &faces)
-    {
-      return std::all_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
-        return face.normal() * faces.front().normal() > flat;
-      });
-    }
-
-    double area(const std::vector<SurfaceFace> &faces)
-    {
-      double sum = 0.;
-      for (const SurfaceFace &face : faces)
-        sum += face.area();
-      return sum;
-    }
-
-    double mean_diameter(const std::vector<SurfaceFace> &faces)
-    {
-      double size = 0.;
-      for (const SurfaceFace &face : faces)
-        size += face.diameter() / static_cast<double>(faces.size());
-      return size;
-    }
-
-    double largest_gap(const Mortar &mortar)
-    {
-      return mortar.slaves.empty() ? 0. : mortar.gaps.cwiseAbs().maxCoeff();
-    }
-
-    // Whether a surface ends within another one, which goes on beyond its edges: flat
-    // ones, and curved ones that fit, as a hub on its shaft.
-    bool ends_within(const LinearElasticity &elasticity,
-                     const std::vector<SurfaceFace> &inner,
-                     const std::vector<SurfaceFace> &outer)
-    {
-      if (area(inner) >= smaller * area(outer))
-        return false;
-      const auto covered = [&](const Mortar &mortar, const std::vector<SurfaceFace> &of) {
-        return mortar.areas.sum() / area(of);
-      };
-      const Mortar mortar(elasticity, inner, outer);
-      if (is_flat(inner) && is_flat(outer))
-        return covered(mortar, inner) > all_of_it;
-      // coarse facets have less area than fine ones of the same surface
-      return covered(mortar, inner) > all_of_facets &&
-             largest_gap(mortar) < mean_diameter(inner) &&
-             covered(Mortar(elasticity, outer, inner), outer) < smaller;
-    }
-
-    // Forces act at nodes of the slave side, so that a contact ends where it should if
-    // that is the side with the edge.
-    SlaveSide best_side(const LinearElasticity &elasticity,
-                        const std::vector<SurfaceFace> &first,
-                        const std::vector<SurfaceFace> &second)
-    {
-      const SlaveSide side = choose_slave_side(first, second);
-      const bool has_edge  = side.is_first ? ends_within(elasticity, second, first)
-                                           : ends_within(elasticity, first, second);
-      return has_edge ? side.other("the side that ends within the other") : side;
-    }
 
     // The smallest edge of the boxes around the bodies at two boundaries.
     double thinnest(const Body &body, const ContactBoundary &pair)
     {
+      const auto is_side = [&](const types::boundary_id id) {
+        return id == pair.id() ||
+               std::count(pair.partners().begin(), pair.partners().end(), id) > 0;
+      };
       double least = pair.body_size();
       for (const auto &cell : body.triangulation().cell_iterators_on_level(0))
         for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() &&
-              (face->boundary_id() == pair.id() || face->boundary_id() == pair.partner()))
+          if (face->at_boundary() && is_side(face->boundary_id()))
             for (unsigned int d = 0; d < 3; ++d)
               least =
                 std::min(least, body.pieces()[body.piece_of(cell)].box.side_length(d));
@@ -121,7 +56,7 @@ namespace stiction
     void require_close(const ContactBoundary &pair, const Mortar &mortar,
                        const std::vector<SurfaceFace> &slaves)
     {
-      const double size = mean_diameter(slaves), distance = largest_gap(mortar);
+      const double size = mean_diameter(slaves), distance = mortar.largest_gap();
       if (distance > widest_tie * size)
         throw InputError(
           pair.source().describe("Friction/Law") + ", boundary '" + pair.name() +
@@ -130,6 +65,17 @@ namespace stiction
           format("%.3g", widest_tie * size) +
           ", a quarter of the size of its faces: what is between would count as "
           "rigid.");
+    }
+
+    [[noreturn]] void refuse_lost_tie(const ContactBoundary &pair,
+                                      const unsigned int n_lost)
+    {
+      throw InputError(
+        pair.source().describe("Boundary conditions/Prescribed displacement") +
+        ", holds " + std::to_string(n_lost) + " nodes of boundary '" + pair.name() +
+        "', but not those of '" + pair.partner_name() +
+        "' to which they are tied, so that the tie would be lost there, must "
+        "hold both, or 'Slave side' must be the other one.");
     }
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick.
@@ -150,117 +96,164 @@ namespace stiction
                          " thick, must lie opposite to it but for a small interference.");
     }
 
+    using Boundaries = std::vector<types::boundary_id>;
+
+    // Which boundaries bear the forces of a contact, and whose slaves bodies are.
+    class Bearers
+    {
+    public:
+      Bearers(const Body &body, const std::vector<ContactBoundary> &boundaries)
+        : body_(body)
+      {
+        for (const ContactBoundary &boundary : boundaries)
+          if (boundary.is_pair())
+            {
+              sides_.insert(boundary.id());
+              sides_.insert(boundary.partners().begin(), boundary.partners().end());
+              if (boundary.slave_side() == "obstacle")
+                add_order(boundary.partners(), {boundary.id()});
+              else if (boundary.slave_side() == "boundary")
+                add_order({boundary.id()}, boundary.partners());
+            }
+          else
+            bearing_.insert(boundary.id());
+      }
+
+      // Higher the more forces of other contacts one of them has to bear.
+      unsigned int rank(const Boundaries &ids) const
+      {
+        unsigned int highest = 0;
+        for (const auto id : ids)
+          highest = std::max(highest, bearing_.count(id) > 0 ? 2U
+                                      : sides_.count(id) > 1 ? 1U
+                                                             : 0U);
+        return highest;
+      }
+
+      bool closes_circle(const Boundaries &slaves, const Boundaries &masters) const
+      {
+        return order_.closes_circle(bodies_at(slaves), bodies_at(masters));
+      }
+
+      // Throws InputError if the slave of a pair bears other forces already.
+      void require_one_contact(const ContactBoundary &pair) const
+      {
+        if (bearing_.count(pair.id()) > 0)
+          throw InputError(pair.source().describe("Boundary conditions/Slave side") +
+                           ", boundary '" + pair.name() +
+                           "' would bear the forces of its pair with '" +
+                           pair.partner_name() +
+                           "' and those of another contact, must do so once: say the "
+                           "other side, name all that lies opposite in one 'Obstacle = "
+                           "boundary : NAME, NAME', or make boundaries of their own of "
+                           "the parts.");
+      }
+
+      void add(const ContactBoundary &pair)
+      {
+        bearing_.insert(pair.id());
+        add_order({pair.id()}, pair.partners());
+      }
+
+    private:
+      SlaveOrder::Bodies bodies_at(const Boundaries &ids) const
+      {
+        SlaveOrder::Bodies bodies;
+        for (const auto id : ids)
+          bodies.merge(body_.pieces_at(id));
+        return bodies;
+      }
+
+      void add_order(const Boundaries &slaves, const Boundaries &masters)
+      {
+        order_.add(bodies_at(slaves), bodies_at(masters));
+      }
+
+      const Body &body_;
+      std::multiset<types::boundary_id> sides_; // of all pairs
+      std::set<types::boundary_id> bearing_;
+      SlaveOrder order_;
+    };
+
     // The side that the user says, or the best one, unless another bears fewer forces or
     // closes no circle.
-    //
-    // rank: of a boundary, higher the more forces of others it has to bear.
-    template<typename Rank, typename BodiesAt>
     SlaveSide choose_side(const ContactBoundary &pair, const SlaveSide &best,
-                          const Rank &rank, const BodiesAt &bodies_at,
-                          const SlaveOrder &order)
+                          const Bearers &bearers)
     {
-      const auto slave  = best.is_first ? pair.id() : pair.partner();
-      const auto master = best.is_first ? pair.partner() : pair.id();
-      SlaveSide side    = best;
-      if (pair.slave_side() != "automatic")
+      const Boundaries own{pair.id()};
+      const Boundaries &slave  = best.is_first ? own : pair.partners();
+      const Boundaries &master = best.is_first ? pair.partners() : own;
+      const unsigned int rank = bearers.rank(slave), other = bearers.rank(master);
+      SlaveSide side = best;
+      if (pair.partners().size() > 1 || pair.slave_side() != "automatic")
         {
-          const bool is_best = (pair.slave_side() == "boundary") == best.is_first;
+          const bool is_best = (pair.slave_side() != "obstacle") == best.is_first;
           side               = is_best ? best : best.other("");
-          side.reason        = "as 'Slave side' says";
+          side.reason        = pair.slave_side() != "automatic"
+                                 ? "as 'Slave side' says"
+                                 : "the side that is one boundary";
         }
-      else if (rank(slave) > rank(master))
+      else if (rank > other)
         side = best.other("the side that bears no other ones");
-      else if (!best.is_much_softer() && rank(slave) == rank(master) &&
-               order.closes_circle(bodies_at(slave), bodies_at(master)) &&
-               !order.closes_circle(bodies_at(master), bodies_at(slave)))
+      else if (!best.is_much_softer() && rank == other &&
+               bearers.closes_circle(slave, master) &&
+               !bearers.closes_circle(master, slave))
         side = best.other("the side that closes no circle of bodies");
       if (side.is_much_stiffer())
         side.reason += ", although it is the stiffer one, for which newton "
                        "multigrid takes many iterations";
       return side;
     }
+
+    // Whether the other side would do where supports hold nodes of this one.
+    bool may_change_sides(const ContactBoundary &pair, const SlaveSide &side,
+                          const Bearers &bearers)
+    {
+      return pair.partners().size() == 1 && pair.slave_side() == "automatic" &&
+             (pair.is_tied() || (!side.is_end && !side.is_much_softer() &&
+                                 bearers.rank(pair.partners()) == 0 &&
+                                 !bearers.closes_circle(pair.partners(), {pair.id()})));
+    }
   } // namespace
 
   void ContactSurface::join_pairs(const LinearElasticity &elasticity)
   {
-    // a boundary that stands in several of them can be the slave of one alone
-    std::multiset<types::boundary_id> sides;
-    std::set<types::boundary_id> with_forces;
-    for (const ContactBoundary &boundary : boundaries_)
-      if (boundary.is_pair())
-        sides.insert({boundary.id(), boundary.partner()});
-      else
-        with_forces.insert(boundary.id());
-    const auto rank = [&](const types::boundary_id id) {
-      return with_forces.count(id) > 0 ? 2 : sides.count(id) > 1 ? 1 : 0;
-    };
     mortars_.resize(boundaries_.size());
-    SlaveOrder order; // of bodies
-    const auto bodies_at = [&](const types::boundary_id id) {
-      return elasticity.body().pieces_at(id);
-    };
-    for (const ContactBoundary &boundary : boundaries_)
-      if (boundary.is_pair() && boundary.slave_side() == "boundary")
-        order.add(bodies_at(boundary.id()), bodies_at(boundary.partner()));
-      else if (boundary.is_pair() && boundary.slave_side() == "obstacle")
-        order.add(bodies_at(boundary.partner()), bodies_at(boundary.id()));
+    // a boundary that stands in several pairs can be the slave of one alone
+    Bearers bearers(elasticity.body(), boundaries_);
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (ContactBoundary &boundary = boundaries_[b]; boundary.is_pair())
+      if (ContactBoundary &pair = boundaries_[b]; pair.is_pair())
         {
-          auto first           = surface_faces(elasticity, boundary.id());
-          auto second          = surface_faces(elasticity, boundary.partner());
-          const SlaveSide best = boundary.slave_side() == "automatic"
-                                   ? best_side(elasticity, first, second)
+          auto first           = surface_faces(elasticity, {pair.id()});
+          auto second          = surface_faces(elasticity, pair.partners());
+          const SlaveSide best = pair.slave_side() == "automatic"
+                                   ? automatic_slave_side(elasticity, first, second)
                                    : choose_slave_side(first, second);
-          const SlaveSide side = choose_side(boundary, best, rank, bodies_at, order);
-          boundary.take_side(side.is_first, side.reason);
-          if (!with_forces.insert(boundary.id()).second)
-            throw InputError(
-              boundary.source().describe("Boundary conditions/Slave side") +
-              ", boundary '" + boundary.name() +
-              "' would bear the forces of its pair with '" + boundary.partner_name() +
-              "' and those of another contact, must do so once: say the "
-              "other side, or make boundaries of their own of the parts.");
+          SlaveSide side       = choose_side(pair, best, bearers);
+          pair.take_side(side.is_first, side.reason);
+          bearers.require_one_contact(pair);
           if (!side.is_first)
             std::swap(first, second);
-          mortars_[b]      = std::make_unique<Mortar>(elasticity, first, second);
-          const auto slave = boundary.id();
-          if (boundary.is_tied())
-            {
-              with_forces.erase(boundary.id());
-              tie(b, elasticity, first, second);
-              with_forces.insert(boundary.id());
-            }
-          const SlaveSide taken = boundary.id() == slave ? side : side.other("");
-          has_stiff_slaves_     = has_stiff_slaves_ || taken.is_much_stiffer();
-          order.add(bodies_at(boundary.id()), bodies_at(boundary.partner()));
-          require_side_by_side(boundary, *mortars_[b], elasticity.body());
+          mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
+          if (pair.is_tied())
+            require_close(pair, *mortars_[b], first);
+          unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
+          if (lost > 0 && may_change_sides(pair, side, bearers) &&
+              !is_contact_boundary(pair.partners().front()))
+            if (auto other = std::make_unique<Mortar>(elasticity, second, first);
+                n_held_alone(elasticity, *other) == 0)
+              {
+                lost        = 0;
+                mortars_[b] = std::move(other);
+                side        = side.other("the side that is held less");
+                pair.take_side(false, side.reason);
+              }
+          if (pair.is_tied() && lost > 0)
+            refuse_lost_tie(pair, lost);
+          has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
+          bearers.add(pair);
+          require_side_by_side(pair, *mortars_[b], elasticity.body());
         }
-  }
-
-  void ContactSurface::tie(const std::size_t b, const LinearElasticity &elasticity,
-                           const std::vector<SurfaceFace> &slaves,
-                           const std::vector<SurfaceFace> &masters)
-  {
-    ContactBoundary &boundary = boundaries_[b];
-    require_close(boundary, *mortars_[b], slaves);
-    const unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
-    if (lost == 0)
-      return;
-    auto other = std::make_unique<Mortar>(elasticity, masters, slaves);
-    if (boundary.slave_side() == "automatic" &&
-        !is_contact_boundary(boundary.partner()) && n_held_alone(elasticity, *other) == 0)
-      {
-        mortars_[b] = std::move(other);
-        boundary.take_side(false, "the side that is held less");
-        return;
-      }
-    throw InputError(
-      boundary.source().describe("Boundary conditions/Prescribed displacement") +
-      ", holds " + std::to_string(lost) + " nodes of boundary '" + boundary.name() +
-      "', but not those of '" + boundary.partner_name() +
-      "' to which they are tied, so that the tie would be lost there, must "
-      "hold both, or 'Slave side' must be the other one.");
   }
 
   bool ContactSurface::place_in_pair(ContactNode &node) const

@@ -1,3 +1,4 @@
+#include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/slave_side.h>
 
 #include <algorithm>
@@ -8,6 +9,49 @@ namespace stiction
   {
     // Of E/h, and of h: less is the same.
     constexpr double softer = 2., finer = 1.001;
+
+    // Of the area of a surface: more than the first is all of it, less than the second is
+    // a smaller one. Facets of round surfaces do not cover each other to the last digit.
+    constexpr double all_of_it = 0.999, all_of_facets = 0.98, smaller = 0.99;
+
+    // Of a cosine: normals within it are those of a flat surface, whose area stays what
+    // it is when the mesh is refined.
+    constexpr double flat = 0.99;
+
+    bool is_flat(const std::vector<SurfaceFace> &faces)
+    {
+      return std::all_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
+        return face.normal() * faces.front().normal() > flat;
+      });
+    }
+
+    double area(const std::vector<SurfaceFace> &faces)
+    {
+      double sum = 0.;
+      for (const SurfaceFace &face : faces)
+        sum += face.area();
+      return sum;
+    }
+
+    // Whether a surface ends within another one, which goes on beyond its edges: flat
+    // ones, and curved ones that fit, as a hub on its shaft.
+    bool ends_within(const LinearElasticity &elasticity,
+                     const std::vector<SurfaceFace> &inner,
+                     const std::vector<SurfaceFace> &outer)
+    {
+      if (area(inner) >= smaller * area(outer))
+        return false;
+      const auto covered = [&](const Mortar &mortar, const std::vector<SurfaceFace> &of) {
+        return mortar.areas.sum() / area(of);
+      };
+      const Mortar mortar(elasticity, inner, outer);
+      if (is_flat(inner) && is_flat(outer))
+        return covered(mortar, inner) > all_of_it;
+      // coarse facets have less area than fine ones of the same surface
+      return covered(mortar, inner) > all_of_facets &&
+             mortar.largest_gap() < mean_diameter(inner) &&
+             covered(Mortar(elasticity, outer, inner), outer) < smaller;
+    }
 
     // Of the size of cells before they were refined, so that a side stays the slave when
     // a mesh is refined in the middle of a history.
@@ -70,6 +114,20 @@ namespace stiction
       return {true, side.softness, "the finer side"};
     if (finer * b.size < a.size)
       return side.other("the finer side");
+    return side;
+  }
+
+  SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
+                                 const std::vector<SurfaceFace> &first,
+                                 const std::vector<SurfaceFace> &second)
+  {
+    SlaveSide side = choose_slave_side(first, second);
+    if (side.is_first ? ends_within(elasticity, second, first)
+                      : ends_within(elasticity, first, second))
+      {
+        side        = side.other("the side that ends within the other");
+        side.is_end = true;
+      }
     return side;
   }
 } // namespace stiction

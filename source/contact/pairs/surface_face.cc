@@ -103,8 +103,16 @@ namespace stiction
         }
   }
 
+  double mean_diameter(const std::vector<SurfaceFace> &faces)
+  {
+    double size = 0.;
+    for (const SurfaceFace &face : faces)
+      size += face.diameter() / static_cast<double>(faces.size());
+    return size;
+  }
+
   std::vector<SurfaceFace> surface_faces(const LinearElasticity &elasticity,
-                                         const types::boundary_id id)
+                                         const std::vector<types::boundary_id> &ids)
   {
     const Body &body             = elasticity.body();
     const FiniteElement<3> &fe   = body.dof_handler().get_fe();
@@ -120,7 +128,8 @@ namespace stiction
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
           {
-            if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != id)
+            if (!cell->face(f)->at_boundary() ||
+                std::count(ids.begin(), ids.end(), cell->face(f)->boundary_id()) == 0)
               continue;
             values.reinit(static_cast<Triangulation<3>::cell_iterator>(cell));
             cell->get_dof_indices(dofs);

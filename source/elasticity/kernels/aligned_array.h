@@ -20,9 +20,6 @@ namespace stiction::cell_kernel
 
     const Number *data() const { return reinterpret_cast<const Number *>(lines_.data()); }
 
-    /// Unit: bytes.
-    std::size_t memory_consumption() const { return lines_.capacity() * sizeof(Line); }
-
   private:
     struct alignas(64) Line
     {

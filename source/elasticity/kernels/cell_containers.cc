@@ -127,18 +127,6 @@ namespace stiction::cell_kernel
     add(cells_, of_cell);
   }
 
-  template<typename Number>
-  std::size_t CongruentCells<Number>::Elements::memory_consumption() const
-  {
-    return entries.capacity() * sizeof(std::uint32_t) + coefficients.memory_consumption();
-  }
-
-  template<typename Number> std::size_t CongruentCells<Number>::memory_consumption() const
-  {
-    return sizeof(*this) + unfinished_.size() * sizeof(CellNodes) +
-           cells_.memory_consumption() + patches_.memory_consumption();
-  }
-
   // ---------------------------------------------------- GeneralCellBlock
   namespace
   {
@@ -229,13 +217,6 @@ namespace stiction::cell_kernel
         for (unsigned int node = 0; node < 8; ++node)
           add_block(dst, entries_[index(cell, node, 8, lanes_)], blocks[node]);
       }
-  }
-
-  template<typename Number>
-  std::size_t GeneralCellBlock<Number>::memory_consumption() const
-  {
-    return sizeof(*this) + entries_.capacity() * sizeof(std::uint32_t) +
-           numbers_.memory_consumption();
   }
 
   template class CongruentCells<float>;

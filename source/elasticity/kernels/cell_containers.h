@@ -40,9 +40,6 @@ namespace stiction::cell_kernel
 
     std::size_t n_patches() const { return patches_.n_elements; }
 
-    /// Unit: bytes.
-    std::size_t memory_consumption() const;
-
   private:
     // Cells or patches.
     struct Elements
@@ -50,8 +47,6 @@ namespace stiction::cell_kernel
       std::size_t n_elements = 0;
       std::vector<std::uint32_t> entries;
       AlignedArray<Number> coefficients;
-
-      std::size_t memory_consumption() const;
     };
 
     template<std::size_t n_nodes>
@@ -88,9 +83,6 @@ namespace stiction::cell_kernel
     void add_diagonal_blocks(Number *dst) const;
 
     std::size_t n_cells() const { return n_cells_; }
-
-    /// Unit: bytes.
-    std::size_t memory_consumption() const;
 
   private:
     void resize(std::size_t n_cells);

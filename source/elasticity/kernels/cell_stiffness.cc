@@ -159,16 +159,6 @@ namespace stiction
     return n;
   }
 
-  template<typename Number> std::size_t CellStiffness<Number>::memory_consumption() const
-  {
-    std::size_t bytes = sizeof(*this);
-    for (const CongruentCells<Number> &of_class : classes_)
-      bytes += of_class.memory_consumption();
-    for (const GeneralCellBlock<Number> &block : general_)
-      bytes += block.memory_consumption();
-    return bytes;
-  }
-
   template class CellStiffness<float>;
   template class CellStiffness<double>;
 } // namespace stiction

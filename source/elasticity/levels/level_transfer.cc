@@ -8,6 +8,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <limits>
+#include <type_traits>
 
 namespace stiction
 {
@@ -48,11 +49,22 @@ namespace stiction
       return nodes;
     }
 
+    // How many coarse nodes the rows of a list have.
+    template<typename Rows>
+    constexpr std::size_t n_coarse =
+      std::tuple_size<typename std::decay_t<Rows>::value_type>() - 1;
+
+    template<typename Lists, typename Visit>
+    void for_each_list(Lists &lists, const Visit &visit)
+    {
+      std::apply([&](auto &...list) { (visit(list), ...); }, lists);
+    }
+
     // fine += P coarse
     template<typename Rows, typename Number>
     void gather(const Rows &rows, Number *fine, const Number *coarse)
     {
-      constexpr std::size_t n = std::tuple_size<typename Rows::value_type>() - 1;
+      constexpr std::size_t n = n_coarse<Rows>;
       constexpr Number weight = Number(1.) / n;
       for (const auto &row : rows)
         {
@@ -68,7 +80,7 @@ namespace stiction
     template<typename Rows, typename Number>
     void scatter(const Rows &rows, Number *coarse, const Number *fine)
     {
-      constexpr std::size_t n = std::tuple_size<typename Rows::value_type>() - 1;
+      constexpr std::size_t n = n_coarse<Rows>;
       constexpr Number weight = Number(1.) / n;
       for (const auto &row : rows)
         {
@@ -134,37 +146,26 @@ namespace stiction
           is_mine[i] = first_rank.local_element(3 * i) == rank;
       }
 
-    const auto add = [&](auto &rows, const auto &cell, const FineNode &node,
-                         const unsigned int fine_node) {
-      auto &row = rows.emplace_back();
-      row[0]    = fine_node;
-      for (unsigned int k = 0; k < node.coarse_vertices.size(); ++k)
-        row[k + 1] = coarse.local_node(
-          cell->mg_vertex_dof_index(fine_level - 1, node.coarse_vertices[k], 0));
-    };
     for_each_node([&](const auto &cell, const FineNode &node, const unsigned int i) {
       if (!is_mine[i])
         return;
       is_mine[i] = false; // only once
-      switch (node.coarse_vertices.size())
-        {
-          case 1:
-            return add(vertices_, cell, node, i);
-          case 2:
-            return add(edges_, cell, node, i);
-          case 4:
-            return add(faces_, cell, node, i);
-          default:
-            return add(cells_, cell, node, i);
-        }
+      for_each_list(rows_, [&](auto &rows) {
+        if (n_coarse<decltype(rows)> == node.coarse_vertices.size())
+          {
+            auto &row = rows.emplace_back();
+            row[0]    = i;
+            for (unsigned int k = 1; k < row.size(); ++k)
+              row[k] = coarse.local_node(cell->mg_vertex_dof_index(
+                fine_level - 1, node.coarse_vertices[k - 1], 0));
+          }
+      });
     });
   }
 
-  template<typename Number>
-  void LevelTransfer::prolongate(LA::VectorOf<Number> &fine,
-                                 const LA::VectorOf<Number> &coarse) const
+  void LevelTransfer::prolongate(LA::Vector &fine, const LA::Vector &coarse) const
   {
-    fine = Number(0.);
+    fine = 0.;
     prolongate_add(fine, coarse);
   }
 
@@ -174,10 +175,8 @@ namespace stiction
   {
     // the ghosts of the fine vector are zero, and take what goes to others
     coarse.update_ghost_values();
-    gather(vertices_, fine.begin(), coarse.begin());
-    gather(edges_, fine.begin(), coarse.begin());
-    gather(faces_, fine.begin(), coarse.begin());
-    gather(cells_, fine.begin(), coarse.begin());
+    for_each_list(rows_,
+                  [&](const auto &rows) { gather(rows, fine.begin(), coarse.begin()); });
     coarse.zero_out_ghost_values();
     fine.compress(VectorOperation::add);
   }
@@ -188,21 +187,17 @@ namespace stiction
   {
     fine.update_ghost_values();
     coarse = Number(0.);
-    scatter(vertices_, coarse.begin(), fine.begin());
-    scatter(edges_, coarse.begin(), fine.begin());
-    scatter(faces_, coarse.begin(), fine.begin());
-    scatter(cells_, coarse.begin(), fine.begin());
+    for_each_list(rows_,
+                  [&](const auto &rows) { scatter(rows, coarse.begin(), fine.begin()); });
     fine.zero_out_ghost_values();
     coarse.compress(VectorOperation::add);
   }
 
-  template<typename Number>
-  void LevelTransfer::inject(LA::VectorOf<Number> &coarse,
-                             const LA::VectorOf<Number> &fine) const
+  void LevelTransfer::inject(LA::Vector &coarse, const LA::Vector &fine) const
   {
     fine.update_ghost_values();
-    coarse = Number(0.);
-    scatter(vertices_, coarse.begin(), fine.begin());
+    coarse = 0.;
+    scatter(std::get<Rows<1>>(rows_), coarse.begin(), fine.begin());
     fine.zero_out_ghost_values();
     coarse.compress(VectorOperation::add);
   }
@@ -211,28 +206,16 @@ namespace stiction
     const std::function<void(unsigned int, const unsigned int *, unsigned int)> &callback)
     const
   {
-    const auto visit = [&](const auto &rows) {
+    for_each_list(rows_, [&](const auto &rows) {
       for (const auto &row : rows)
         callback(row[0], &row[1], static_cast<unsigned int>(row.size() - 1));
-    };
-    visit(vertices_);
-    visit(edges_);
-    visit(faces_);
-    visit(cells_);
+    });
   }
 
-  template void LevelTransfer::prolongate(LA::VectorOf<float> &,
-                                          const LA::VectorOf<float> &) const;
-  template void LevelTransfer::prolongate(LA::VectorOf<double> &,
-                                          const LA::VectorOf<double> &) const;
   template void LevelTransfer::prolongate_add(LA::VectorOf<float> &,
                                               const LA::VectorOf<float> &) const;
   template void LevelTransfer::restrict_to(LA::VectorOf<float> &,
                                            const LA::VectorOf<float> &) const;
   template void LevelTransfer::restrict_to(LA::VectorOf<double> &,
                                            const LA::VectorOf<double> &) const;
-  template void LevelTransfer::inject(LA::VectorOf<float> &,
-                                      const LA::VectorOf<float> &) const;
-  template void LevelTransfer::inject(LA::VectorOf<double> &,
-                                      const LA::VectorOf<double> &) const;
 } // namespace stiction

@@ -1,10 +1,9 @@
+#include <stiction/elasticity/linear_algebra/matrix_rows.h>
 #include <stiction/elasticity/linear_algebra/mumps_factorization.h>
 #include <stiction/elasticity/linear_algebra/nested_dissection.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <array>
@@ -41,16 +40,10 @@ namespace stiction
     {
       const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
       for (int i = 0; i < K.NumMyRows(); ++i)
-        {
-          int n_entries   = 0;
-          double *entries = nullptr;
-          int *indices    = nullptr;
-          K.ExtractMyRowView(i, n_entries, entries, indices);
-          const int row = K.GRID(i);
-          for (int k = 0; k < n_entries; ++k)
-            if (const int column = K.GCID(indices[k]); column <= row)
-              callback(row, column, entries[k]);
-        }
+        for_each_entry(K, K.GRID(i), [&](const int column, const double value) {
+          if (column <= K.GRID(i))
+            callback(K.GRID(i), column, value);
+        });
     }
   } // namespace
 

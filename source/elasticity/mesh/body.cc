@@ -9,7 +9,6 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q_cache.h>
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -57,14 +56,7 @@ namespace stiction
   {
     if (geometry.is_brick())
       {
-        Point<3> corner;
-        for (unsigned int d = 0; d < 3; ++d)
-          corner[d] = geometry.lengths[d];
-        GridGenerator::subdivided_hyper_rectangle(triangulation_, geometry.subdivisions,
-                                                  Point<3>(), corner, true);
-        // deal.II colours the octants, too
-        for (const auto &cell : triangulation_.active_cell_iterators())
-          cell->set_material_id(0);
+        CoarseMesh::make_brick(geometry, triangulation_);
         boundary_names_ = MeshNames::brick_boundaries();
         material_names_ = MeshNames("material", {0}, {});
         triangulation_.refine_global(geometry.global_refinement);

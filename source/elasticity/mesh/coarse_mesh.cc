@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/elasticity/mesh/coarse_mesh.h>
 #include <stiction/elasticity/mesh/shape_parameters.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
@@ -91,7 +92,7 @@ namespace stiction
       {
         if (shape.is_brick())
           {
-            make_brick(shape);
+            make_brick(shape, triangulation_);
             boundaries = {{"left", 0}, {"right", 1},  {"front", 2},
                           {"back", 3}, {"bottom", 4}, {"top", 5}};
           }
@@ -148,13 +149,14 @@ namespace stiction
     return found == body_of_material_.end() ? "" : found->second;
   }
 
-  void CoarseMesh::make_brick(const ShapeParameters &shape)
+  void CoarseMesh::make_brick(const ShapeParameters &shape,
+                              Triangulation<3> &triangulation)
   {
     GridGenerator::subdivided_hyper_rectangle(
-      triangulation_, shape.subdivisions, Point<3>(),
+      triangulation, shape.subdivisions, Point<3>(),
       Point<3>(shape.lengths[0], shape.lengths[1], shape.lengths[2]), true);
     // deal.II colours the octants, too
-    for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const auto &cell : triangulation.active_cell_iterators())
       cell->set_material_id(0);
   }
 
@@ -264,21 +266,15 @@ namespace stiction
         const bool has_corners = is_valid(vertices, smallest);
         if (has_corners && is_valid(quadratic_cells, cell, smallest))
           continue;
-        std::ostringstream message;
-        message << location << ", ";
-        if (cell->level() == 0)
-          message << "cell " << cell->index() + 1;
-        else
-          message << "a refined cell";
-        message << " with its centre at (" << cell->center()
-                << ") is inverted or degenerate, its "
-                << (has_corners ? "nodes" : "corners")
-                << " must make a hexahedron that is not folded"
-                << (cell->level() == 0
-                      ? "."
-                      : ", as they may with smaller cells from 'Geometry/Global "
-                        "refinement' or in the file.");
-        throw InputError(message.str());
+        const bool is_coarse = cell->level() == 0;
+        throw InputError(text_of(
+          location, ", ",
+          is_coarse ? "cell " + std::to_string(cell->index() + 1) : "a refined cell",
+          " with its centre at (", cell->center(), ") is inverted or degenerate, its ",
+          has_corners ? "nodes" : "corners", " must make a hexahedron that is not folded",
+          is_coarse ? "."
+                    : ", as they may with smaller cells from 'Geometry/Global "
+                      "refinement' or in the file."));
       }
   }
 } // namespace stiction

@@ -36,13 +36,6 @@ namespace stiction
         return std::make_unique<PlacedManifold>(placed_, *of_shape_);
       }
 
-      Point<3> get_intermediate_point(const Point<3> &p, const Point<3> &q,
-                                      const double w) const override
-      {
-        return placed_.place(
-          of_shape_->get_intermediate_point(placed_.in_shape(p), placed_.in_shape(q), w));
-      }
-
       Point<3> get_new_point(const ArrayView<const Point<3>> &points,
                              const ArrayView<const double> &weights) const override
       {
@@ -51,12 +44,6 @@ namespace stiction
           in_shape.push_back(placed_.in_shape(p));
         return placed_.place(
           of_shape_->get_new_point(make_array_view(in_shape), weights));
-      }
-
-      Tensor<1, 3> get_tangent_vector(const Point<3> &p, const Point<3> &q) const override
-      {
-        return placed_.turn(
-          of_shape_->get_tangent_vector(placed_.in_shape(p), placed_.in_shape(q)));
       }
 
     private:

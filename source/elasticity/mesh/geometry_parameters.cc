@@ -1,11 +1,11 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/numbers.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/geometry_parameters.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace stiction
 {
@@ -178,8 +178,8 @@ namespace stiction
 
   void GeometryParameters::check_size(const ParameterFile &source) const
   {
-    std::ostringstream too_many;
-    too_many << "makes " << n_cells() << " cells, allowed are at most " << max_cells;
-    source.require(n_cells() <= max_cells, entry_of_size(), too_many.str());
+    source.require(
+      n_cells() <= max_cells, entry_of_size(),
+      text_of("makes ", n_cells(), " cells, allowed are at most ", max_cells));
   }
 } // namespace stiction

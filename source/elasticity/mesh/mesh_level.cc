@@ -36,6 +36,21 @@ namespace stiction
     }
   } // namespace
 
+  template<typename Callback>
+  void MeshLevel::for_each_own_cell(const Callback &callback) const
+  {
+    if (is_active_)
+      {
+        for (const auto &cell : dof_handler_.active_cell_iterators())
+          if (cell->is_locally_owned())
+            callback(cell);
+      }
+    else
+      for (const auto &cell : dof_handler_.mg_cell_iterators_on_level(level_))
+        if (cell->is_locally_owned_on_level())
+          callback(cell);
+  }
+
   MeshLevel::MeshLevel(const Body &body)
     : body_(body)
     , is_active_(true)
@@ -83,18 +98,7 @@ namespace stiction
         others.fill_index_vector(ghosts);
       }
     else if (Utilities::MPI::n_mpi_processes(body_.communicator()) > 1)
-      {
-        if (is_active_)
-          {
-            for (const auto &cell : dof_handler_.active_cell_iterators())
-              if (cell->is_locally_owned())
-                add_with_siblings(cell);
-          }
-        else
-          for (const auto &cell : dof_handler_.mg_cell_iterators_on_level(level_))
-            if (cell->is_locally_owned_on_level())
-              add_with_siblings(cell);
-      }
+      for_each_own_cell(add_with_siblings);
 
     std::sort(ghosts.begin(), ghosts.end());
     ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
@@ -199,7 +203,7 @@ namespace stiction
     const std::function<void(const HexahedralCell &)> &callback) const
   {
     HexahedralCell hexahedron{};
-    const auto visit = [&](const auto &cell) {
+    for_each_own_cell([&](const auto &cell) {
       const auto dofs = first_dofs(cell, is_active_);
       for (unsigned int v = 0; v < 8; ++v)
         {
@@ -209,16 +213,6 @@ namespace stiction
         }
       hexahedron.material_id = cell->material_id();
       callback(hexahedron);
-    };
-    if (is_active_)
-      {
-        for (const auto &cell : dof_handler_.active_cell_iterators())
-          if (cell->is_locally_owned())
-            visit(cell);
-      }
-    else
-      for (const auto &cell : dof_handler_.mg_cell_iterators_on_level(level_))
-        if (cell->is_locally_owned_on_level())
-          visit(cell);
+    });
   }
 } // namespace stiction

@@ -30,13 +30,6 @@ namespace stiction
         in_order.push_back(cell.second);
       return in_order;
     }
-
-    // Of lists that are zero but where one rank knows better.
-    template<typename Number>
-    void gather(std::vector<Number> &values, MPI_Comm communicator)
-    {
-      dealii::Utilities::MPI::sum(values, communicator, values);
-    }
   } // namespace
 
   NodeOrder::NodeOrder(const Body &body)
@@ -72,7 +65,7 @@ namespace stiction
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (owned.is_element(nodes[i]))
         places[i] = place[owned.index_within_set(nodes[i])];
-    gather(places, body_.communicator());
+    dealii::Utilities::MPI::sum(places, body_.communicator(), places); // one knows it
     return places;
   }
 
@@ -83,7 +76,7 @@ namespace stiction
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i] >= first_ && places[i] - first_ < first_dofs_.size())
         nodes[i] = first_dofs_[places[i] - first_];
-    gather(nodes, body_.communicator());
+    dealii::Utilities::MPI::sum(nodes, body_.communicator(), nodes);
     return nodes;
   }
 } // namespace stiction

@@ -39,14 +39,7 @@ namespace stiction
   {
     locate(source);
     check(source);
-    source.require(is_sane(youngs_modulus.value_or(1.)), entry("Young's modulus"),
-                   "must be a number > 0, from 1e-30 to 1e30");
-    const double rho = density.value_or(0.);
-    source.require(rho == 0. || is_sane(rho), entry("Density"),
-                   "must be 0 or a number > 0, from 1e-30 to 1e30");
-    const double nu = poisson_ratio.value_or(0.);
-    source.require(nu > -1. && nu < 0.5, entry("Poisson ratio"),
-                   "must be above -1 and below 0.5");
+    require_material(source, entry(""), youngs_modulus, poisson_ratio, density);
     source.require(youngs_modulus.has_value() == poisson_ratio.has_value(),
                    entry(youngs_modulus ? "Poisson ratio" : "Young's modulus"),
                    "must be said together with '" +
@@ -79,5 +72,20 @@ namespace stiction
         for (unsigned int r = 0; r < 3; ++r)
           turn_[r][c] = column[r];
       }
+  }
+
+  void require_material(const ParameterFile &source, const std::string &prefix,
+                        const std::optional<double> &youngs_modulus,
+                        const std::optional<double> &poisson_ratio,
+                        const std::optional<double> &density)
+  {
+    source.require(is_sane(youngs_modulus.value_or(1.)), prefix + "Young's modulus",
+                   "must be " + sane_number);
+    const double nu = poisson_ratio.value_or(0.);
+    source.require(nu > -1. && nu < 0.5, prefix + "Poisson ratio",
+                   "must be above -1 and below 0.5");
+    const double rho = density.value_or(0.);
+    source.require(rho == 0. || is_sane(rho), prefix + "Density",
+                   "must be 0 or " + sane_number);
   }
 } // namespace stiction

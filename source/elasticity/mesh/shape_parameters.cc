@@ -168,14 +168,13 @@ namespace stiction
         const auto extremes   = std::minmax_element(lengths.begin(), lengths.end());
         const double shortest = *extremes.first, longest = *extremes.second;
         source.require(is_sane(shortest) && is_sane(longest), entry("Lengths"),
-                       "each must be a number > 0, from 1e-30 to 1e30");
+                       "each must be " + sane_number);
         source.require(longest <= 1e4 * shortest, entry("Lengths"),
                        "the longest may be at most 10000 times the shortest");
       }
     const bool is_cylinder = type == "cylinder";
     if (is_cylinder || type == "half ball")
-      source.require(is_sane(*radius), entry("Radius"),
-                     "must be a number > 0, from 1e-30 to 1e30");
+      source.require(is_sane(*radius), entry("Radius"), "must be " + sane_number);
     if (is_cylinder)
       source.require(is_sane(*length) && *length <= 1e4 * *radius &&
                        *radius <= 1e4 * *length,

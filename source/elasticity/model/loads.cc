@@ -73,6 +73,28 @@ namespace stiction
                 callback(cell, face->boundary_id(), values);
               }
     }
+
+    // Adds the integrals of a force, given at quadrature points, with the functions of a
+    // cell; an unknown that hangs passes its own on.
+    template<typename Cell, typename Values, typename Force>
+    void integrate(const Body &body, const Cell &cell, const Values &values,
+                   const Force &force_at, LA::Vector &load)
+    {
+      const FiniteElement<3> &fe = values.get_fe();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const Tensor<1, 3> force = force_at(q);
+          for (const unsigned int i : values.dof_indices())
+            {
+              const double f = force[fe.system_to_component_index(i).first] *
+                               values.shape_value(i, q) * values.JxW(q);
+              for (const auto &[followed, weight] : body.followed_by(indices[i]))
+                load(followed) += weight * f;
+            }
+        }
+    }
   } // namespace
 
   Loads::Loads(const Body &body, const PrescribedDisplacement &prescribed,
@@ -99,13 +121,6 @@ namespace stiction
         add_volume_loads(materials, load);
     });
     load.compress(VectorOperation::add);
-  }
-
-  void Loads::add(const types::global_dof_index dof, const double force,
-                  LA::Vector &load) const
-  {
-    for (const auto &[followed, weight] : body_.followed_by(dof))
-      load(followed) += weight * force;
   }
 
   Tensor<1, 3> Loads::traction(const types::boundary_id boundary, const Point<3> &x,
@@ -181,25 +196,16 @@ namespace stiction
 
   void Loads::add_boundary_loads(LA::Vector &load) const
   {
-    const FiniteElement<3> &fe = body_.dof_handler().get_fe();
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for_each_boundary_face(
       body_,
       [&](const types::boundary_id id) {
         return traction_.count(id) > 0 || pressure_.count(id) > 0;
       },
       [&](const auto &cell, const types::boundary_id id, const auto &values) {
-        cell->get_dof_indices(indices);
-        for (const unsigned int q : values.quadrature_point_indices())
-          {
-            const Tensor<1, 3> force =
-              traction(id, values.quadrature_point(q), values.normal_vector(q));
-            for (const unsigned int i : values.dof_indices())
-              add(indices[i],
-                  force[fe.system_to_component_index(i).first] *
-                    values.shape_value(i, q) * values.JxW(q),
-                  load);
-          }
+        const auto force = [&](const unsigned int q) {
+          return traction(id, values.quadrature_point(q), values.normal_vector(q));
+        };
+        integrate(body_, cell, values, force, load);
       });
   }
 
@@ -209,24 +215,15 @@ namespace stiction
     const QGauss<3> quadrature(fe.degree + 1);
     FEValues<3> values(body_.mapping(), fe, quadrature,
                        update_values | update_quadrature_points | update_JxW_values);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-
     for (const auto &cell : body_.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           values.reinit(cell);
-          cell->get_dof_indices(indices);
-          const double density = materials.of(cell->material_id()).density;
-          for (const unsigned int q : values.quadrature_point_indices())
-            {
-              const Point<3> &x        = values.quadrature_point(q);
-              const Tensor<1, 3> force = inside(density, x);
-              for (const unsigned int i : values.dof_indices())
-                add(indices[i],
-                    force[fe.system_to_component_index(i).first] *
-                      values.shape_value(i, q) * values.JxW(q),
-                    load);
-            }
+          const auto force = [&](const unsigned int q) {
+            return inside(materials.of(cell->material_id()).density,
+                          values.quadrature_point(q));
+          };
+          integrate(body_, cell, values, force, load);
         }
   }
 } // namespace stiction

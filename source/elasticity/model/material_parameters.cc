@@ -101,13 +101,6 @@ namespace stiction
 
   void MaterialParameters::check(const ParameterFile &source) const
   {
-    source.require(is_sane(youngs_modulus.value_or(1.)), "Material/Young's modulus",
-                   "must be a number > 0, from 1e-30 to 1e30");
-    const double nu = poisson_ratio.value_or(0.);
-    source.require(nu > -1. && nu < 0.5, "Material/Poisson ratio",
-                   "must be above -1 and below 0.5");
-    const double rho = density.value_or(0.);
-    source.require(rho == 0. || is_sane(rho), "Material/Density",
-                   "must be 0 or a number > 0, from 1e-30 to 1e30");
+    require_material(source, "Material/", youngs_modulus, poisson_ratio, density);
   }
 } // namespace stiction

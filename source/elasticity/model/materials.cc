@@ -1,6 +1,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/did_you_mean.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/numbers.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/kernels/cell_stiffness.h>
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -59,21 +59,18 @@ namespace stiction
       template<typename Callback>
       void for_each(const Body &body, const Callback &callback) const
       {
-        std::vector<material_id> seen;
+        std::set<material_id> seen;
         for (const std::string &part : parts_)
           {
-            const std::size_t colon = part.find(':');
-            const std::string name  = trim(part.substr(0, colon));
-            if (colon == std::string::npos || name.empty())
+            const auto [name, rest] = split_at_colon(part);
+            if (!rest || name.empty())
               refuse("must read " + form_ + ", several separated by '|'");
             const material_id id = body.material_names().id(name, location_);
-            if (std::find(seen.begin(), seen.end(), id) != seen.end())
+            if (!seen.insert(id).second)
               refuse("material " + name + " stands twice, must stand once");
-            seen.push_back(id);
-            std::vector<std::string> words =
-              split_string_list(part.substr(colon + 1), ';');
+            std::vector<std::string> words = split_string_list(*rest, ';');
             for (std::string &word : words)
-              word = trim(word);
+              word = trim(word); // tabs
             callback(id, name, words);
           }
       }
@@ -107,7 +104,7 @@ namespace stiction
       const double nu = list.number(words[2]);
       if (!is_sane(E))
         list.refuse("Young's modulus of material " + name + " is " + words[1] +
-                    ", must be a number > 0, from 1e-30 to 1e30");
+                    ", must be " + sane_number);
       if (!(nu > -1. && nu < 0.5))
         list.refuse("Poisson's ratio of material " + name + " is " + words[2] +
                     ", must be above -1 and below 0.5");
@@ -123,7 +120,7 @@ namespace stiction
           numbers[i] = list.number(words[i + 1]);
           if ((i < 3 || i >= 6) && !is_sane(numbers[i]))
             list.refuse("a modulus of material " + name + " is " + words[i + 1] +
-                        ", must be a number > 0, from 1e-30 to 1e30");
+                        ", must be " + sane_number);
         }
       try
         {
@@ -281,8 +278,7 @@ namespace stiction
         const double density = densities.number(words[0]);
         if (density != 0. && !is_sane(density))
           densities.refuse("the density of material " + name + " is " + words[0] +
-                           ", must be 0 or a number > 0, from 1e-30 to "
-                           "1e30");
+                           ", must be 0 or " + sane_number);
         by_id_.at(id).density = density;
         without_density.erase(id);
       });
@@ -367,12 +363,9 @@ namespace stiction
     body.set_material_ids([&](const dealii::Point<3> &centre) {
       const double id = formula.value(centre);
       if (!(id >= 0. && id <= 1000. && id == std::floor(id)))
-        {
-          std::ostringstream message;
-          message << parameters.source.describe(entry) << ", gives " << id << " at ("
-                  << centre << "), must be an integer from 0 to 1000.";
-          throw InputError(message.str());
-        }
+        throw InputError(text_of(parameters.source.describe(entry), ", gives ", id,
+                                 " at (", centre,
+                                 "), must be an integer from 0 to 1000."));
       return static_cast<material_id>(id);
     });
   }

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace stiction
 {
@@ -35,13 +34,10 @@ namespace stiction
               std::find(indices.begin(), indices.end(), dof) - indices.begin();
             if (i == static_cast<std::ptrdiff_t>(indices.size()))
               continue;
-            std::ostringstream place;
-            place << "along "
-                  << "xyz"[fe.system_to_component_index(i).first] << " at ("
-                  << body.mapping().transform_unit_to_real_cell(cell,
-                                                                fe.unit_support_point(i))
-                  << ")";
-            return place.str();
+            return text_of(
+              "along ", "xyz"[fe.system_to_component_index(i).first], " at (",
+              body.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i)),
+              ")");
           }
       return "";
     }
@@ -62,12 +58,11 @@ namespace stiction
       return;
     for (const std::string &part : split_at_bars(text))
       {
-        const std::size_t colon = part.find(':');
-        if (colon == std::string::npos)
+        const auto [place, displacement] = split_at_colon(part);
+        if (!displacement)
           throw InputError(points_location_ + " = " + text +
                            ", must read 'x; y; z : ux; uy; uz', several "
                            "separated by '|'.");
-        const std::string place = Utilities::trim(part.substr(0, colon));
         const ParsedFunction position(place, 3, points_location_, time);
         PrescribedPoint point;
         for (unsigned int c = 0; c < 3; ++c)
@@ -78,7 +73,7 @@ namespace stiction
                                ", the place of a node must not depend on x, "
                                "y, z.");
           }
-        point.displacement = parse_components(part.substr(colon + 1), points_location_,
+        point.displacement = parse_components(*displacement, points_location_,
                                               "the point (" + place + ")", time);
         points_.push_back(std::move(point));
       }
@@ -107,12 +102,9 @@ namespace stiction
       all.emplace_back(body_.boundary_names().name(boundary.first),
                        describe(boundary.second));
     for (const PrescribedPoint &point : points_)
-      {
-        std::ostringstream place;
-        place << "node (" << point.position[0] << ", " << point.position[1] << ", "
-              << point.position[2] << ')';
-        all.emplace_back(place.str(), describe(point.displacement));
-      }
+      all.emplace_back(text_of("node (", point.position[0], ", ", point.position[1], ", ",
+                               point.position[2], ')'),
+                       describe(point.displacement));
     return all;
   }
 
@@ -164,15 +156,12 @@ namespace stiction
             const double of_other = values.at(other).at(value.first);
             if (std::abs(value.second - of_other) <= tolerance)
               continue;
-            std::ostringstream message;
-            message << location_ << ": boundary "
-                    << body_.boundary_names().describe(other) << " prescribes "
-                    << of_other << " and boundary "
-                    << body_.boundary_names().describe(boundary.first) << " "
-                    << value.second << " " << place_of(body_, value.first)
-                    << ", must be the same where they meet or 'free' on one of "
-                       "them.";
-            throw InputError(message.str());
+            throw InputError(
+              text_of(location_, ": boundary ", body_.boundary_names().describe(other),
+                      " prescribes ", of_other, " and boundary ",
+                      body_.boundary_names().describe(boundary.first), " ", value.second,
+                      " ", place_of(body_, value.first),
+                      ", must be the same where they meet or 'free' on one of them."));
           }
     });
 
@@ -240,24 +229,17 @@ namespace stiction
       if (n_of_body[p] > 0)
         bodies.push_back('\'' + body_.pieces()[p].name + '\'');
     if (bodies.size() > 1)
-      {
-        std::ostringstream message;
-        message << points_location_ << ": bodies " << listed(bodies)
-                << " each have a node at (" << point.position
-                << "), must be a node of one body alone, or a boundary in "
-                   "'Boundary conditions/Prescribed displacement'.";
-        throw InputError(message.str());
-      }
+      throw InputError(text_of(points_location_, ": bodies ", listed(bodies),
+                               " each have a node at (", point.position,
+                               "), must be a node of one body alone, or a boundary in "
+                               "'Boundary conditions/Prescribed displacement'."));
     const double least = Utilities::MPI::min(distance, body_.communicator());
     const bool is_here = distance == least;
     throw_on_all_ranks(body_.communicator(), [&]() {
-      if (!is_here || least <= near)
-        return;
-      std::ostringstream message;
-      message << points_location_ << ": there is no node at (" << point.position
-              << "), the nearest one is at (" << nearest.position
-              << "), which must be given.";
-      throw InputError(message.str());
+      if (is_here && least > near)
+        throw InputError(text_of(points_location_, ": there is no node at (",
+                                 point.position, "), the nearest one is at (",
+                                 nearest.position, "), which must be given."));
     });
     // what is nearest is one node, known to its owner
     nearest.first_dof =
@@ -273,16 +255,11 @@ namespace stiction
     for (const PrescribedPoint &point : points_)
       {
         const SupportedNode node = node_of(point);
-        std::ostringstream message;
-        message << points_location_ << ": ";
         throw_on_all_ranks(body_.communicator(), [&]() {
           if (body_.is_hanging(node.first_dof))
-            {
-              message << "the node at (" << point.position
-                      << ") hangs between others, must be one of a coarser "
-                         "cell.";
-              throw InputError(message.str());
-            }
+            throw InputError(
+              text_of(points_location_, ": the node at (", point.position,
+                      ") hangs between others, must be one of a coarser cell."));
           for (unsigned int c = 0; c < 3; ++c)
             {
               const types::global_dof_index dof = node.first_dof + c;
@@ -297,14 +274,10 @@ namespace stiction
                 }
               else if (std::abs(constraints.get_inhomogeneity(dof) - value) >
                        1e-10 * std::abs(value))
-                {
-                  message << "prescribes " << value << " along "
-                          << "xyz"[c] << " at (" << point.position << "), where "
-                          << constraints.get_inhomogeneity(dof)
-                          << " is prescribed already, must be the same or "
-                             "'free'.";
-                  throw InputError(message.str());
-                }
+                throw InputError(text_of(
+                  points_location_, ": prescribes ", value, " along ", "xyz"[c], " at (",
+                  point.position, "), where ", constraints.get_inhomogeneity(dof),
+                  " is prescribed already, must be the same or 'free'."));
             }
         });
       }

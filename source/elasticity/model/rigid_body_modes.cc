@@ -5,16 +5,6 @@ namespace stiction
 {
   using namespace dealii;
 
-  std::vector<std::vector<double>> rigid_body_modes(const Body &body)
-  {
-    // the nodes are in the order of their unknowns
-    std::vector<Point<3>> positions;
-    positions.reserve(body.locally_owned_nodes().size());
-    for (const Body::Node &node : body.locally_owned_nodes())
-      positions.push_back(node.position);
-    return rigid_body_modes(body, positions);
-  }
-
   std::vector<std::vector<double>> rigid_body_modes(
     const Body &body, const std::vector<Point<3>> &positions)
   {

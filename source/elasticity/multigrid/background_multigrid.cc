@@ -64,41 +64,28 @@ namespace stiction
     }
 
     Interpolation rows_of(const Interpolation &matrix,
-                          const std::vector<types::global_dof_index> &first_dofs)
+                          const std::vector<unsigned int> &numbers)
     {
       std::vector<Eigen::Triplet<float>> entries;
-      for (std::size_t i = 0; i < first_dofs.size(); ++i)
-        for (Interpolation::InnerIterator entry(
-               matrix, static_cast<Eigen::Index>(first_dofs[i] / 3));
-             entry; ++entry)
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (Interpolation::InnerIterator entry(matrix, numbers[i]); entry; ++entry)
           entries.emplace_back(i, entry.col(), entry.value());
-      Interpolation rows(static_cast<Eigen::Index>(first_dofs.size()), matrix.cols());
+      Interpolation rows(static_cast<Eigen::Index>(numbers.size()), matrix.cols());
       rows.setFromTriplets(entries.begin(), entries.end());
       return rows;
     }
 
-    // The columns that are not empty.
-    std::vector<unsigned int> touched_by(const Interpolation &rows)
+    // The vertices from which these nodes, or vertices, are interpolated.
+    std::vector<unsigned int> touched_by(const std::vector<unsigned int> &numbers,
+                                         const Interpolation &matrix)
     {
       std::vector<unsigned int> columns;
-      for (Eigen::Index i = 0; i < rows.outerSize(); ++i)
-        for (Interpolation::InnerIterator entry(rows, i); entry; ++entry)
+      for (const unsigned int i : numbers)
+        for (Interpolation::InnerIterator entry(matrix, i); entry; ++entry)
           columns.push_back(static_cast<unsigned int>(entry.col()));
       std::sort(columns.begin(), columns.end());
       columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
       return columns;
-    }
-
-    // Those of the vertices that the touched ones are interpolated from.
-    std::vector<unsigned int> touched_by(const std::vector<unsigned int> &finer,
-                                         const Interpolation &to_finer)
-    {
-      return touched_by(rows_of(to_finer, [&]() {
-        std::vector<types::global_dof_index> rows;
-        for (const unsigned int i : finer)
-          rows.push_back(3 * types::global_dof_index(i));
-        return rows;
-      }()));
     }
 
     // A cell's stiffness as one of the vertices from which its nodes are interpolated.
@@ -110,22 +97,10 @@ namespace stiction
       {
       }
 
-      // The vertices, by number.
-      std::vector<unsigned int> vertices_of(const std::vector<unsigned int> &nodes) const
-      {
-        std::vector<unsigned int> all;
-        for (const unsigned int node : nodes)
-          for (Interpolation::InnerIterator entry(interpolation_, node); entry; ++entry)
-            all.push_back(static_cast<unsigned int>(entry.col()));
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        return all;
-      }
-
       // WᵀKW with K of n × n blocks of 3 × 3 numbers and W of n rows, of whose entries
       // few are not zero.
       //
-      // vertices: the vertices_of() the n nodes.
+      // vertices: those touched_by() the n nodes.
       const BlockMatrix::Entries &operator()(const std::vector<unsigned int> &nodes,
                                              const std::vector<unsigned int> &vertices,
                                              const FullMatrix<double> &K)
@@ -243,7 +218,7 @@ namespace stiction
     GalerkinCell galerkin(grids.front());
     std::vector<std::vector<unsigned int>> sets;
     for_each_cell(mesh, [&](const std::vector<unsigned int> &nodes) {
-      sets.push_back(galerkin.vertices_of(nodes));
+      sets.push_back(touched_by(nodes, grids.front()));
     });
     BlockMatrix A(static_cast<std::size_t>(grids.front().cols()), sets);
 
@@ -268,11 +243,13 @@ namespace stiction
     to_mesh_ = grids.front().middleRows(
       mesh.n_owned_nodes() > 0 ? static_cast<Eigen::Index>(node(0)) : 0,
       static_cast<Eigen::Index>(mesh.n_owned_nodes()));
-    std::vector<types::global_dof_index> with_springs = first_dofs;
-    with_springs.insert(with_springs.end(), basis.masters().begin(),
-                        basis.masters().end());
+    std::vector<unsigned int> with_springs;
+    for (const auto *const dofs : {&first_dofs, &basis.masters()})
+      for (const auto dof : *dofs)
+        with_springs.push_back(static_cast<unsigned int>(dof / 3));
     to_supported_ = rows_of(grids.front(), with_springs);
-    std::vector<std::vector<unsigned int>> touched{touched_by(to_supported_)};
+    std::vector<std::vector<unsigned int>> touched{
+      touched_by(with_springs, grids.front())};
     for (std::size_t g = 0; g < grids.size(); ++g)
       {
         if (g > 0)

@@ -1,5 +1,6 @@
 #include <stiction/elasticity/linear_algebra/amg_preconditioner.h>
 #include <stiction/elasticity/linear_algebra/host_vector.h>
+#include <stiction/elasticity/linear_algebra/matrix_rows.h>
 #include <stiction/elasticity/linear_algebra/mumps_factorization.h>
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -16,7 +17,6 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <EpetraExt_MatrixMatrix.h>
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 
@@ -44,20 +44,6 @@ namespace stiction
         for (unsigned int c = 0; c < 3; ++c)
           indices.push_back(dof + c);
       return indices;
-    }
-
-    // Calls back with the columns and values of a row of this rank.
-    template<typename Callback>
-    void for_each_entry(const Epetra_CrsMatrix &matrix, const types::global_dof_index row,
-                        const Callback &callback)
-    {
-      int n_entries = 0, *columns = nullptr;
-      double *values = nullptr;
-      matrix.ExtractMyRowView(matrix.LRID(static_cast<int>(row)), n_entries, values,
-                              columns);
-      for (int k = 0; k < n_entries; ++k)
-        callback(static_cast<types::global_dof_index>(matrix.GCID(columns[k])),
-                 values[k]);
     }
 
     // The same matrix with whole blocks of nodes, one on the diagonal for each of them:

@@ -1,5 +1,6 @@
 #include <stiction/elasticity/linear_algebra/amg_preconditioner.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/rigid_body_modes.h>
 #include <stiction/elasticity/solvers/amg_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -18,8 +19,8 @@ namespace stiction
     : StiffnessSolver(elasticity)
     , relative_residual_(relative_residual)
   {
-    std::vector<std::vector<double>> modes = rigid_body_modes(elasticity.body());
-    std::size_t k                          = 0;
+    auto modes = rigid_body_modes(elasticity.body(), elasticity.mesh().node_positions());
+    std::size_t k = 0;
     for (const auto dof : elasticity.body().locally_owned_dofs())
       {
         // a fixed unknown takes part in no motion

@@ -16,32 +16,6 @@ namespace stiction
 {
   using namespace dealii;
 
-  namespace
-  {
-    struct Row
-    {
-      int n_entries   = 0;
-      double *entries = nullptr;
-      int *columns    = nullptr; // local
-    };
-
-    Row row_view(const Epetra_CrsMatrix &matrix, const int i)
-    {
-      Row row;
-      matrix.ExtractMyRowView(i, row.n_entries, row.entries, row.columns);
-      return row;
-    }
-
-    double diagonal_entry(const Epetra_CrsMatrix &matrix, const int i)
-    {
-      const Row row = row_view(matrix, i);
-      for (int k = 0; k < row.n_entries; ++k)
-        if (matrix.GCID(row.columns[k]) == matrix.GRID(i))
-          return row.entries[k];
-      return 0.;
-    }
-  } // namespace
-
   ConstrainedMatrix::ConstrainedMatrix(
     const LA::SparseMatrix &stiffness, const LA::Vector &fixed,
     const std::vector<types::global_dof_index> &supported_nodes)
@@ -57,7 +31,7 @@ namespace stiction
     std::array<double, 2> sums{};
     for (int i = 0; i < K.NumMyRows(); ++i)
       {
-        const double entry = diagonal_entry(K, i);
+        const double entry = stiffness.el(K.GRID(i), K.GRID(i));
         sums[0] += entry;
         sums[1] += entry > 0. ? 1. : 0.;
       }
@@ -140,15 +114,16 @@ namespace stiction
       {
         for (int a = 0; a < 3; ++a)
           {
-            const Row row = row_view(K, i + a);
+            int n_entries = 0, *columns = nullptr; // local ones
+            double *values = nullptr;
+            K.ExtractMyRowView(i + a, n_entries, values, columns);
             entries[a].clear();
-            for (int k = 0; k < row.n_entries; ++k)
-              entries[a].emplace_back(unknown_of_column_[row.columns[k]],
-                                      row.entries + k);
+            for (int k = 0; k < n_entries; ++k)
+              entries[a].emplace_back(unknown_of_column_[columns[k]], values + k);
             std::sort(entries[a].begin(), entries[a].end());
           }
         const unsigned int own = unknown_of_column_[K.LCID(K.GRID(i))] / 3;
-        if (diagonal_entry(K, i) == 0.) // a hanging node
+        if (matrix_->el(K.GRID(i), K.GRID(i)) == 0.) // a hanging node
           {
             for (int a = 0; a < 3; ++a)
               for (const auto &[unknown, entry] : entries[a])

@@ -30,7 +30,7 @@ namespace stiction
   {
     read_conditions(time_);
     free_motions_ = std::make_unique<FreeMotions>(body, constraints_);
-    make_stiffness();
+    stiffness_    = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
     assemble_load();
   }
 
@@ -48,7 +48,11 @@ namespace stiction
     prescribed_displacement_ =
       std::make_unique<PrescribedDisplacement>(body_, parameters_, time);
     loads_ = std::make_unique<Loads>(body_, *prescribed_displacement_, parameters_, time);
-    make_constraints();
+    constraints_.clear();
+    constraints_.reinit(body_.locally_relevant_dofs());
+    constraints_.merge(body_.hanging_nodes());
+    prescribed_displacement_->add_to(constraints_);
+    constraints_.close();
   }
 
   void LinearElasticity::assemble_load()
@@ -186,15 +190,6 @@ namespace stiction
     return force;
   }
 
-  void LinearElasticity::make_constraints()
-  {
-    constraints_.clear();
-    constraints_.reinit(body_.locally_relevant_dofs());
-    constraints_.merge(body_.hanging_nodes());
-    prescribed_displacement_->add_to(constraints_);
-    constraints_.close();
-  }
-
   void LinearElasticity::constrain_load()
   {
     LA::Vector prescribed = zero_vector();
@@ -207,11 +202,6 @@ namespace stiction
     for (const auto dof : body_.locally_owned_dofs())
       if (is_fixed(dof))
         constrained_load_(dof) = diagonal(dof) * prescribed(dof);
-  }
-
-  void LinearElasticity::make_stiffness()
-  {
-    stiffness_ = std::make_unique<StiffnessOperator<double>>(*mesh_, *materials_);
   }
 
   std::unique_ptr<LA::SparseMatrix> LinearElasticity::assemble() const

@@ -178,8 +178,7 @@ namespace stiction
           }
       points.push_back(touched);
       BoundingBox<3> box(points);
-      const auto corners  = box.get_boundary_points();
-      const double length = corners.first.distance(corners.second);
+      const double length = diameter(box);
       box.extend(length > 0. ? 0.2 * length
                              : 0.2 * surface.boundaries()[boundary].body_size());
       return box;

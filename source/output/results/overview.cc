@@ -8,6 +8,7 @@
 #include <stiction/elasticity/model/prescribed_displacement.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/overview.h>
+#include <stiction/output/results/report.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -70,10 +71,8 @@ namespace stiction
     void print_box(Log &log, const dealii::BoundingBox<3> &box, const Units &units)
     {
       const auto corners = box.get_boundary_points();
-      log.line(format("  %-24s ", label("from", units.length).c_str()) +
-               vector(corners.first));
-      log.line(format("  %-24s ", label("to", units.length).c_str()) +
-               vector(corners.second));
+      print_row(log, label("from", units.length), vector(corners.first));
+      print_row(log, label("to", units.length), vector(corners.second));
     }
 
     // Volume and mass of each elastic body. Collective.
@@ -116,13 +115,10 @@ namespace stiction
         {
           log.line("Body " + pieces[p].name);
           print_box(log, pieces[p].box, units);
-          log.line(
-            format(
-              "  %-24s ",
-              label("volume", units.length.empty() ? "" : units.length + "^3").c_str()) +
-            number(all[p][0]));
+          print_row(log, label("volume", units.length.empty() ? "" : units.length + "^3"),
+                    number(all[p][0]));
           if (all[p][1] > 0.)
-            log.line(format("  %-24s ", "mass") + number(all[p][1]));
+            print_row(log, "mass", number(all[p][1]));
         }
     }
 

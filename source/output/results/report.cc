@@ -25,12 +25,6 @@ namespace stiction
     // A geometric mean above this deserves a word.
     constexpr double worrying_contraction = 0.9;
 
-    // "  largest pressure [Pa]    1.2e+09"
-    void print_row(Log &log, const std::string &name, const std::string &text)
-    {
-      log.line(format("  %-24s ", name.c_str()) + text);
-    }
-
     // The size of what is printed beside each other, where the rest is rounding.
     class Scale
     {
@@ -295,6 +289,11 @@ namespace stiction
       return text + "; " + remedy + ".";
     }
   } // namespace
+
+  void print_row(Log &log, const std::string &name, const std::string &text)
+  {
+    log.line(format("  %-24s ", name.c_str()) + text);
+  }
 
   std::string step_name(const ContactSolverParameters &parameters, const bool is_coulomb)
   {

@@ -9,10 +9,10 @@ namespace stiction::qp
 {
   namespace
   {
-    // A projected point sits on its circle only up to rounding. Inside by
+    // A projected point sits on its circle or bound only up to rounding. Inside by
     // less than this part of the radius counts as on it; were it missed, the
     // node would be moved by conjugate gradients into a zero-length step.
-    constexpr double on_circle = 1. - 1e-12;
+    constexpr double on_boundary = 1. - 1e-12;
   } // namespace
 
   FeasibleSet::FeasibleSet(const Eigen::Index n_nodes, const unsigned int n_components)
@@ -56,44 +56,62 @@ namespace stiction::qp
     return largest;
   }
 
-  // ------------------------------------------------------------ HalfLines
+  // ------------------------------------------------------------ Intervals
 
-  HalfLines::HalfLines(const Eigen::VectorXd &slip_bound)
-    : FeasibleSet(slip_bound.size(), 1)
-    , is_tied_(slip_bound.array() == tied)
+  Intervals::Intervals(const Eigen::VectorXd &half_widths, const unsigned int n_more)
+    : FeasibleSet(half_widths.size(), 1 + n_more)
+    , upper_(half_widths.replicate(1 + n_more, 1))
+    , lower_(-upper_)
   {
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        if (!is_tied(half_widths(i)))
+          lower_(i) = 0.;
+        upper_(i) = std::numeric_limits<double>::infinity();
+      }
   }
 
-  void HalfLines::project(Eigen::VectorXd &x) const
+  void Intervals::project(Eigen::VectorXd &x) const
   {
     eigen_assert(x.size() == size());
-    for (Eigen::Index i = 0; i < size(); ++i)
-      if (x(i) < 0. && !is_tied_(i)) // a NaN stays one
-        x(i) = 0.;
+    for (Eigen::Index k = 0; k < size(); ++k) // a NaN stays one
+      if (x(k) < lower_(k))
+        x(k) = lower_(k);
+      else if (x(k) > upper_(k))
+        x(k) = upper_(k);
   }
 
-  void HalfLines::split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
+  void Intervals::split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
                         const double step, Eigen::VectorXd &free,
                         Eigen::VectorXd &chopped) const
   {
     eigen_assert(x.size() == size() && gradient.size() == size());
-    (void)step; // on a half-line the chopped gradient does not depend on it
     free.setZero(size());
     chopped.setZero(size());
-    for (Eigen::Index i = 0; i < size(); ++i)
-      if (x(i) > 0. || is_tied_(i))
-        free(i) = gradient(i);
-      else
-        chopped(i) = std::min(gradient(i), 0.);
+    for (Eigen::Index k = 0; k < size(); ++k)
+      {
+        // What points inwards, no further than to the opposite bound; nowhere
+        // in an interval that is a point.
+        const double longest = (upper_(k) - lower_(k)) / step;
+        if (x(k) <= on_boundary * lower_(k))
+          chopped(k) = std::max(std::min(gradient(k), 0.), -longest);
+        else if (x(k) >= on_boundary * upper_(k))
+          chopped(k) = std::min(std::max(gradient(k), 0.), longest);
+        else
+          free(k) = gradient(k);
+      }
   }
 
-  double HalfLines::largest_feasible_step(const Eigen::VectorXd &x,
+  double Intervals::largest_feasible_step(const Eigen::VectorXd &x,
                                           const Eigen::VectorXd &d) const
   {
     double alpha = std::numeric_limits<double>::infinity();
-    for (Eigen::Index i = 0; i < size(); ++i)
-      if (d(i) < 0. && !is_tied_(i))
-        alpha = std::min(alpha, -x(i) / d(i));
+    for (Eigen::Index k = 0; k < size(); ++k)
+      if (d(k) != 0.)
+        {
+          const double room = d(k) > 0. ? upper_(k) - x(k) : x(k) - lower_(k);
+          alpha             = std::min(alpha, std::max(room, 0.) / std::abs(d(k)));
+        }
     return alpha;
   }
 
@@ -125,7 +143,7 @@ namespace stiction::qp
 
   bool Discs::is_active(const Eigen::VectorXd &x, const Eigen::Index i) const
   {
-    return std::hypot(x(i), x(i + n_nodes())) >= on_circle * radii_(i);
+    return std::hypot(x(i), x(i + n_nodes())) >= on_boundary * radii_(i);
   }
 
   void Discs::split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,

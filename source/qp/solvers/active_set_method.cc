@@ -84,8 +84,8 @@ namespace stiction::qp
     x_        = x;
     gradient_ = gradient;
     split();
-    p_ = free_;
-    start();
+    p_             = free_;
+    spectral_step_ = {};
 
     // A step that changed nothing is followed by a release; if that changes
     // nothing either, rounding is all that is left.
@@ -236,6 +236,12 @@ namespace stiction::qp
     x_ += d;
     gradient_ += Ad;
     return true;
+  }
+
+  bool ActiveSetMethod::spectral_release()
+  {
+    return guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
+                                  gradient_);
   }
 
   void ActiveSetMethod::split()

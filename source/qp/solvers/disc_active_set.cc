@@ -46,8 +46,6 @@ namespace stiction::qp
   {
   }
 
-  void DiscActiveSet::start() { spectral_step_.reset(); }
-
   bool DiscActiveSet::must_release(const Scaling &scaling, const double tolerance) const
   {
     if (variant_ >= Variant::with_proportioning)
@@ -58,9 +56,7 @@ namespace stiction::qp
 
   void DiscActiveSet::release()
   {
-    if (variant_ == Variant::spectral &&
-        guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
-                               gradient_))
+    if (variant_ == Variant::spectral && spectral_release())
       return;
     if (variant_ >= Variant::with_projected_release)
       {

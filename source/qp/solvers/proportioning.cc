@@ -13,8 +13,6 @@ namespace stiction::qp
   {
   }
 
-  void Proportioning::start() { spectral_step_.reset(); }
-
   bool Proportioning::must_release(const Scaling &, const double) const
   {
     return is_disproportionate(options_.gamma);
@@ -22,9 +20,7 @@ namespace stiction::qp
 
   void Proportioning::release()
   {
-    if (options_.spectral_release &&
-        guarded_projected_step(spectral_step_.next(x_, gradient_, fixed_step_),
-                               gradient_))
+    if (options_.spectral_release && spectral_release())
       return;
     if (set_.n_components() > 1)
       {

@@ -4,13 +4,6 @@
 
 namespace stiction::qp
 {
-  void SpectralStep::reset()
-  {
-    last_x_.resize(0);
-    last_gradient_.resize(0);
-    short_steps_.clear();
-  }
-
   double SpectralStep::next(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient,
                             const double least)
   {

@@ -20,6 +20,10 @@ namespace stiction::checkpoint_files
     // Raised whenever an older program could not read what this one writes.
     constexpr int current_format = 1;
 
+    const std::string last_name       = "/checkpoint";
+    const std::string old_name        = "/checkpoint.old";
+    const std::string unfinished_name = "/checkpoint.new";
+
     const std::string header_name = "/checkpoint.json";
     const std::string digest_name = "/checkpoint.digest"; // of the header
 
@@ -27,21 +31,6 @@ namespace stiction::checkpoint_files
     {
       const auto digest = word_file::digest(file);
       return json{digest.n_words, digest.checksum}.dump();
-    }
-
-    std::string last_in(const std::string &directory)
-    {
-      return directory + "/checkpoint";
-    }
-
-    std::string old_in(const std::string &directory)
-    {
-      return directory + "/checkpoint.old";
-    }
-
-    std::string unfinished_in(const std::string &directory)
-    {
-      return directory + "/checkpoint.new";
     }
 
     // Waits until the disk has what was written to a file or done in a directory.
@@ -112,7 +101,7 @@ namespace stiction::checkpoint_files
 
   std::string begin(const std::string &directory, MPI_Comm communicator)
   {
-    const std::string name = unfinished_in(directory);
+    const std::string name = directory + unfinished_name;
     do_on_first_rank(communicator, [&]() {
       std::error_code error;
       fs::remove_all(name, error);
@@ -125,7 +114,7 @@ namespace stiction::checkpoint_files
 
   void finish(const std::string &directory, json header)
   {
-    const std::string unfinished = unfinished_in(directory);
+    const std::string unfinished = directory + unfinished_name;
     header["format"]             = current_format;
     header["program"]            = std::string("stiction ") + STICTION_VERSION;
     write_file(unfinished + header_name, [&](std::ostream &out) {
@@ -138,16 +127,17 @@ namespace stiction::checkpoint_files
     flush(unfinished + digest_name);
     flush(unfinished);
 
+    const std::string last = directory + last_name, old = directory + old_name;
     std::error_code error;
-    if (fs::exists(last_in(directory), error))
+    if (fs::exists(last, error))
       {
-        fs::remove_all(old_in(directory), error);
-        require_written(!error, old_in(directory));
-        fs::rename(last_in(directory), old_in(directory), error);
-        require_written(!error, old_in(directory));
+        fs::remove_all(old, error);
+        require_written(!error, old);
+        fs::rename(last, old, error);
+        require_written(!error, old);
       }
-    fs::rename(unfinished, last_in(directory), error);
-    require_written(!error, last_in(directory));
+    fs::rename(unfinished, last, error);
+    require_written(!error, last);
     flush(directory);
   }
 
@@ -157,7 +147,7 @@ namespace stiction::checkpoint_files
     if (fs::exists(directory + header_name, error))
       return directory;
     // a run killed between two renames leaves the old one alone
-    for (const std::string &checkpoint : {last_in(directory), old_in(directory)})
+    for (const std::string &checkpoint : {directory + last_name, directory + old_name})
       if (fs::is_directory(checkpoint, error))
         return checkpoint;
     throw InputError("--restart " + directory +
@@ -185,7 +175,7 @@ namespace stiction::checkpoint_files
   {
     std::error_code error; // what cannot be removed cannot be replaced either
     for (const std::string &checkpoint :
-         {last_in(directory), old_in(directory), unfinished_in(directory)})
+         {directory + last_name, directory + old_name, directory + unfinished_name})
       fs::remove_all(checkpoint, error);
   }
 } // namespace stiction::checkpoint_files

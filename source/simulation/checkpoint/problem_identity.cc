@@ -40,8 +40,8 @@ namespace stiction
         return value;
       std::string pairs;
       for (const std::string &obstacle : split_at_bars(value))
-        if (const std::string name = paired_boundary(obstacle); !name.empty())
-          pairs += (pairs.empty() ? "" : " | ") + ("boundary : " + name);
+        if (!paired_boundaries(obstacle).empty())
+          pairs += (pairs.empty() ? "" : " | ") + obstacle;
       return pairs;
     }
 

@@ -50,6 +50,12 @@ namespace stiction
     // of the forces, from this accuracy on.
     constexpr double accuracy_of_error = 0.1;
     constexpr double first_accuracy    = 1e-2;
+
+    const char *const no_place_of_obstacle =
+      "no place of the obstacle was found where it presses with its force, ";
+    const char *const no_place_of_body =
+      "no place of the body was found where contact holds it (do the loads ask for more "
+      "than friction bears, is a gap too large, is a support missing?), ";
   } // namespace
 
   DualContactSolver::DualContactSolver(const Setting &setting,
@@ -308,14 +314,8 @@ namespace stiction
         last_error = error;
       }
     if (status.converged)
-      status.reason =
-        (motion.n_pressed() > 0
-           ? "no place of the obstacle was found where it presses with its "
-             "force, "
-           : "no place of the body was found where contact holds it (do the "
-             "loads ask for more than friction bears, is a gap too large, is a support "
-             "missing?), ") +
-        other_method(tried_);
+      status.reason = (motion.n_pressed() > 0 ? no_place_of_obstacle : no_place_of_body) +
+                      other_method(tried_);
     status.converged = false;
     state            = best;
     return status;

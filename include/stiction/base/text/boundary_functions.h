@@ -8,7 +8,9 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -87,6 +89,11 @@ namespace stiction
   /// The parts of a text between single bars, without blanks around them:
   /// '||' is muParser's "or" and does not separate.
   std::vector<std::string> split_at_bars(const std::string &text);
+
+  /// What stands before the first colon and, if there is one, behind it, without blanks
+  /// around them.
+  std::pair<std::string, std::optional<std::string>> split_at_colon(
+    const std::string &text);
 
   /// Whether all of the formulas 'ux; uy; uz' are the number 0 or 'free'.
   bool are_zero(const std::string &formulas);

@@ -75,10 +75,10 @@ namespace stiction
     const Obstacle *obstacle() const { return obstacle_.get(); }
 
     /// Whether it is the slave of a contact pair: what it may touch is another boundary.
-    bool is_pair() const { return partner_ != dealii::numbers::invalid_boundary_id; }
+    bool is_pair() const { return !partners_.empty(); }
 
-    /// The master of the pair.
-    dealii::types::boundary_id partner() const { return partner_; }
+    /// The masters of the pair, and what they are called, separated by commas.
+    const std::vector<dealii::types::boundary_id> &partners() const { return partners_; }
     const std::string &partner_name() const { return partner_name_; }
 
     /// "automatic", "boundary" or "obstacle".
@@ -134,18 +134,18 @@ namespace stiction
     void describe(const Entries &entries);
 
     /// Throws InputError unless there is another side, and no gap.
-    void require_tied_pair(const std::string &partner, const std::string &gap) const;
+    void require_tied_pair(bool has_partners, const std::string &gap) const;
 
     /// Makes it one side of a pair. Throws InputError if the mesh has no such other
-    /// boundary, or if the pair is said to move.
-    void pair_with(const std::string &other, const Body &body);
+    /// boundaries, or if the pair is said to move.
+    void pair_with(const std::vector<std::string> &others, const Body &body);
 
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
     std::string name_, description_, partner_name_, slave_side_, mesh_gap_;
-    dealii::types::boundary_id id_      = dealii::numbers::invalid_boundary_id;
-    dealii::types::boundary_id partner_ = dealii::numbers::invalid_boundary_id;
+    dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
+    std::vector<dealii::types::boundary_id> partners_;
 
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
     std::unique_ptr<ParsedFunction> gap_;

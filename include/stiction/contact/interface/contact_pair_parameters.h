@@ -3,6 +3,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -38,8 +39,8 @@ namespace stiction
     std::string obstacle_force        = "0; 0; 0";
   };
 
-  /// NAME of an obstacle 'boundary : NAME', empty for others.
-  std::string paired_boundary(const std::string &obstacle);
+  /// Names of an obstacle 'boundary : NAME, NAME', none of others.
+  std::vector<std::string> paired_boundaries(const std::string &obstacle);
 
   /// What the parameter file says of contact.
   struct ContactParameters

@@ -26,7 +26,6 @@ namespace stiction
   struct Mortar;
   class ParameterFile;
   struct State;
-  struct SurfaceFace;
 
   /// One node of a contact boundary that may touch its obstacle.
   ///
@@ -251,14 +250,9 @@ namespace stiction
 
   private:
     /// Chooses the sides of pairs and finds what lies opposite to the slaves.
-    /// Throws InputError if one would be the slave of two.
+    /// Throws InputError if one would be the slave of two, and if a tie would be lost or
+    /// its sides are far apart.
     void join_pairs(const LinearElasticity &elasticity);
-
-    /// Sees that a tied pair holds: takes the other side where supports hold nodes of
-    /// this one alone. Throws InputError if neither does, or if the sides are far apart.
-    void tie(std::size_t b, const LinearElasticity &elasticity,
-             const std::vector<SurfaceFace> &slaves,
-             const std::vector<SurfaceFace> &masters);
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.

@@ -49,5 +49,11 @@ namespace stiction
 
     /// The row of a slave node, -1 if it has nothing opposite.
     Eigen::Index row_of(dealii::types::global_dof_index slave) const;
+
+    /// The largest of the gaps and overlaps, m.
+    double largest_gap() const
+    {
+      return slaves.empty() ? 0. : gaps.lpNorm<Eigen::Infinity>();
+    }
   };
 } // namespace stiction

@@ -56,7 +56,11 @@ namespace stiction
     std::array<std::array<double, 2>, 9> gradient;
   };
 
-  /// Those of a boundary, the same list on all ranks. Collective.
-  std::vector<SurfaceFace> surface_faces(const LinearElasticity &elasticity,
-                                         dealii::types::boundary_id id);
+  /// The mean of their diameters, m.
+  double mean_diameter(const std::vector<SurfaceFace> &faces);
+
+  /// Those of some boundaries, the same list on all ranks. Collective.
+  std::vector<SurfaceFace> surface_faces(
+    const LinearElasticity &elasticity,
+    const std::vector<dealii::types::boundary_id> &ids);
 } // namespace stiction

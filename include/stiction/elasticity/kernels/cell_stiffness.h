@@ -94,9 +94,6 @@ namespace stiction
     /// Cells that are integrated in every product.
     std::size_t n_general_cells() const;
 
-    /// Unit: bytes.
-    std::size_t memory_consumption() const;
-
   private:
     // The class of a parallelepiped, nullptr if there are too many.
     cell_kernel::CongruentCells<Number> *find_class(const HexahedralCell &cell,

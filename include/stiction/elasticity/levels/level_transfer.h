@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 namespace stiction
@@ -27,8 +28,7 @@ namespace stiction
                   const MeshLevel &fine);
 
     /// fine = P coarse. Collective.
-    template<typename Number>
-    void prolongate(LA::VectorOf<Number> &fine, const LA::VectorOf<Number> &coarse) const;
+    void prolongate(LA::Vector &fine, const LA::Vector &coarse) const;
 
     /// fine += P coarse. Collective.
     template<typename Number>
@@ -41,8 +41,7 @@ namespace stiction
                      const LA::VectorOf<Number> &fine) const;
 
     /// The values of the fine vector at the coarse vertices. Collective.
-    template<typename Number>
-    void inject(LA::VectorOf<Number> &coarse, const LA::VectorOf<Number> &fine) const;
+    void inject(LA::Vector &coarse, const LA::Vector &fine) const;
 
     /// Calls back with every fine node this rank interpolates to, its coarse
     /// nodes and their number; each fine node is somebody's. Local numbers.
@@ -57,9 +56,6 @@ namespace stiction
 
     const MeshLevel &coarse_;
     const MeshLevel &fine_;
-    Rows<1> vertices_;
-    Rows<2> edges_;
-    Rows<4> faces_;
-    Rows<8> cells_;
+    std::tuple<Rows<1>, Rows<2>, Rows<4>, Rows<8>> rows_;
   };
 } // namespace stiction

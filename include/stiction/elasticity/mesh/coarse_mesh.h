@@ -56,13 +56,16 @@ namespace stiction
     /// How the body of a coarse cell is called, empty if nothing says so.
     std::string body_name(const dealii::Triangulation<3>::cell_iterator &cell) const;
 
+    /// Makes the brick, of one material, with the boundaries of
+    /// MeshNames::brick_boundaries().
+    static void make_brick(const ShapeParameters &shape,
+                           dealii::Triangulation<3> &triangulation);
+
   private:
     /// What several bodies have together while they are added one by one.
     struct Parts;
 
     void add_to(Parts &parts, const PlacedBody &placed) const;
-
-    void make_brick(const ShapeParameters &shape);
 
     void make_cylinder(double radius, double length);
 

@@ -100,6 +100,8 @@ namespace stiction
   private:
     void make_partitioner();
 
+    template<typename Callback> void for_each_own_cell(const Callback &callback) const;
+
     const Body &body_;
     const bool is_active_;
     const unsigned int level_;

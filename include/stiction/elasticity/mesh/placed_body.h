@@ -34,9 +34,6 @@ namespace stiction
       return centre_ + transpose(turn_) * (p - shift_ - centre_);
     }
 
-    /// A direction of the shape as it is placed.
-    dealii::Tensor<1, 3> turn(const dealii::Tensor<1, 3> &v) const { return turn_ * v; }
-
     std::string name;
     unsigned int refinement = 0;
     /// Of all of it; not said: the section 'Material' does.
@@ -49,4 +46,11 @@ namespace stiction
     dealii::Tensor<1, 3> shift_;
     dealii::Tensor<2, 3> turn_;
   };
+
+  /// Throws InputError about entries of a section, "Body x/", that cannot be those of a
+  /// material; what is not said can.
+  void require_material(const ParameterFile &source, const std::string &prefix,
+                        const std::optional<double> &youngs_modulus,
+                        const std::optional<double> &poisson_ratio,
+                        const std::optional<double> &density);
 } // namespace stiction

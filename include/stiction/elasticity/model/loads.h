@@ -64,9 +64,6 @@ namespace stiction
     std::map<dealii::types::boundary_id, OnBoundary> on_boundaries() const;
 
   private:
-    /// Adds a force at an unknown; what hangs passes it on.
-    void add(dealii::types::global_dof_index dof, double force, LA::Vector &load) const;
-
     void add_boundary_loads(LA::Vector &load) const;
 
     void add_volume_loads(const Materials &materials, LA::Vector &load) const;

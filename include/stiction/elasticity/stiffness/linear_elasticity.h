@@ -151,11 +151,6 @@ namespace stiction
 
     void assemble_load();
 
-    void make_constraints();
-
-    /// K, cell by cell.
-    void make_stiffness();
-
     /// The right-hand side with prescribed displacements eliminated.
     void constrain_load();
 

@@ -10,6 +10,9 @@ namespace stiction
   struct ContactSolverParameters;
   struct RunResult;
 
+  /// "  largest pressure [Pa]    1.2e+09"
+  void print_row(Log &log, const std::string &name, const std::string &text);
+
   /// What an outermost iteration of the method is called.
   std::string step_name(const ContactSolverParameters &parameters, bool is_coulomb);
 

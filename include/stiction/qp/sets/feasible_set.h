@@ -76,24 +76,39 @@ namespace stiction::qp
 
   constexpr bool is_tied(const double slip_bound) { return slip_bound == tied; }
 
-  /// x_i ≥ 0: the normal contact forces, Λ_ν of the paper's problem (D); any number
-  /// where the node is tied.
-  class HalfLines : public FeasibleSet
+  /// x_i ≥ 0 in the first block and |x_i| ≤ b_i in each of the others: bounds only.
+  /// Where b_i is infinite, x_i is any number, in the first block too.
+  class Intervals : public FeasibleSet
   {
   public:
-    /// @param slip_bound of each node; which ones are tied is all that counts.
-    explicit HalfLines(const Eigen::VectorXd &slip_bound);
-
     void project(Eigen::VectorXd &x) const override;
 
+    /// Bounds are met entry by entry: a node may have free and chopped entries
+    /// at once.
     void split(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double step,
                Eigen::VectorXd &free, Eigen::VectorXd &chopped) const override;
 
     double largest_feasible_step(const Eigen::VectorXd &x,
                                  const Eigen::VectorXd &d) const override;
 
+  protected:
+    /// @param half_widths b, the same in all of @p n_more blocks.
+    Intervals(const Eigen::VectorXd &half_widths, unsigned int n_more);
+
   private:
-    Eigen::Array<bool, Eigen::Dynamic, 1> is_tied_;
+    Eigen::VectorXd upper_, lower_; ///< of all entries
+  };
+
+  /// x_i ≥ 0: the normal contact forces, Λ_ν of the paper's problem (D); any number
+  /// where the node is tied.
+  class HalfLines : public Intervals
+  {
+  public:
+    /// @param slip_bound of each node; which ones are tied is all that counts.
+    explicit HalfLines(const Eigen::VectorXd &slip_bound)
+      : Intervals(slip_bound, 0)
+    {
+    }
   };
 
   /// x_i² + x_{i+m}² ≤ g_i²: the tangential contact forces, Λ_t of the

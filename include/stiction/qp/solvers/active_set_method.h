@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/qp/solvers/solver_run.h>
+#include <stiction/qp/solvers/spectral_step.h>
 
 #include <Eigen/Core>
 
@@ -51,9 +52,6 @@ namespace stiction::qp
                     double tolerance, unsigned int max_multiplications);
 
   protected:
-    /// Called once by each solve(), before its first step.
-    virtual void start() {}
-
     /// Whether the boundary nodes are to be released before the free nodes
     /// are improved further. @p tolerance is the one asked of solve().
     virtual bool must_release(const Scaling &scaling, double tolerance) const = 0;
@@ -82,6 +80,9 @@ namespace stiction::qp
     /// rounding; one product.
     bool guarded_projected_step(double step, const Eigen::VectorXd &direction);
 
+    /// The same along the gradient, with a SpectralStep.
+    bool spectral_release();
+
     /// Recomputes free_ and chopped_ at x_.
     void split();
 
@@ -99,6 +100,7 @@ namespace stiction::qp
 
   private:
     Observer observer_;
+    SpectralStep spectral_step_; ///< of this solve()
 
     /// A step that is no release: conjugate gradients, or an expansion where they
     /// leave the set.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <stiction/qp/solvers/active_set_method.h>
-#include <stiction/qp/solvers/spectral_step.h>
 
 namespace stiction::qp
 {
@@ -62,8 +61,6 @@ namespace stiction::qp
                   Variant variant = Variant::spectral);
 
   protected:
-    void start() override;
-
     bool must_release(const Scaling &scaling, double tolerance) const override;
 
     void release() override;
@@ -73,7 +70,5 @@ namespace stiction::qp
   private:
     const Discs &discs_;
     const Variant variant_;
-
-    SpectralStep spectral_step_;
   };
 } // namespace stiction::qp

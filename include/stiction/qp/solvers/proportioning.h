@@ -1,7 +1,6 @@
 #pragma once
 
 #include <stiction/qp/solvers/active_set_method.h>
-#include <stiction/qp/solvers/spectral_step.h>
 
 namespace stiction::qp
 {
@@ -35,14 +34,11 @@ namespace stiction::qp
                   const ProportioningOptions &options = {});
 
   protected:
-    void start() override;
-
     bool must_release(const Scaling &scaling, double tolerance) const override;
 
     void release() override;
 
   private:
     const ProportioningOptions options_;
-    SpectralStep spectral_step_;
   };
 } // namespace stiction::qp

@@ -15,9 +15,6 @@ namespace stiction::qp
   class SpectralStep
   {
   public:
-    /// Forgets all points.
-    void reset();
-
     /// The length of the step to be taken at x, whose gradient is given; never
     /// below @p least, and that where nothing is known yet.
     double next(const Eigen::VectorXd &x, const Eigen::VectorXd &gradient, double least);

@@ -2,6 +2,8 @@
 
 #include "cell_kernel_nodes.h"
 
+#include <utility>
+
 // The product of an element whose map is affine: with n = 2 nodes in a
 // direction a cell, with n = 3 a patch of 2×2×2 equal cells.
 //

@@ -4,6 +4,7 @@
 #include "product_cell.h"
 
 #include <stiction/base/errors.h>
+#include <stiction/base/text/in_words.h>
 
 #include <deal.II/grid/reference_cell.h>
 
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <tuple>
 #include <unordered_map>
 
@@ -26,9 +26,8 @@ namespace stiction
     constexpr unsigned int no_vertex = std::numeric_limits<unsigned int>::max();
     constexpr std::size_t no_cell    = std::numeric_limits<std::size_t>::max();
 
-    Point<3> centre_of(const MeshData &mesh, const std::size_t cell)
+    Point<3> centre_of(const MeshData &mesh, const std::vector<unsigned int> &vertices)
     {
-      const auto &vertices = mesh.cells[cell].vertices;
       Point<3> centre;
       for (const unsigned int v : vertices)
         centre += mesh.vertices[v] / static_cast<double>(vertices.size());
@@ -39,10 +38,9 @@ namespace stiction
     // the order of the file
     std::string describe_cell(const MeshData &mesh, const std::size_t number)
     {
-      std::ostringstream out;
-      out << kind_of_cell(mesh.cells[number].vertices.size()) << ' ' << number + 1
-          << " with its centre at (" << centre_of(mesh, number) << ')';
-      return out.str();
+      const auto &vertices = mesh.cells[number].vertices;
+      return text_of(kind_of_cell(vertices.size()), ' ', number + 1,
+                     " with its centre at (", centre_of(mesh, vertices), ')');
     }
   } // namespace
 
@@ -191,17 +189,15 @@ namespace stiction
 
   double Faces::side_of(const std::size_t cell, const Face &face) const
   {
-    const auto &at      = mesh_.vertices;
-    const auto vertices = vertices_of_face(face.first, face.number);
-    Point<3> centre;
-    for (const unsigned int v : vertices)
-      centre += at[v] / static_cast<double>(vertices.size());
+    const auto &at            = mesh_.vertices;
+    const auto vertices       = vertices_of_face(face.first, face.number);
     const Tensor<1, 3> normal = vertices.size() == 3
                                   ? cross_product_3d(at[vertices[1]] - at[vertices[0]],
                                                      at[vertices[2]] - at[vertices[0]])
                                   : cross_product_3d(at[vertices[3]] - at[vertices[0]],
                                                      at[vertices[2]] - at[vertices[1]]);
-    return (centre_of(mesh_, cell) - centre) * normal;
+    return (centre_of(mesh_, mesh_.cells[cell].vertices) - centre_of(mesh_, vertices)) *
+           normal;
   }
 
   std::vector<Faces::Part> Faces::edges_of(const CellData<3> &cell)

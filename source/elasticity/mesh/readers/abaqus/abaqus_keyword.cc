@@ -14,6 +14,12 @@ namespace stiction
                ? text.substr(1, text.size() - 2)
                : text;
     }
+
+    std::string without_spaces(std::string text)
+    {
+      text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+      return text;
+    }
   } // namespace
 
   std::vector<std::string> abaqus_items(const std::string &line)
@@ -31,10 +37,7 @@ namespace stiction
       line += more;
     for (const std::string &item : dealii::Utilities::split_string_list(line))
       if (name.empty())
-        {
-          name = upper(item);
-          name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-        }
+        name = without_spaces(upper(item));
       else
         {
           const std::size_t equals = item.find('=');
@@ -46,22 +49,12 @@ namespace stiction
 
   std::string AbaqusKeyword::of_the_problem() const
   {
-    static const std::map<std::string, std::string> keywords = {
-      {"*BOUNDARY", "*BOUNDARY"},
-      {"*CLOAD", "*CLOAD"},
-      {"*CONTACT", "*CONTACT"},
-      {"*CONTACTPAIR", "*CONTACT PAIR"},
-      {"*COUPLING", "*COUPLING"},
-      {"*DLOAD", "*DLOAD"},
-      {"*DSLOAD", "*DSLOAD"},
-      {"*ELASTIC", "*ELASTIC"},
-      {"*EQUATION", "*EQUATION"},
-      {"*FRICTION", "*FRICTION"},
-      {"*MPC", "*MPC"},
-      {"*RIGIDBODY", "*RIGID BODY"},
-      {"*TIE", "*TIE"}};
-    const auto found = keywords.find(name);
-    return found == keywords.end() ? "" : found->second;
+    for (const char *const keyword :
+         {"*BOUNDARY", "*CLOAD", "*CONTACT", "*CONTACT PAIR", "*COUPLING", "*DLOAD",
+          "*DSLOAD", "*ELASTIC", "*EQUATION", "*FRICTION", "*MPC", "*RIGID BODY", "*TIE"})
+      if (name == without_spaces(keyword))
+        return keyword;
+    return "";
   }
 
   void AbaqusKeyword::require_all_is_here(const TextScanner &text) const
