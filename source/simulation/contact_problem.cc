@@ -267,15 +267,15 @@ namespace stiction
                          " nodes face away from the obstacle and are none"));
     if (parameters_.output.export_directory.empty())
       return;
+    if (contact_surface().slip_bound().has_tied())
+      throw InputError(parameters_.source.describe("Output/Export directory") +
+                       ", problem files know no tied nodes, so 'Friction/Law' must not "
+                       "have 'tied'.");
     if (contact_surface().slip_bound().is_mixed())
       throw InputError(parameters_.source.describe("Output/Export directory") +
                        ", problem files know one law of friction for all nodes, "
                        "so 'Friction/Law' must not have both 'given' and "
                        "'coulomb'.");
-    if (contact_surface().slip_bound().has_tied())
-      throw InputError(parameters_.source.describe("Output/Export directory") +
-                       ", problem files know no tied nodes, so 'Friction/Law' must not "
-                       "have 'tied'.");
   }
 
   void ContactProblem::open_output()

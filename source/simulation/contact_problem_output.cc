@@ -165,7 +165,7 @@ namespace stiction
         phases_.seconds("contact_solve") / phases_.seconds("elastic_solve");
     add_body(result, *body_, surface, state_, *certificate_, statuses, *reactions_,
              mesh_error_);
-    result.warnings = warnings(result.displacement.max);
+    result.warnings = warnings();
     return result;
   }
 

@@ -252,7 +252,7 @@ namespace stiction
   void ContactProblem::end_step(const TimeSteps &times)
   {
     state_.history = history_after(state_, contact_surface());
-    largest_deformation_.include(largest_deformation(*body_, state_.u));
+    remember_warnings();
     if (!certificate_->bears_nothing())
       state_.scales = {std::max(state_.scales.force, certificate_->force_scale()),
                        std::max(state_.scales.energy, certificate_->energy_scale())};

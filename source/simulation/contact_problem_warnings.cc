@@ -12,11 +12,14 @@
 #include <stiction/qp/advice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/warning.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -56,7 +59,16 @@ namespace stiction
     // Of what friction can bear: where it falls by more in a step, methods may differ.
     constexpr double much_of_friction = 0.05;
 
-    using Warnings = std::vector<std::string>;
+    // Of the way that elastic bodies give, twice their energy over the normal force.
+    constexpr double much_of_way = 0.1;
+
+    // Radians by which normals may turn.
+    constexpr double much_turned = 0.05;
+
+    // Of a coefficient of friction: a body that friction holds from turning.
+    constexpr double much_of_coefficient = 0.1;
+
+    using Warnings = std::vector<Warning>;
 
     void add_edge(const ContactBoundary &pair, const PairFigures &figures,
                   Warnings &warnings)
@@ -64,22 +76,28 @@ namespace stiction
       const char *const name  = pair.name().c_str();
       const char *const other = pair.partner_name().c_str();
       const std::string remedy =
-        "let the other side bear the forces ('Slave side'), or make cells finer there.";
+        (pair.partners().size() == 1
+           ? "let the other side bear the forces ('Slave side'), or make"
+           : "make") +
+        std::string(" cells finer there.");
       if (figures.share_beyond_edge > much_beyond_edge)
         warnings.push_back(
-          format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
-                 "beyond the edge of what lies opposite, by up to a cell: a body tips "
-                 "late, and pressures at such an edge are too large; ",
-                 100. * figures.share_beyond_edge, name, other, name) +
-          remedy);
+          {"edge of " + pair.name(), figures.share_beyond_edge,
+           format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
+                  "beyond the edge of what lies opposite, by up to a cell: a body tips "
+                  "late, and pressures at such an edge are too large; ",
+                  100. * figures.share_beyond_edge, name, other, name) +
+             remedy});
       else if (figures.peak_beyond_edge > high_beyond_edge)
         warnings.push_back(
-          format("the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
-                 "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
-                 "trusted; %.0f %% of the force acts there; ",
-                 name, other, figures.peak_beyond_edge, name,
-                 100. * figures.share_beyond_edge) +
-          remedy);
+          {"edge of " + pair.name(), figures.share_beyond_edge,
+           format(
+             "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
+             "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
+             "trusted; %.0f %% of the force acts there; ",
+             name, other, figures.peak_beyond_edge, name,
+             100. * figures.share_beyond_edge) +
+             remedy});
     }
 
     void add_supports(const ContactBoundary &boundary, const double frictionless,
@@ -87,51 +105,57 @@ namespace stiction
     {
       if (frictionless > much_without_friction)
         warnings.push_back(
-          format(
-            "'Prescribed displacement' makes nodes of '%s' slip that bear %.0f %% of "
-            "its force, without friction in the directions that it holds; prescribe "
-            "it where the boundary does not touch",
-            boundary.name().c_str(), 100. * frictionless) +
-          (boundary.is_pair() ? ", or let the other side bear the forces ('Slave side')."
-           : boundary.friction().is_orthotropic()
-             ? "."
-             : ", or both directions along the surface."));
+          {"supports of " + boundary.name(), frictionless,
+           format(
+             "'Prescribed displacement' makes nodes of '%s' slip that bear %.0f %% of "
+             "its force, without friction in the directions that it holds; prescribe "
+             "it where the boundary does not touch",
+             boundary.name().c_str(), 100. * frictionless) +
+             (boundary.partners().size() == 1
+                ? ", or let the other side bear the forces ('Slave side')."
+              : boundary.is_pair() || boundary.friction().is_orthotropic()
+                ? "."
+                : ", or both directions along the surface.")});
     }
 
     void add_idle(const ContactBoundary &boundary, const double depth, const Units &units,
                   Warnings &warnings)
     {
       warnings.push_back(
-        "nodes of '" + boundary.name() +
-        "' on which none of its forces act, since their displacement is prescribed or "
-        "they belong to a contact boundary before it, came " +
-        with_unit(format("%.2g", depth), units.length) + " into " +
-        (boundary.is_pair() ? '\'' + boundary.partner_name() + '\'' : "its obstacle") +
-        "; the certificate does not speak of them.");
+        {"idle nodes of " + boundary.name(), depth,
+         "nodes of '" + boundary.name() +
+           "' on which none of its forces act, since their displacement is prescribed or "
+           "they belong to a contact boundary before it, came " +
+           with_unit(format("%.2g", depth), units.length) + " into " +
+           (boundary.is_pair() ? '\'' + boundary.partner_name() + '\'' : "its obstacle") +
+           "; the certificate does not speak of them."});
     }
 
     void add_fall(const ContactBoundary &boundary, const double fall,
                   const bool has_steps, Warnings &warnings)
     {
       if (fall > much_of_friction)
-        warnings.push_back(format(
-          "friction of '%s' falls by %.0f %% of itself within %s as nodes slip: "
-          "there may be other solutions, which smaller steps ('Time/Steps') tell apart.",
-          boundary.name().c_str(), 100. * fall,
-          has_steps ? "the last step" : "the one step"));
+        warnings.push_back(
+          {"friction of " + boundary.name(), fall,
+           format("friction of '%s' falls by %.0f %% of itself within %s as nodes slip: "
+                  "there may be other solutions, which smaller steps ('Time/Steps') tell "
+                  "apart.",
+                  boundary.name().c_str(), 100. * fall,
+                  has_steps ? "the last step" : "the one step")});
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
                    const Units &units, Warnings &warnings)
     {
       if (figures.way > figures.spacing)
-        warnings.push_back("nodes of '" + pair.name() + "' are " +
-                           with_unit(format("%.2g", figures.way), units.length) +
-                           " from where they were on '" + pair.partner_name() + "', " +
-                           format("%.1f", figures.way / figures.spacing) +
-                           " times the distance of nodes: gaps, normals and what lies "
-                           "opposite remain those "
-                           "of the undeformed bodies.");
+        warnings.push_back({"slide of " + pair.name(), figures.way,
+                            "nodes of '" + pair.name() + "' are " +
+                              with_unit(format("%.2g", figures.way), units.length) +
+                              " from where they were on '" + pair.partner_name() + "', " +
+                              format("%.1f", figures.way / figures.spacing) +
+                              " times the distance of nodes: gaps, normals and what lies "
+                              "opposite remain those "
+                              "of the undeformed bodies."});
     }
 
     void add_gap(const ContactBoundary &pair, const PairFigures &figures,
@@ -139,12 +163,13 @@ namespace stiction
     {
       if (figures.moment_across_gap > much_across_gap)
         warnings.push_back(
-          "friction between '" + pair.name() + "' and '" + pair.partner_name() +
-          "' acts across the " + with_unit(format("%.2g", figures.gap), units.length) +
-          format(" between their meshes: that has a moment, %.2g %% of that of all "
-                 "contact forces about its axis, which bodies that touch do not have; "
-                 "make them where they touch.",
-                 100. * figures.moment_across_gap));
+          {"gap of " + pair.name(), figures.moment_across_gap,
+           "friction between '" + pair.name() + "' and '" + pair.partner_name() +
+             "' acts across the " + with_unit(format("%.2g", figures.gap), units.length) +
+             format(" between their meshes: that has a moment, %.2g %% of that of all "
+                    "contact forces about its axis, which bodies that touch do not have; "
+                    "make them where they touch.",
+                    100. * figures.moment_across_gap)});
     }
 
     void add_facets(const ContactBoundary &pair, const PairFigures &figures,
@@ -159,13 +184,34 @@ namespace stiction
       const double share = figures.climbed / energy;
       if (share > much_from_facets)
         warnings.push_back(
-          "'" + pair.name() + "' slid on '" + pair.partner_name() +
-          format(
-            "' until facets wedged, which have %.2g %% of the strain energy: were "
-            "the surface as round as it is but for them, friction might not hold the "
-            "loads; see whether less is held on a finer mesh, or on one that follows "
-            "the surface (second order, 'Geometry/Element degree = 2').",
-            100. * share));
+          {"facets of " + pair.name(), share,
+           "'" + pair.name() + "' slid on '" + pair.partner_name() +
+             format(
+               "' until facets wedged, which have %.2g %% of the strain energy: were "
+               "the surface as round as it is but for them, friction might not hold the "
+               "loads; see whether less is held on a finer mesh, or on one that follows "
+               "the surface (second order, 'Geometry/Element degree = 2').",
+               100. * share)});
+    }
+
+    // What linear kinematics leaves out where nodes moved along an obstacle.
+    void add_departure(const ContactBoundary &boundary,
+                       const ContactSurface::Departure &departure, const double way,
+                       const Units &units, Warnings &warnings)
+    {
+      if (departure.slip > departure.spacing &&
+          (departure.distance > much_of_way * way || departure.turn > much_turned))
+        warnings.push_back(
+          {"obstacle of " + boundary.name(), departure.distance,
+           "nodes of '" + boundary.name() +
+             "' moved along an obstacle that is another one there: the gap is off by " +
+             with_unit(format("%.2g", departure.distance), units.length) +
+             format(", the normal by %.2g degrees, while bodies give ",
+                    departure.turn * 180. / dealii::numbers::PI) +
+             with_unit(format("%.2g", way), units.length) +
+             "; gaps and normals remain those of the undeformed body, so that forces may "
+             "be "
+             "wrong; move them less."});
     }
 
     void add_deformation(const Deformation &deformation, Warnings &warnings)
@@ -173,73 +219,137 @@ namespace stiction
       const auto &[strain, rotation] = deformation;
       if (strain > large_deformation)
         warnings.push_back(
-          format("strains of up to %.2g: linear elasticity is for small "
-                 "ones and leaves out what is quadratic in them, some %.0f "
-                 "%% of the strain there.",
-                 strain, 50. * strain));
+          {"strain", strain,
+           format("strains of up to %.2g: linear elasticity is for small "
+                  "ones and leaves out what is quadratic in them, some %.0f "
+                  "%% of the strain there.",
+                  strain, 50. * strain)});
       if (rotation > large_deformation)
         warnings.push_back(
-          format("the body turns by up to %.2g degrees: linear elasticity is for small "
-                 "rotations, and makes a strain of %.2g of this one.",
-                 rotation * 180. / dealii::numbers::PI, 0.5 * rotation * rotation));
+          {"rotation", rotation,
+           format("the body turns by up to %.2g degrees: linear elasticity is for small "
+                  "rotations, and makes a strain of %.2g of this one.",
+                  rotation * 180. / dealii::numbers::PI, 0.5 * rotation * rotation)});
+    }
+
+    // Forces have the moments that they have on a body that has not turned, and what is
+    // round rolls up beside where it lay.
+    //
+    // @param turn of a body that contact alone holds, radians.
+    void add_turn(const double turn, const double coefficient, Warnings &warnings)
+    {
+      if (coefficient > 0. && turn > much_of_coefficient * coefficient)
+        warnings.push_back(
+          {"turn", turn,
+           format("a body that contact alone holds turns by %.2g degrees, which is "
+                  "%.2g of the friction angle: contact forces stay where they act on "
+                  "bodies that have not turned, so that a round body may seem held "
+                  "beyond what friction bears.",
+                  turn * 180. / dealii::numbers::PI, turn / coefficient)});
     }
   } // namespace
 
-  std::vector<std::string> ContactProblem::warnings(
-    const double largest_displacement) const
+  std::vector<Warning> ContactProblem::warnings_of_step() const
   {
     const ContactSurface &surface = contact_surface();
+    const double largest          = state_.u.linfty_norm();
+    const auto &boundaries        = surface.boundaries();
+    const double force            = certificate_->force_scale();
     Warnings warnings;
-    if (parameters_.has_locking())
+    if (const double depth = surface.penetration_of_facing_away(state_);
+        depth > rounding_of_depth * largest)
+      warnings.push_back({"facing away", depth,
+                          "a node that faces away from its obstacle came " +
+                            with_unit(format("%.2g", depth), units_.length) +
+                            " into it; such nodes are no contact nodes, and the "
+                            "certificate does not speak of them."});
+    if (const auto [body, lacking] = certificate_->worst_balanced();
+        lacking > badly_balanced)
       warnings.push_back(
+        {"balance", lacking,
+         format(
+           "forces on body '%s' are out of balance by %.2g %% of themselves, being "
+           "small "
+           "beside those of the others; lower 'Contact solver/Tolerance', or compute "
+           "it by itself.",
+           body_->pieces()[body].name.c_str(), 100. * lacking)});
+    const std::vector<double> frictionless = surface.frictionless_parts(state_),
+                              depths       = surface.penetration_of_idle(state_),
+                              falls        = surface.falls_of_friction(state_);
+    const auto departures                  = surface.departures(state_);
+    const double pressing = state_.lambda.head(surface.n_nodes()).cwiseMax(0.).sum();
+    const double way      = pressing > 0. ? certificate_->energy_scale() / pressing : 0.;
+    for (std::size_t b = 0; b < boundaries.size(); ++b)
+      {
+        add_supports(boundaries[b], frictionless[b], warnings);
+        if (depths[b] > deep * largest)
+          add_idle(boundaries[b], depths[b], units_, warnings);
+        add_fall(boundaries[b], falls[b], steps_ != nullptr, warnings);
+        add_departure(boundaries[b], departures[b], way, units_, warnings);
+      }
+    for (const ContactBoundary &pair : boundaries)
+      if (pair.is_pair() && !pair.is_tied())
+        {
+          const PairFigures figures =
+            pair_figures(surface, pair, state_, std::max(force, state_.scales.force));
+          add_edge(pair, figures, warnings);
+          add_slide(pair, figures, units_, warnings);
+          add_gap(pair, figures, units_, warnings);
+          add_facets(pair, figures, *body_, *certificate_, warnings);
+        }
+    add_deformation(largest_deformation(*body_, state_.u), warnings);
+    double turn                    = 0.;
+    const Eigen::VectorXd way_free = elasticity().free_motion_of(state_.u);
+    for (const RigidMotion &motion : elasticity().free_motions().motions(way_free))
+      turn = std::max(turn, motion.rotation.norm());
+    add_turn(turn, surface.largest_coefficient(), warnings);
+    return warnings;
+  }
+
+  void ContactProblem::remember_warnings()
+  {
+    for (Warning &warning : warnings_of_step())
+      if (const auto before = warned_.find(warning.about);
+          before == warned_.end() || before->second.size < warning.size)
+        {
+          warning.text = format("at t = %.6g: ", elasticity().time()) + warning.text;
+          warned_[warning.about] = std::move(warning);
+        }
+  }
+
+  std::vector<std::string> ContactProblem::warnings() const
+  {
+    std::vector<std::string> sentences;
+    if (parameters_.has_locking())
+      sentences.push_back(
         format("with a Poisson ratio of %g trilinear elements lock, bodies and "
                "forces become too stiff, which the certificate does not see: "
                "'Material/Volume strain = cell mean' does not lock.",
                parameters_.material.largest_poisson_ratio()));
-    Deformation deformation = largest_deformation_;
+    Warnings now;
+    const ContactSurface &surface = contact_surface();
     if (status_.converged)
       {
         if (const std::string friction =
               warning_on_friction(surface.largest_coefficient());
             !friction.empty())
-          warnings.push_back(friction);
-        if (const double depth = surface.penetration_of_facing_away(state_);
-            depth > rounding_of_depth * largest_displacement)
-          warnings.push_back(
-            "a node that faces away from its obstacle came " +
-            with_unit(format("%.2g", depth), units_.length) +
-            " into it; such nodes are no contact nodes, and the certificate does "
-            "not speak of them.");
-        if (const auto [body, lacking] = certificate_->worst_balanced();
-            lacking > badly_balanced)
-          warnings.push_back(format(
-            "forces on body '%s' are out of balance by %.2g %% of themselves, being "
-            "small "
-            "beside those of the others; lower 'Contact solver/Tolerance', or compute "
-            "it by itself.",
-            body_->pieces()[body].name.c_str(), 100. * lacking));
-        const std::vector<double> frictionless = surface.frictionless_parts(state_),
-                                  depths       = surface.penetration_of_idle(state_),
-                                  falls        = surface.falls_of_friction(state_);
-        for (std::size_t b = 0; b < frictionless.size(); ++b)
-          {
-            add_supports(surface.boundaries()[b], frictionless[b], warnings);
-            if (depths[b] > deep * largest_displacement)
-              add_idle(surface.boundaries()[b], depths[b], units_, warnings);
-            add_fall(surface.boundaries()[b], falls[b], steps_ != nullptr, warnings);
-          }
-        for (const ContactBoundary &pair : surface.boundaries())
-          if (pair.is_pair() && !pair.is_tied())
-            {
-              const PairFigures figures = pair_figures(surface, pair, state_);
-              add_edge(pair, figures, warnings);
-              add_slide(pair, figures, units_, warnings);
-              add_gap(pair, figures, units_, warnings);
-              add_facets(pair, figures, *body_, *certificate_, warnings);
-            }
-        deformation.include(largest_deformation(*body_, state_.u));
+          sentences.push_back(friction);
+        now = warnings_of_step();
       }
-    add_deformation(deformation, warnings);
-    return warnings;
+    else if (state_.lambda.size() > 0)
+      {
+        const std::vector<double> frictionless = surface.frictionless_parts(state_);
+        for (std::size_t b = 0; b < frictionless.size(); ++b)
+          add_supports(surface.boundaries()[b], frictionless[b], now);
+      }
+    auto earlier = warned_;
+    for (const Warning &warning : now)
+      {
+        sentences.push_back(warning.text);
+        earlier.erase(warning.about);
+      }
+    for (const auto &[about, warning] : earlier)
+      sentences.push_back(warning.text);
+    return sentences;
   }
 } // namespace stiction

@@ -5,10 +5,10 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/certificate/error_estimator.h>
 #include <stiction/contact/interface/state.h>
-#include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/output/history/step_result.h>
 #include <stiction/simulation/checkpoint/mesh_history.h>
 #include <stiction/simulation/discretization.h>
+#include <stiction/simulation/warning.h>
 
 #include <deal.II/base/timer.h>
 
@@ -17,6 +17,7 @@
 #include <mpi.h>
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -152,8 +153,13 @@ namespace stiction
     /// The files of what was found, with this behind the words of their names.
     void write_fields(const std::string &tag) const;
     void export_problem();
-    /// What the certificate does not see, in sentences.
-    std::vector<std::string> warnings(double largest_displacement) const;
+    /// What the certificate of a step does not see. Collective.
+    std::vector<Warning> warnings_of_step() const;
+    /// Keeps those of a step that ends. Collective.
+    void remember_warnings();
+    /// Those of the last step in sentences, and of earlier ones the worst of what they
+    /// alone are about. Collective.
+    std::vector<std::string> warnings() const;
     RunResult result() const;
     /// Writes summary.json.
     void summarize(const RunResult &result);
@@ -186,7 +192,8 @@ namespace stiction
     bool ends_between_steps_ = false; ///< interrupted after a certified step
     std::unique_ptr<Certificate> certificate_;
 
-    Deformation largest_deformation_; ///< of all certified steps of this run
+    /// Of the certified steps of this run, by what they are about.
+    std::map<std::string, Warning> warned_;
 
     std::unique_ptr<StepHistory> steps_;     ///< if there are several
     std::unique_ptr<EnergyBalance> balance_; ///< of these steps

@@ -18,6 +18,12 @@ namespace stiction
     // A node with less is beyond the edge of what lies opposite, but for rounding.
     constexpr double covered = 0.499;
 
+    // Of the product of a force and its arm: nodes along an axis have no moment about it.
+    constexpr double least_moment = 0.01;
+
+    // Of the largest force of the problem: a pair with less bears what a tolerance left.
+    constexpr double least_force = 1e-6;
+
     // The nodes of a pair that are pressed, by rows.
     struct PressedNodes
     {
@@ -96,13 +102,16 @@ namespace stiction
         return;
       double moment = 0.;
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
-        moment += std::abs(
-          across.normalized().dot((pressed.positions.row(k) - centre)
-                                    .cross(pressed.pressing(k) * pressed.normals.row(k) +
-                                           pressed.friction.row(k))));
+        {
+          const Eigen::RowVector3d arm   = pressed.positions.row(k) - centre,
+                                   force = pressed.pressing(k) * pressed.normals.row(k) +
+                                           pressed.friction.row(k);
+          moment += std::max(std::abs(across.normalized().dot(arm.cross(force))),
+                             least_moment * arm.norm() * force.norm());
+        }
       const Eigen::VectorXd sizes = pressed.friction.rowwise().norm();
       figures.gap                 = sizes.dot(pressed.gaps.cwiseAbs()) / sizes.sum();
-      figures.moment_across_gap   = across.norm() / moment;
+      figures.moment_across_gap   = moment > 0. ? across.norm() / moment : 0.;
     }
 
     void add_way(const PressedNodes &pressed, PairFigures &figures)
@@ -113,11 +122,11 @@ namespace stiction
   } // namespace
 
   PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
-                           const State &state)
+                           const State &state, const double force_scale)
   {
     PairFigures figures;
     const PressedNodes pressed(surface, pair, state);
-    if (pressed.pressing.size() == 0)
+    if (pressed.pressing.sum() <= least_force * force_scale)
       return figures;
     add_edge(pressed, figures);
     add_gap(pressed, figures);

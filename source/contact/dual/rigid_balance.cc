@@ -252,7 +252,7 @@ namespace stiction
       {
         LA::Vector u = elasticity.zero_vector();
         elasticity.add_free_motion(Eigen::VectorXd::Unit(n, j), u);
-        balance.G.col(p + j) = -surface.B().apply(u);
+        balance.G.col(p + j) = -surface.B().apply_to_motion(u);
       }
     return balance;
   }

@@ -202,13 +202,14 @@ namespace stiction
   void ContactBoundary::describe(const Entries &entries)
   {
     const std::string angle = entries.rotation.substr(entries.rotation.rfind(';') + 1);
-    description_ =
-      entries.obstacle + (entries.gap == "0" ? "" : ", gap " + entries.gap) +
+    details_ =
+      (entries.gap == "0" ? "" : ", gap " + entries.gap) +
       (are_zero(entries.displacement) ? "" : ", displaced " + entries.displacement) +
       (are_zero(angle) ? "" : ", turned " + entries.rotation) +
       (are_zero(entries.force) ? "" : ", pressed on by " + entries.force) +
       describe_friction(entries.law, entries.coefficient, entries.slip_stress,
                         entries.first_direction);
+    description_ = entries.obstacle + details_;
   }
 
   void ContactBoundary::require_tied_pair(const bool has_partners,
@@ -230,6 +231,10 @@ namespace stiction
   {
     for (const std::string &other : others)
       {
+        if (other.empty())
+          throw InputError(source_->describe(obstacle_entry) +
+                           ", has a comma too many: names of boundaries stand between "
+                           "them.");
         const auto id = body.boundary_names().id(other, source_->locate(obstacle_entry));
         if (id == id_)
           throw InputError(source_->describe(obstacle_entry) + ", boundary '" + name_ +
@@ -269,9 +274,8 @@ namespace stiction
         std::swap(id_, partners_.front());
         std::swap(name_, partner_name_);
       }
-    const std::string said = description_.substr(0, description_.find("; forces on "));
     description_ =
-      "boundary " + partner_name_ + said.substr(std::min(said.find(','), said.size())) +
+      "boundary " + partner_name_ + details_ +
       (keeps_mesh_gap() || is_tied() ? "" : ", distance of the meshes removed") +
       "; forces on " + name_ + ", " + reason;
   }

@@ -12,6 +12,9 @@ namespace stiction
 {
   namespace
   {
+    // Of the largest displacement of a rigid motion.
+    constexpr double rounding_of_motion = 1e-10;
+
     // The same map at every node.
     template<typename Map>
     Eigen::VectorXd at_all_nodes(const std::vector<ContactFrame> &frames,
@@ -72,6 +75,12 @@ namespace stiction
   {
     return at_all_nodes(frames_, relative_displacement(u),
                         &ContactFrame::displacement_to_local);
+  }
+
+  Eigen::VectorXd ContactOperator::apply_to_motion(const LA::Vector &u) const
+  {
+    const Eigen::VectorXd w = apply(u);
+    return (w.array().abs() > rounding_of_motion * u.linfty_norm()).select(w, 0.);
   }
 
   Eigen::VectorXd ContactOperator::relative_displacement(const LA::Vector &u) const

@@ -49,7 +49,7 @@ namespace stiction
       "of the mesh, of another body or of the same one: a contact pair of "
       "elastic bodies, whose meshes need not match; boundary : NAME, NAME, several of "
       "them side by side, as the plates under a pad, whose forces act at the nodes of "
-      "the pad. All others are rigid. "
+      "the pad (of a name with a comma say the number). All others are rigid. "
       "foundation: it lies "
       "opposite to the boundary along its outward normal, at the distance "
       "'Initial gap'. plane : px; py; pz; nx; ny; nz, through a point, with "

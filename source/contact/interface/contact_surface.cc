@@ -1,3 +1,4 @@
+#include <stiction/base/errors.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -7,6 +8,8 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace stiction
@@ -28,6 +31,10 @@ namespace stiction
 
     // Of the largest displacement: less is no slip worth a word.
     constexpr double least_slip = 1e-3;
+
+    // Of the largest slip of a pair: beside a plane of symmetry a mean of what lies
+    // opposite slips by less.
+    constexpr double part_of_pair = 0.3;
 
     // ... and less is none: what is prescribed as zero is so but for rounding.
     constexpr double rounding_of_slip = 1e-10;
@@ -276,29 +283,79 @@ namespace stiction
     const Eigen::VectorXd of_all_steps = relative_displacement(state),
                           of_this_step = slip_since_origin(state),
                           bound        = slip_bound_.at(state.lambda);
-    const double least                 = least_slip * state.u.linfty_norm();
     std::vector<double> parts(boundaries_.size(), 0.), all = parts;
+    std::vector<std::array<double, 3>> least(boundaries_.size());
+    for (auto &of_components : least)
+      of_components.fill(least_slip * state.u.linfty_norm());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (const ContactNode &node = nodes_[i]; boundaries_[node.boundary].is_pair())
+        {
+          const Tensor<1, 3> slip       = to_tensor(at_node(of_all_steps, i));
+          const Tensor<1, 3> tangential = slip - (slip * node.normal) * node.normal;
+          for (unsigned int c = 0; c < 3; ++c)
+            least[node.boundary][c] =
+              std::max(least[node.boundary][c], part_of_pair * std::abs(tangential[c]));
+        }
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         const ContactNode &node = nodes_[i];
         const double force      = std::max(state.lambda(i), 0.);
-        // opposite to a plane of symmetry a mean of the other side would seem to slip
-        const bool is_pair         = boundaries_[node.boundary].is_pair();
-        const Tensor<1, 3> slips[] = {
-          is_pair ? node.prescribed_displacement : to_tensor(at_node(of_all_steps, i)),
-          is_pair ? Tensor<1, 3>() : to_tensor(at_node(of_this_step, i))};
-        const auto slips_along = [&](const Tensor<1, 3> &direction) {
-          return std::max(std::abs(slips[0] * direction),
-                          std::abs(slips[1] * direction)) > least;
-        };
+        if (slip_bound_.is_tied(i))
+          continue;
         all[node.boundary] += force;
-        if (bound(i) > 0. && ((node.scale[0] == 0. && slips_along(node.tangent1)) ||
-                              (node.scale[1] == 0. && slips_along(node.tangent2))))
+        bool lacks = false; // dragged nodes have scales
+        for (unsigned int c = 0; c < 3; ++c)
+          lacks = lacks || (node.prescribed[c] && node.scale[0] == 0. &&
+                            std::max(std::abs(at_node(of_all_steps, i)(c)),
+                                     std::abs(at_node(of_this_step, i)(c))) >
+                              least[node.boundary][c]);
+        if (bound(i) > 0. && lacks)
           parts[node.boundary] += force;
       }
     for (std::size_t b = 0; b < parts.size(); ++b)
       parts[b] = all[b] > 0. ? parts[b] / all[b] : 0.;
     return parts;
+  }
+
+  std::vector<ContactSurface::Departure> ContactSurface::departures(
+    const State &state) const
+  {
+    std::vector<Departure> departures(boundaries_.size());
+    std::vector<double> all(boundaries_.size(), 0.);
+    const Eigen::VectorXd moved = relative_displacement(state);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const ContactNode &node         = nodes_[i];
+        const ContactBoundary &boundary = boundaries_[node.boundary];
+        if (boundary.obstacle() == nullptr || state.lambda(i) <= 0.)
+          continue;
+        // what has turned moved along itself
+        const Tensor<1, 3> way = to_tensor(at_node(moved, i)) - node.turning;
+        ContactNode there      = node;
+        there.position -= way;
+        try
+          {
+            boundary.place(there);
+          }
+        catch (const InputError &)
+          {
+            there.gap = -boundary.body_size(); // that far inside, or farther
+          }
+        const double linear = node.gap + node.normal * way +
+                              boundary.initial_gap(there.position) -
+                              boundary.initial_gap(node.position);
+        Departure &departure = departures[node.boundary];
+        departure.distance += state.lambda(i) * std::abs(there.gap - linear);
+        departure.turn += state.lambda(i) * (there.normal - node.normal).norm();
+        departure.slip += state.lambda(i) * way.norm();
+        departure.spacing += state.lambda(i) * std::sqrt(node.area);
+        all[node.boundary] += state.lambda(i);
+      }
+    for (std::size_t b = 0; b < all.size(); ++b)
+      if (all[b] > 0.)
+        departures[b] = {departures[b].distance / all[b], departures[b].turn / all[b],
+                         departures[b].slip / all[b], departures[b].spacing / all[b]};
+    return departures;
   }
 
   std::vector<double> ContactSurface::falls_of_friction(const State &state) const

@@ -193,7 +193,7 @@ namespace stiction
         const Tensor<1, 3> &P           = boundary.force();
         // friction is along the slip, and moves neither obstacles nor anything opposite
         const bool is_isotropic = !boundary.friction().is_orthotropic();
-        const bool is_normal    = node.free_part >= 1. - rounding;
+        const bool is_normal    = (node.normal - node.free_normal).norm() <= rounding;
         const bool is_pressed_straight =
           (P - (P * node.normal) * node.normal).norm() <= rounding * P.norm();
         if (node.scale[0] == 0. && node.scale[1] == 0. && !boundary.is_pair() &&

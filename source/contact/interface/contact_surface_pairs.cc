@@ -2,6 +2,7 @@
 
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -28,6 +29,9 @@ namespace stiction
   {
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
+
+    // Of the area around a node: with more, several are opposite to the same place.
+    constexpr double covered_twice = 1.05;
 
     // Of the largest area of a node: less is a sliver, whose gap may be anything.
     constexpr double sliver = 1e-3;
@@ -67,6 +71,28 @@ namespace stiction
           "rigid.");
     }
 
+    // Throws InputError if one of several that are opposite is not.
+    void require_all_opposite(const LinearElasticity &elasticity,
+                              const ContactBoundary &pair, const Mortar &mortar)
+    {
+      if (pair.partners().size() == 1)
+        return;
+      const std::set<types::global_dof_index> masters(mortar.masters.begin(),
+                                                      mortar.masters.end());
+      for (const auto id : pair.partners())
+        {
+          bool is_opposite = false;
+          for (const SurfaceFace &face : surface_faces(elasticity, {id}))
+            for (unsigned int k = 0; k < face.n_nodes(); ++k)
+              is_opposite = is_opposite || masters.count(face.dofs[k]) > 0;
+          if (!is_opposite)
+            throw InputError(
+              pair.source().describe("Boundary conditions/Obstacle") + ", nothing of '" +
+              elasticity.body().boundary_names().name(id) +
+              "' lies opposite to boundary '" + pair.name() + "', must be left out.");
+        }
+    }
+
     [[noreturn]] void refuse_lost_tie(const ContactBoundary &pair,
                                       const unsigned int n_lost)
     {
@@ -75,7 +101,8 @@ namespace stiction
         ", holds " + std::to_string(n_lost) + " nodes of boundary '" + pair.name() +
         "', but not those of '" + pair.partner_name() +
         "' to which they are tied, so that the tie would be lost there, must "
-        "hold both, or 'Slave side' must be the other one.");
+        "hold both" +
+        (pair.partners().size() == 1 ? ", or 'Slave side' must be the other one." : "."));
     }
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick.
@@ -205,14 +232,28 @@ namespace stiction
       return side;
     }
 
+    // Whether supports hold another side less than the slave, which does not end within
+    // it. Of contact it counts whether they hold nodes at all, which is the same after
+    // the mesh is refined in the middle of a history.
+    bool is_held_less(const LinearElasticity &elasticity, const ContactBoundary &pair,
+                      const std::vector<SurfaceFace> &other,
+                      const std::vector<SurfaceFace> &slave)
+    {
+      if (!pair.is_tied())
+        return is_held(elasticity, slave) && !is_held(elasticity, other) &&
+               !ends_within(elasticity, slave, other);
+      return n_held_alone(elasticity, Mortar(elasticity, slave, other)) > 0 &&
+             n_held_alone(elasticity, Mortar(elasticity, other, slave)) == 0;
+    }
+
     // Whether the other side would do where supports hold nodes of this one.
     bool may_change_sides(const ContactBoundary &pair, const SlaveSide &side,
                           const Bearers &bearers)
     {
       return pair.partners().size() == 1 && pair.slave_side() == "automatic" &&
-             (pair.is_tied() || (!side.is_end && !side.is_much_softer() &&
-                                 bearers.rank(pair.partners()) == 0 &&
-                                 !bearers.closes_circle(pair.partners(), {pair.id()})));
+             (pair.is_tied() ||
+              (!side.is_much_softer() && bearers.rank(pair.partners()) == 0 &&
+               !bearers.closes_circle(pair.partners(), {pair.id()})));
     }
   } // namespace
 
@@ -237,19 +278,19 @@ namespace stiction
           mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
           if (pair.is_tied())
             require_close(pair, *mortars_[b], first);
-          unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
-          if (lost > 0 && may_change_sides(pair, side, bearers) &&
-              !is_contact_boundary(pair.partners().front()))
-            if (auto other = std::make_unique<Mortar>(elasticity, second, first);
-                n_held_alone(elasticity, *other) == 0)
-              {
-                lost        = 0;
-                mortars_[b] = std::move(other);
-                side        = side.other("the side that is held less");
-                pair.take_side(false, side.reason);
-              }
-          if (pair.is_tied() && lost > 0)
-            refuse_lost_tie(pair, lost);
+          require_all_opposite(elasticity, pair, *mortars_[b]);
+          if (may_change_sides(pair, side, bearers) &&
+              !is_contact_boundary(pair.partners().front()) &&
+              is_held_less(elasticity, pair, second, first))
+            {
+              mortars_[b] = std::make_unique<Mortar>(elasticity, second, first);
+              side        = side.other("the side that is held less");
+              pair.take_side(false, side.reason);
+            }
+          if (pair.is_tied())
+            if (const unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
+                lost > 0)
+              refuse_lost_tie(pair, lost);
           has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
           bearers.add(pair);
           require_side_by_side(pair, *mortars_[b], elasticity.body());
@@ -262,12 +303,18 @@ namespace stiction
     const Eigen::Index i = mortar.row_of(node.first_dof);
     if (i < 0 || mortar.areas(i) < least_cover * node.area)
       return false;
+    const ContactBoundary &boundary = boundaries_[node.boundary];
+    if (boundary.partners().size() > 1 && mortar.areas(i) > covered_twice * node.area)
+      throw InputError(boundary.source().describe("Boundary conditions/Obstacle") +
+                       ", of '" + boundary.partner_name() +
+                       "' one lies behind another at (" + text_of(node.position) +
+                       "), must lie side by side: leave out what does not touch '" +
+                       boundary.name() + "'.");
     node.cover          = mortar.areas(i) / node.area;
     node.area           = mortar.areas(i);
     node.mesh_gap       = mortar.gaps(i);
     node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
-    const ContactBoundary &boundary = boundaries_[node.boundary];
-    node.gap                        = boundary.initial_gap(node.position) +
+    node.gap            = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? node.mesh_gap : 0.);
     return true;
   }

@@ -17,6 +17,9 @@ namespace stiction
     using dealii::Point;
     using dealii::Tensor;
 
+    // How many triangles are looked at first.
+    constexpr unsigned int few = 4;
+
     // The point of a triangle nearest to another point, and the feature it lies
     // on: 0 the triangle, 1...3 the edge that begins at that vertex, 4...6 the
     // vertex.
@@ -129,25 +132,30 @@ namespace stiction
   {
     namespace bgi = boost::geometry::index;
 
-    // boxes come in the order of their distance
     double distance = std::numeric_limits<double>::infinity();
     Nearest nearest{};
     unsigned int triangle = 0;
-    for (auto box = data_->tree.qbegin(
-           bgi::nearest(p, static_cast<unsigned int>(data_->normals.size())));
-         box != data_->tree.qend() &&
-         boost::geometry::distance(p, box->first) <= distance;
+    const auto look_at    = [&](const auto &box) {
+      if (boost::geometry::distance(p, box.first) > distance)
+        return;
+      const Nearest here         = nearest_on_triangle(data_->corners(box.second), p);
+      const double here_distance = here.point.distance(p);
+      if (here_distance < distance)
+        {
+          distance = here_distance;
+          nearest  = here;
+          triangle = box.second;
+        }
+    };
+    // a few tell how far away others may be at most
+    for (auto box = data_->tree.qbegin(bgi::nearest(p, few)); box != data_->tree.qend();
          ++box)
-      {
-        const Nearest here         = nearest_on_triangle(data_->corners(box->second), p);
-        const double here_distance = here.point.distance(p);
-        if (here_distance < distance)
-          {
-            distance = here_distance;
-            nearest  = here;
-            triangle = box->second;
-          }
-      }
+      look_at(*box);
+    dealii::BoundingBox<3> around(std::make_pair(p, p));
+    around.extend(distance);
+    for (auto box = data_->tree.qbegin(bgi::intersects(around));
+         box != data_->tree.qend(); ++box)
+      look_at(*box);
 
     const Tensor<1, 3> &normal = data_->normal(triangle, nearest.feature);
     const Tensor<1, 3> away    = p - nearest.point;

@@ -5,15 +5,36 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stiction
 {
+  namespace
+  {
+    // 1 for each unknown that is prescribed, otherwise 0.
+    LA::Vector prescribed(const LinearElasticity &elasticity)
+    {
+      LA::Vector held = elasticity.zero_vector();
+      for (const auto dof : held.locally_owned_elements())
+        held(dof) = elasticity.is_prescribed(dof) ? 1. : 0.;
+      return held;
+    }
+  } // namespace
+
+  bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces)
+  {
+    std::vector<dealii::types::global_dof_index> nodes;
+    for (const SurfaceFace &face : faces)
+      nodes.insert(nodes.end(), face.dofs.begin(), face.dofs.begin() + face.n_nodes());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return !DofSubset::of_nodes(nodes).restriction(prescribed(elasticity)).isZero(0.);
+  }
+
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar)
   {
-    LA::Vector held = elasticity.zero_vector();
-    for (const auto dof : held.locally_owned_elements())
-      held(dof) = elasticity.is_prescribed(dof) ? 1. : 0.;
+    const LA::Vector held         = prescribed(elasticity);
     const Eigen::VectorXd slaves  = DofSubset::of_nodes(mortar.slaves).restriction(held);
     const Eigen::VectorXd masters = DofSubset::of_nodes(mortar.masters).restriction(held);
     const Eigen::Index m = mortar.weights.rows(), n = mortar.weights.cols();

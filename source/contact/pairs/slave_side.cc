@@ -33,26 +33,6 @@ namespace stiction
       return sum;
     }
 
-    // Whether a surface ends within another one, which goes on beyond its edges: flat
-    // ones, and curved ones that fit, as a hub on its shaft.
-    bool ends_within(const LinearElasticity &elasticity,
-                     const std::vector<SurfaceFace> &inner,
-                     const std::vector<SurfaceFace> &outer)
-    {
-      if (area(inner) >= smaller * area(outer))
-        return false;
-      const auto covered = [&](const Mortar &mortar, const std::vector<SurfaceFace> &of) {
-        return mortar.areas.sum() / area(of);
-      };
-      const Mortar mortar(elasticity, inner, outer);
-      if (is_flat(inner) && is_flat(outer))
-        return covered(mortar, inner) > all_of_it;
-      // coarse facets have less area than fine ones of the same surface
-      return covered(mortar, inner) > all_of_facets &&
-             mortar.largest_gap() < mean_diameter(inner) &&
-             covered(Mortar(elasticity, outer, inner), outer) < smaller;
-    }
-
     // Of the size of cells before they were refined, so that a side stays the slave when
     // a mesh is refined in the middle of a history.
     struct Means
@@ -117,6 +97,24 @@ namespace stiction
     return side;
   }
 
+  bool ends_within(const LinearElasticity &elasticity,
+                   const std::vector<SurfaceFace> &inner,
+                   const std::vector<SurfaceFace> &outer)
+  {
+    if (area(inner) >= smaller * area(outer))
+      return false;
+    const auto covered = [&](const Mortar &mortar, const std::vector<SurfaceFace> &of) {
+      return mortar.areas.sum() / area(of);
+    };
+    const Mortar mortar(elasticity, inner, outer);
+    if (is_flat(inner) && is_flat(outer))
+      return covered(mortar, inner) > all_of_it;
+    // coarse facets have less area than fine ones of the same surface
+    return covered(mortar, inner) > all_of_facets &&
+           mortar.largest_gap() < mean_diameter(inner) &&
+           covered(Mortar(elasticity, outer, inner), outer) < smaller;
+  }
+
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,
                                  const std::vector<SurfaceFace> &second)
@@ -124,10 +122,7 @@ namespace stiction
     SlaveSide side = choose_slave_side(first, second);
     if (side.is_first ? ends_within(elasticity, second, first)
                       : ends_within(elasticity, first, second))
-      {
-        side        = side.other("the side that ends within the other");
-        side.is_end = true;
-      }
+      side = side.other("the side that ends within the other");
     return side;
   }
 } // namespace stiction

@@ -117,7 +117,7 @@ namespace stiction
       {
         LA::Vector u = mesh().zero_vector<double>();
         add_free_motion(Eigen::VectorXd::Unit(n, j), u);
-        balance_.G.col(p + j) = -B_.apply(u);
+        balance_.G.col(p + j) = -B_.apply_to_motion(u);
         balance_.e(p + j)     = -(u * load_);
       }
     if (n == 0)

@@ -14,12 +14,6 @@ namespace stiction
 {
   using namespace dealii;
 
-  void Deformation::include(const Deformation &other)
-  {
-    strain   = std::max(strain, other.strain);
-    rotation = std::max(rotation, other.rotation);
-  }
-
   Deformation largest_deformation(const Body &body, const LA::Vector &u)
   {
     const LA::Vector ghosted = body.with_ghosts(u);

@@ -21,7 +21,8 @@ namespace stiction
     /// Friction across the gap in which the meshes are made has a moment
     /// Σ g_i n_i × λ_i that bodies which touch do not have: the mean of g weighted with
     /// friction, m, and that moment over those of all forces about its axis through the
-    /// centre of pressure, Σ |e · ((x_i − c) × λ_i)|.
+    /// centre of pressure, Σ |e · ((x_i − c) × λ_i)|, each at least a hundredth of the
+    /// force times its arm.
     double gap = 0., moment_across_gap = 0.;
 
     /// The energy from facets, J, see climbed_facets().
@@ -29,6 +30,9 @@ namespace stiction
   };
 
   /// Of a contact boundary that is a pair. Collective.
+  ///
+  /// @param force_scale that of the problem, N: a pair that bears next to nothing of it
+  ///   has no figures.
   PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
-                           const State &state);
+                           const State &state, double force_scale);
 } // namespace stiction

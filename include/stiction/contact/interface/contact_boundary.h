@@ -130,7 +130,7 @@ namespace stiction
     ContactBoundary(const Entries &entries, ParameterFile source, const Body &body,
                     double time);
 
-    /// Makes description_.
+    /// Makes description_ and, without what may be touched, details_.
     void describe(const Entries &entries);
 
     /// Throws InputError unless there is another side, and no gap.
@@ -143,7 +143,7 @@ namespace stiction
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_, partner_name_, slave_side_, mesh_gap_;
+    std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
     std::vector<dealii::types::boundary_id> partners_;
 

@@ -30,7 +30,8 @@ namespace stiction
   /// happens there is the support's, w = 0 and y = 0; see
   /// ContactSurface::add_friction_on_supports(). A normal of which components are
   /// prescribed stays what it is: what is prescribed moves along it, and the support
-  /// bears a part of the force. What is left to the body moves along the free normal.
+  /// bears a part of the force. What is left to the body moves along the free normal: of
+  /// such displacements M is diag(scales())·axes().
   struct ContactFrame
   {
     dealii::Tensor<1, 3> normal;           ///< n, unit, towards the obstacle

@@ -57,6 +57,10 @@ namespace stiction
     /// B u. Collective.
     Eigen::VectorXd apply(const LA::Vector &u) const;
 
+    /// B u of rigid motions of bodies, 0 where both sides move alike but for rounding.
+    /// Collective.
+    Eigen::VectorXd apply_to_motion(const LA::Vector &u) const;
+
     /// dst += factor Bᵀ λ, what supports bear included. Collective.
     void add_transpose(double factor, const Eigen::VectorXd &lambda,
                        LA::Vector &dst) const;

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <stiction/contact/pairs/surface_face.h>
+
+#include <vector>
+
 namespace stiction
 {
   class LinearElasticity;
   struct Mortar;
 
   /// How many slaves are held along some axis along which most of what they face is not:
-  /// a tie has no hold on that there, and contact no friction, since such a slave has no
-  /// unknown left. Collective.
+  /// a tie has no hold on that there, since such a slave has no unknown left. Collective.
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar);
+
+  /// Whether some displacement component is prescribed at a node of these. Collective.
+  bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces);
 } // namespace stiction

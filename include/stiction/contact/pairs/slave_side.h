@@ -15,7 +15,6 @@ namespace stiction
     bool is_first;
     double softness; ///< E of the other one over that of this one
     std::string reason;
-    bool is_end = false; ///< whether its surface ends within the other one
 
     SlaveSide other(const std::string &its_reason) const
     {
@@ -52,9 +51,15 @@ namespace stiction
   SlaveSide choose_slave_side(const std::vector<SurfaceFace> &first,
                               const std::vector<SurfaceFace> &second);
 
-  /// The same but for a surface that ends within the other one, flat ones, or round ones
-  /// that fit: forces act at nodes of the slave side, so that contact ends where it
-  /// should if that is the side with the edge. Collective.
+  /// Whether a surface ends within another one, which goes on beyond its edges: flat
+  /// ones, and round ones that fit, as a hub on its shaft. Collective.
+  bool ends_within(const LinearElasticity &elasticity,
+                   const std::vector<SurfaceFace> &inner,
+                   const std::vector<SurfaceFace> &outer);
+
+  /// The same but for a surface that ends within the other one: forces act at nodes of
+  /// the slave side, so that contact ends where it should if that is the side with the
+  /// edge. Collective.
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,
                                  const std::vector<SurfaceFace> &second);

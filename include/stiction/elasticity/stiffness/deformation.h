@@ -13,9 +13,6 @@ namespace stiction
   {
     double strain   = 0.; ///< the largest principal strain by its amount
     double rotation = 0.; ///< radians
-
-    /// Takes the larger ones.
-    void include(const Deformation &other);
   };
 
   /// The largest in the middle of any cell, from the displacement of the corners; what

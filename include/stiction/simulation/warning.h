@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace stiction
+{
+  /// What a user should know of a step that its certificate does not tell.
+  struct Warning
+  {
+    std::string about; ///< what, "slide of pad.bottom", once a step
+    double size;       ///< of several steps the worst one has the largest
+    std::string text;  ///< a sentence
+  };
+} // namespace stiction
