@@ -49,7 +49,8 @@ PICTURES = {
     "several_bodies/wedges": "A wedge driven under another one that bears a load and leans "
     "against a wall: all nodes slip, on the floor and on the slope.",
     "several_bodies/foot_over_joint": "The foot of a machine over the joint of a plate of "
-    "steel and one of aluminium, pressed and dragged: the stiffer plate bears more.",
+    "steel and one of aluminium, pressed and dragged: it leans on its leading edge, and the "
+    "pressure has a seam where the steel ends.",
     "several_bodies/block_between_blocks": "A block of rubber held between two of steel, "
     "and pulled to the right.",
     "several_bodies/brick_on_elastic_foundation": "The reference brick on a slab of the "

@@ -83,8 +83,10 @@ namespace stiction
         {
           bool is_opposite = false;
           for (const SurfaceFace &face : surface_faces(elasticity, {id}))
-            for (unsigned int k = 0; k < face.n_nodes(); ++k)
-              is_opposite = is_opposite || masters.count(face.dofs[k]) > 0;
+            is_opposite =
+              is_opposite ||
+              std::all_of(face.dofs.begin(), face.dofs.begin() + face.n_nodes(),
+                          [&](const auto dof) { return masters.count(dof) > 0; });
           if (!is_opposite)
             throw InputError(
               pair.source().describe("Boundary conditions/Obstacle") + ", nothing of '" +
