@@ -3,6 +3,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/obstacle_departure.h>
 #include <stiction/contact/certificate/pair_figures.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -196,7 +197,7 @@ namespace stiction
 
     // What linear kinematics leaves out where nodes moved along an obstacle.
     void add_departure(const ContactBoundary &boundary,
-                       const ContactSurface::Departure &departure, const double way,
+                       const ObstacleDeparture &departure, const double way,
                        const Units &units, Warnings &warnings)
     {
       if (departure.slip > departure.spacing &&
@@ -276,7 +277,6 @@ namespace stiction
     const std::vector<double> frictionless = surface.frictionless_parts(state_),
                               depths       = surface.penetration_of_idle(state_),
                               falls        = surface.falls_of_friction(state_);
-    const auto departures                  = surface.departures(state_);
     const double pressing = state_.lambda.head(surface.n_nodes()).cwiseMax(0.).sum();
     const double way      = pressing > 0. ? certificate_->energy_scale() / pressing : 0.;
     for (std::size_t b = 0; b < boundaries.size(); ++b)
@@ -285,7 +285,8 @@ namespace stiction
         if (depths[b] > deep * largest)
           add_idle(boundaries[b], depths[b], units_, warnings);
         add_fall(boundaries[b], falls[b], steps_ != nullptr, warnings);
-        add_departure(boundaries[b], departures[b], way, units_, warnings);
+        add_departure(boundaries[b], obstacle_departure(surface, boundaries[b], state_),
+                      way, units_, warnings);
       }
     for (const ContactBoundary &pair : boundaries)
       if (pair.is_pair() && !pair.is_tied())

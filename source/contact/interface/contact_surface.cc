@@ -1,4 +1,3 @@
-#include <stiction/base/errors.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -315,47 +314,6 @@ namespace stiction
     for (std::size_t b = 0; b < parts.size(); ++b)
       parts[b] = all[b] > 0. ? parts[b] / all[b] : 0.;
     return parts;
-  }
-
-  std::vector<ContactSurface::Departure> ContactSurface::departures(
-    const State &state) const
-  {
-    std::vector<Departure> departures(boundaries_.size());
-    std::vector<double> all(boundaries_.size(), 0.);
-    const Eigen::VectorXd moved = relative_displacement(state);
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      {
-        const ContactNode &node         = nodes_[i];
-        const ContactBoundary &boundary = boundaries_[node.boundary];
-        if (boundary.obstacle() == nullptr || state.lambda(i) <= 0.)
-          continue;
-        // what has turned moved along itself
-        const Tensor<1, 3> way = to_tensor(at_node(moved, i)) - node.turning;
-        ContactNode there      = node;
-        there.position -= way;
-        try
-          {
-            boundary.place(there);
-          }
-        catch (const InputError &)
-          {
-            there.gap = -boundary.body_size(); // that far inside, or farther
-          }
-        const double linear = node.gap + node.normal * way +
-                              boundary.initial_gap(there.position) -
-                              boundary.initial_gap(node.position);
-        Departure &departure = departures[node.boundary];
-        departure.distance += state.lambda(i) * std::abs(there.gap - linear);
-        departure.turn += state.lambda(i) * (there.normal - node.normal).norm();
-        departure.slip += state.lambda(i) * way.norm();
-        departure.spacing += state.lambda(i) * std::sqrt(node.area);
-        all[node.boundary] += state.lambda(i);
-      }
-    for (std::size_t b = 0; b < all.size(); ++b)
-      if (all[b] > 0.)
-        departures[b] = {departures[b].distance / all[b], departures[b].turn / all[b],
-                         departures[b].slip / all[b], departures[b].spacing / all[b]};
-    return departures;
   }
 
   std::vector<double> ContactSurface::falls_of_friction(const State &state) const

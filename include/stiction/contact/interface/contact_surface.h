@@ -164,19 +164,6 @@ namespace stiction
     /// slipped. Dragged nodes are none of them. Collective.
     std::vector<double> frictionless_parts(const State &state) const;
 
-    /// What the linearisation of an obstacle about where nodes were leaves out.
-    struct Departure
-    {
-      double distance = 0.; ///< by how much gaps are others where nodes came to, m
-      double turn     = 0.; ///< by how much normals are, radians
-      double slip     = 0.; ///< how far nodes are from where they were on it, m
-      double spacing  = 0.; ///< the distance of nodes, m
-    };
-
-    /// Of each contact boundary the means over its pressed nodes, weighted with their
-    /// forces; zeros where what it may touch is no obstacle with a shape. Collective.
-    std::vector<Departure> departures(const State &state) const;
-
     /// By how much friction fell as nodes slipped since the origin, as a part of what it
     /// could bear there, of each contact boundary. Collective.
     ///

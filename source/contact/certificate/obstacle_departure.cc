@@ -1,0 +1,54 @@
+#include <stiction/base/errors.h>
+#include <stiction/contact/certificate/obstacle_departure.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/state.h>
+#include <stiction/qp/operators/nodal_blocks.h>
+
+#include <cmath>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  ObstacleDeparture obstacle_departure(const ContactSurface &surface,
+                                       const ContactBoundary &boundary,
+                                       const State &state)
+  {
+    ObstacleDeparture departure;
+    double all                  = 0.;
+    const Eigen::VectorXd moved = surface.relative_displacement(state);
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      {
+        const ContactNode &node = surface.nodes()[i];
+        const double force      = state.lambda(i);
+        if (boundary.obstacle() == nullptr || force <= 0. ||
+            surface.boundaries()[node.boundary].id() != boundary.id())
+          continue;
+        // what has turned moved along itself
+        const Tensor<1, 3> way = to_tensor(at_node(moved, i)) - node.turning;
+        ContactNode there      = node;
+        there.position -= way;
+        try
+          {
+            boundary.place(there);
+          }
+        catch (const InputError &)
+          {
+            there.gap = -boundary.body_size(); // that far inside, or farther
+          }
+        const double linear = node.gap + node.normal * way +
+                              boundary.initial_gap(there.position) -
+                              boundary.initial_gap(node.position);
+        departure.distance += force * std::abs(there.gap - linear);
+        departure.turn += force * (there.normal - node.normal).norm();
+        departure.slip += force * way.norm();
+        departure.spacing += force * std::sqrt(node.area);
+        all += force;
+      }
+    if (all == 0.)
+      return {};
+    return {departure.distance / all, departure.turn / all, departure.slip / all,
+            departure.spacing / all};
+  }
+} // namespace stiction
