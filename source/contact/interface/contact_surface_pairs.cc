@@ -238,13 +238,13 @@ namespace stiction
     // it. Of contact it counts whether they hold nodes at all, which is the same after
     // the mesh is refined in the middle of a history.
     bool is_held_less(const LinearElasticity &elasticity, const ContactBoundary &pair,
-                      const std::vector<SurfaceFace> &other,
-                      const std::vector<SurfaceFace> &slave)
+                      const Mortar &mortar, const std::vector<SurfaceFace> &slave,
+                      const std::vector<SurfaceFace> &other)
     {
       if (!pair.is_tied())
         return is_held(elasticity, slave) && !is_held(elasticity, other) &&
                !ends_within(elasticity, slave, other);
-      return n_held_alone(elasticity, Mortar(elasticity, slave, other)) > 0 &&
+      return n_held_alone(elasticity, mortar) > 0 &&
              n_held_alone(elasticity, Mortar(elasticity, other, slave)) == 0;
     }
 
@@ -283,7 +283,7 @@ namespace stiction
           require_all_opposite(elasticity, pair, *mortars_[b]);
           if (may_change_sides(pair, side, bearers) &&
               !is_contact_boundary(pair.partners().front()) &&
-              is_held_less(elasticity, pair, second, first))
+              is_held_less(elasticity, pair, *mortars_[b], first, second))
             {
               mortars_[b] = std::make_unique<Mortar>(elasticity, second, first);
               side        = side.other("the side that is held less");
