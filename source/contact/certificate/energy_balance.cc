@@ -59,10 +59,7 @@ namespace stiction
     {
       Eigen::VectorXd vectors(3 * v.size());
       for (Eigen::Index i = 0; i < v.size(); ++i)
-        {
-          const dealii::Tensor<1, 3> along = v(i) * surface.nodes()[i].normal;
-          set_at_node(vectors, i, {along[0], along[1], along[2]});
-        }
+        set_at_node(vectors, i, surface.nodes()[i].force_to_cartesian({v(i), 0., 0.}));
       return vectors;
     }
   } // namespace

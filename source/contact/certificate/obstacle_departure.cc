@@ -16,14 +16,15 @@ namespace stiction
                                        const State &state)
   {
     ObstacleDeparture departure;
+    if (boundary.obstacle() == nullptr)
+      return departure;
     double all                  = 0.;
     const Eigen::VectorXd moved = surface.relative_displacement(state);
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
         const ContactNode &node = surface.nodes()[i];
         const double force      = state.lambda(i);
-        if (boundary.obstacle() == nullptr || force <= 0. ||
-            surface.boundaries()[node.boundary].id() != boundary.id())
+        if (force <= 0. || surface.boundaries()[node.boundary].id() != boundary.id())
           continue;
         // what has turned moved along itself
         const Tensor<1, 3> way = to_tensor(at_node(moved, i)) - node.turning;

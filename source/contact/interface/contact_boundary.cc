@@ -65,12 +65,9 @@ namespace stiction
     // 'file : NAME' with the name of the file where it is.
     std::string with_path(const std::string &obstacle, const ParameterFile &source)
     {
-      const std::size_t colon = obstacle.find(':');
-      if (colon == std::string::npos ||
-          Utilities::trim(obstacle.substr(0, colon)) != "file")
-        return obstacle;
-      return "file : " + source.find_file(obstacle_entry,
-                                          Utilities::trim(obstacle.substr(colon + 1)));
+      const auto [kind, name] = split_at_colon(obstacle);
+      return kind == "file" && name ? "file : " + source.find_file(obstacle_entry, *name)
+                                    : obstacle;
     }
 
     std::string describe_friction(const FrictionLaw law, const std::string &coefficient,
@@ -263,6 +260,11 @@ namespace stiction
       throw InputError(source_->describe(rotation_entry) + reason);
     if (force_.norm() > 0.)
       throw InputError(source_->describe(force_entry) + reason);
+  }
+
+  bool ContactBoundary::has_partner(const types::boundary_id id) const
+  {
+    return std::count(partners_.begin(), partners_.end(), id) > 0;
   }
 
   bool ContactBoundary::is_tied() const { return friction_->law() == FrictionLaw::tied; }

@@ -151,11 +151,10 @@ namespace stiction
 
   std::vector<std::string> paired_boundaries(const std::string &obstacle)
   {
-    const std::size_t colon = obstacle.find(':');
-    if (colon == std::string::npos ||
-        dealii::Utilities::trim(obstacle.substr(0, colon)) != "boundary")
+    const auto [kind, names] = split_at_colon(obstacle);
+    if (kind != "boundary" || !names)
       return {};
-    return dealii::Utilities::split_string_list(obstacle.substr(colon + 1), ',');
+    return dealii::Utilities::split_string_list(*names, ',');
   }
 
   bool ContactPairParameters::has_pressed_obstacles() const

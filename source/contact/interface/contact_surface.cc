@@ -31,12 +31,12 @@ namespace stiction
     // Of the largest displacement: less is no slip worth a word.
     constexpr double least_slip = 1e-3;
 
+    // ... and less is none: what is prescribed as zero is so but for rounding.
+    constexpr double rounding_of_slip = 1e-10;
+
     // Of the largest slip of a pair: beside a plane of symmetry a mean of what lies
     // opposite slips by less.
     constexpr double part_of_pair = 0.3;
-
-    // ... and less is none: what is prescribed as zero is so but for rounding.
-    constexpr double rounding_of_slip = 1e-10;
 
     // Of the largest force of earlier steps: less friction is what a tolerance left.
     constexpr double least_friction = 1e-6;
@@ -83,11 +83,9 @@ namespace stiction
 
   bool ContactSurface::is_other_side(const types::boundary_id id) const
   {
-    return std::any_of(boundaries_.begin(), boundaries_.end(),
-                       [&](const ContactBoundary &boundary) {
-                         const auto &of = boundary.partners();
-                         return std::find(of.begin(), of.end(), id) != of.end();
-                       });
+    return std::any_of(
+      boundaries_.begin(), boundaries_.end(),
+      [&](const ContactBoundary &boundary) { return boundary.has_partner(id); });
   }
 
   Eigen::Index ContactSurface::opposite_node_of(

@@ -74,13 +74,11 @@ namespace stiction
     const NodeShares shares(elasticity, boundaries_);
     boundary_area_ = shares.boundary_area();
     std::set<types::global_dof_index> found;
-    for (const ContactNode &node : shares.nodes())
+    for (ContactNode node : shares.nodes())
       {
         // A node belongs to the first of its boundaries; to tied ones before others, as a
-        // hole in a part is worse than a node without contact. Gaps are along its normal,
-        // whatever is held.
-        ContactNode free = node;
-        const bool bears = found.insert(node.first_dof).second && set_tangents(free);
+        // hole in a part is worse than a node without contact.
+        const bool bears = found.insert(node.first_dof).second && set_tangents(node);
         (bears ? nodes_ : idle_).push_back(node);
       }
   }

@@ -39,14 +39,11 @@ namespace stiction
     // The smallest edge of the boxes around the bodies at two boundaries.
     double thinnest(const Body &body, const ContactBoundary &pair)
     {
-      const auto is_side = [&](const types::boundary_id id) {
-        return id == pair.id() ||
-               std::count(pair.partners().begin(), pair.partners().end(), id) > 0;
-      };
       double least = pair.body_size();
       for (const auto &cell : body.triangulation().cell_iterators_on_level(0))
         for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && is_side(face->boundary_id()))
+          if (const auto id = face->boundary_id();
+              face->at_boundary() && (id == pair.id() || pair.has_partner(id)))
             for (unsigned int d = 0; d < 3; ++d)
               least =
                 std::min(least, body.pieces()[body.piece_of(cell)].box.side_length(d));

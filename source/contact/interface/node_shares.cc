@@ -89,10 +89,7 @@ namespace stiction
     unsigned int components = 0;
     for (unsigned int c = 0; c < 3; ++c)
       if (elasticity_.is_prescribed(dof + c))
-        {
-          components |= 1u << c;
-          share[value + c] = elasticity_.prescribed_value(dof + c);
-        }
+        components |= 1u << c;
     share[prescribed] = components;
     add(dof, weight, share);
   }
@@ -102,7 +99,7 @@ namespace stiction
   {
     const auto [place, is_new] = shares_.emplace(std::pair(dof, share[boundary]), share);
     Share &sum                 = place->second;
-    for (unsigned int k = area; k < value; ++k)
+    for (unsigned int k = area; k < position; ++k)
       sum[k] = weight * share[k] + (is_new ? 0. : sum[k]);
     sum[modulus]   = std::max(share[modulus], is_new ? 0. : sum[modulus]);
     sum[first_dof] = static_cast<double>(dof);
@@ -174,10 +171,9 @@ namespace stiction
         ContactNode node;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            node.position[c]                = share[position + c];
-            node.normal[c]                  = share[normal + c];
-            node.prescribed[c]              = has_component(share[prescribed], c);
-            node.prescribed_displacement[c] = share[value + c];
+            node.position[c]   = share[position + c];
+            node.normal[c]     = share[normal + c];
+            node.prescribed[c] = has_component(share[prescribed], c);
           }
         node.normal /= node.normal.norm();
         node.area           = share[area];

@@ -40,8 +40,7 @@ namespace stiction
       modulus,    // Young's, the largest
       area,
       normal,                // × area
-      value    = normal + 3, // of prescribed components
-      position = value + 3,  // from the owner of the node, as is its piece
+      position = normal + 3, // from the owner of the node, as is its piece
       piece    = position + 3,
       n_data   = piece + 1
     };

@@ -61,11 +61,10 @@ namespace stiction
                                            const std::string &location, const double size,
                                            const double time, MPI_Comm communicator)
   {
-    const std::size_t colon = text.find(':');
-    const std::string name  = trim(text.substr(0, colon));
-    const bool has_data     = colon != std::string::npos;
-    const std::string data  = has_data ? trim(text.substr(colon + 1)) : "";
-    const std::string entry = location + " = " + trim(text);
+    const auto [name, behind] = split_at_colon(text);
+    const bool has_data       = behind.has_value();
+    const std::string data    = behind.value_or("");
+    const std::string entry   = location + " = " + trim(text);
     if (name == "foundation" && !has_data)
       return nullptr;
     if (name == "formula" && has_data)

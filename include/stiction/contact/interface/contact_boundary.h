@@ -81,6 +81,8 @@ namespace stiction
     const std::vector<dealii::types::boundary_id> &partners() const { return partners_; }
     const std::string &partner_name() const { return partner_name_; }
 
+    bool has_partner(dealii::types::boundary_id id) const;
+
     /// "automatic", "boundary" or "obstacle".
     const std::string &slave_side() const { return slave_side_; }
 

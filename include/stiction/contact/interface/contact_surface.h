@@ -41,8 +41,6 @@ namespace stiction
     /// How far the surface of an obstacle that turns moves past it a radian, m, and
     /// has moved: the point that it faces. The torque of a force is arm·F.
     dealii::Tensor<1, 3> arm, turning;
-    /// Its prescribed components, 0 in the others, m.
-    dealii::Tensor<1, 3> prescribed_displacement;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it.
     double area = 0.;
@@ -253,6 +251,7 @@ namespace stiction
     /// Throws InputError if one would be the slave of two, and if a tie would be lost or
     /// its sides are far apart.
     void join_pairs(const LinearElasticity &elasticity);
+
     void collect_nodes(const LinearElasticity &elasticity);
 
     /// Throws InputError with the reason unless every boundary has nodes.
