@@ -55,6 +55,8 @@ PICTURES = {
     "and pulled to the right.",
     "several_bodies/brick_on_elastic_foundation": "The reference brick on a slab of the "
     "same steel, which gives way under it.",
+    "seal": "A rubber seal squeezed into a groove, half of its length: it fills the groove "
+    "and presses against its walls, and comes out at its free end.",
     "two_contact_boundaries": "A bar between a foundation and a plane, "
     "each with its own law of friction: each contact boundary has its own "
     "maps, all with the same colours of pressure.",

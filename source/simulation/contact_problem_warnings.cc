@@ -45,6 +45,9 @@ namespace stiction
     // Of the moments of all forces of a pair.
     constexpr double much_across_gap = 0.02;
 
+    // Of the normal force of a pair: three degrees.
+    constexpr double much_tilt = 0.05;
+
     // Of the strain energy of the bodies of a pair.
     constexpr double much_from_facets = 0.02;
 
@@ -173,6 +176,21 @@ namespace stiction
                     100. * figures.moment_across_gap)});
     }
 
+    void add_tilt(const ContactBoundary &pair, const PairFigures &figures,
+                  Warnings &warnings)
+    {
+      if (!pair.is_tied() && figures.tilt > much_tilt)
+        warnings.push_back(
+          {"normals of " + pair.name(), figures.tilt,
+           format("pressures between '%s' and '%s' act along the normals of the first, "
+                  "%.0f %% of their force across those of the second, which is too much "
+                  "or too little along it: one of them stands on an edge; ",
+                  pair.name().c_str(), pair.partner_name().c_str(), 100. * figures.tilt) +
+             (pair.partners().size() == 1
+                ? "let the side that is flat there bear the forces ('Slave side')."
+                : "round it off, or make the flat one the one boundary.")});
+    }
+
     void add_facets(const ContactBoundary &pair, const PairFigures &figures,
                     const Body &body, const Certificate &certificate, Warnings &warnings)
     {
@@ -296,6 +314,7 @@ namespace stiction
           add_edge(pair, figures, warnings);
           add_slide(pair, figures, units_, warnings);
           add_gap(pair, figures, units_, warnings);
+          add_tilt(pair, figures, warnings);
           add_facets(pair, figures, *body_, *certificate_, warnings);
         }
     add_deformation(largest_deformation(*body_, state_.u), warnings);

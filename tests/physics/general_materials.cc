@@ -4,15 +4,18 @@
 // compliance. And that trilinear elements lock as nu approaches 0.5 where the
 // volume strain is pointwise, and do not where it is the mean of a cell.
 
-#include "tests.h"
+#include "several_bodies.h"
 
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/physics/transformations.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 using namespace stiction;
 
@@ -62,6 +65,66 @@ namespace
       }
   }
 
+  // Whether wood pressed and dragged on a plane bears the same where body, grain, plane
+  // and loads are turned together, by 40 degrees about (1, 2, 2).
+  void turned(const std::string &method)
+  {
+    const dealii::Tensor<2, 3> turn =
+      dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+        dealii::Point<3>(1. / 3., 2. / 3., 2. / 3.), 40. * dealii::numbers::PI / 180.);
+    const auto run_turned = [&](const std::string &name, const dealii::Tensor<2, 3> &R,
+                                const std::string &angle) {
+      const auto along = [&](const double x, const double y, const double z) {
+        const dealii::Tensor<1, 3> v = R * dealii::Tensor<1, 3>({x, y, z});
+        return three(v[0], v[1], v[2]);
+      };
+      return std::make_unique<Run>(
+        file(name,
+             section("Body block", {"Lengths = 3,2,1", "Subdivisions = 4,3,2",
+                                    "Rotation = 0;0;0;1;2;2;" + angle}) +
+               section("Material", {"Materials = 0 : orthotropic; 11000; 900; 500; 0.38; "
+                                    "0.42; 0.48; 700; 650; 40; " +
+                                    along(1., 0.5, 0.2) + ";" + along(0., 1., 0.)}) +
+               section("Boundary conditions",
+                       {"Traction = block.top : " + along(0.2, 0., -1.)}) +
+               section("Contact pair below",
+                       {"Boundary = block.bottom",
+                        "Obstacle = plane : 0;0;0;" + along(0., 0., 1.), "Law = coulomb",
+                        "Coefficient = 0.3"})),
+        Settings{"Contact solver/Method=" + method, "Contact solver/Tolerance=1e-11"});
+    };
+    dealii::Tensor<2, 3> unit;
+    for (unsigned int c = 0; c < 3; ++c)
+      unit[c][c] = 1.;
+    const auto straight   = run_turned("straight.prm", unit, "0"),
+               run        = run_turned("turned.prm", turn, "40");
+    const auto &expected  = straight->problem->contact_surface(),
+               &surface   = run->problem->contact_surface();
+    const auto &lambda    = straight->problem->state().lambda,
+               &of_turned = run->problem->state().lambda;
+    const Eigen::Index m  = expected.n_nodes();
+    const auto slips      = [&](const Run &of) {
+      return of.summary()["contact"]["slip"].template get<int>();
+    };
+    double error   = 0.;
+    unsigned int n = 0;
+    for (Eigen::Index i = 0; i < m; ++i)
+      for (Eigen::Index j = 0; j < m; ++j)
+        if (surface.nodes()[j].position.distance(
+              dealii::Point<3>(turn * expected.nodes()[i].position)) < 1e-9)
+          {
+            ++n;
+            error =
+              std::max({error, std::abs(lambda(i) - of_turned(j)),
+                        std::abs(std::hypot(lambda(i + m), lambda(i + 2 * m)) -
+                                 std::hypot(of_turned(j + m), of_turned(j + 2 * m)))});
+          }
+    out() << "turned, " << method << ": certified "
+          << yes(straight->converged && run->converged) << ", sticks and slips "
+          << yes(slips(*run) > 0 && slips(*run) < m) << ", the same to 1e-8 "
+          << yes(n == m && error < 1e-8 * lambda.lpNorm<Eigen::Infinity>()) << '\n';
+  }
+
   double deflection(const std::string &volume_strain, const std::string &degree)
   {
     const Run run(shipped("brick.prm"),
@@ -84,6 +147,12 @@ int main(int argc, char **argv)
            {"Material/Materials=0 : orthotropic; 11e9; 0.9e9; 0.5e9; 0.38; "
             "0.42; 0.48; 0.7e9; 0.65e9; 0.04e9"},
            nu13 / E1, nu23 / E2, -1. / E3);
+  compress("along the grain",
+           {"Material/Materials=0 : orthotropic; 11e9; 0.9e9; 0.5e9; 0.38; "
+            "0.42; 0.48; 0.7e9; 0.65e9; 0.04e9; 0; 0; 2; 1; 0; 1"},
+           0.38 / E1, nu13 / E1, -1. / E1);
+  for (const char *const method : {"newton", "newton multigrid"})
+    turned(method);
   const double E = 3e6, nu = 0.4999;
   compress("nearly incompressible",
            {"Material/Young's modulus=3e6", "Material/Poisson ratio=0.4999",

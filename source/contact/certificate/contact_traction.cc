@@ -30,13 +30,17 @@ namespace stiction
   {
     cell->get_dof_indices(dofs_);
     const unsigned int f = values.get_face_number();
-    const auto id        = cell->face(f)->boundary_id();
+    const auto face      = cell->face(f);
+    const auto id        = face->boundary_id();
+    const unsigned int part =
+      surface_.part_of({{face->vertex_dof_index(0, 0), face->vertex_dof_index(1, 0),
+                         face->vertex_dof_index(2, 0), face->vertex_dof_index(3, 0)}});
     std::vector<std::optional<Tensor<1, 3>>> at_nodes(fe_.n_dofs_per_face(f) / 3);
     Tensor<1, 3> mean;
     double n_known = 0.;
     for (unsigned int a = 0; a < at_nodes.size(); ++a)
       {
-        at_nodes[a] = at_node(dofs_[fe_.face_to_cell_index(3 * a, f)], id);
+        at_nodes[a] = at_node(dofs_[fe_.face_to_cell_index(3 * a, f)], id, part);
         if (at_nodes[a])
           {
             mean += *at_nodes[a];
@@ -56,23 +60,28 @@ namespace stiction
   }
 
   std::optional<Tensor<1, 3>> ContactTraction::at_node(
-    const types::global_dof_index first_dof, const types::boundary_id id) const
+    const types::global_dof_index first_dof, const types::boundary_id id,
+    const unsigned int part) const
   {
     Tensor<1, 3> traction;
     for (const auto &[dof, weight] : elasticity_.body().followed_by(first_dof))
       {
-        const Eigen::Index i = surface_.node_of(dof);
         const Eigen::Index j =
           surface_.is_other_side(id) ? surface_.opposite_node_of(dof) : -1;
+        const auto bearers = surface_.bearers_at(dof, id, part);
+        const bool is_elsewhere =
+          bearers.empty() &&
+          (surface_.node_of(dof) >= 0 || elasticity_.is_prescribed(dof) ||
+           elasticity_.is_prescribed(dof + 1) || elasticity_.is_prescribed(dof + 2));
+        if (j < 0 && is_elsewhere)
+          return std::nullopt;
         for (unsigned int c = 0; c < 3; ++c)
           if (j >= 0)
             traction[c] += weight * opposite_(j + c * opposite_.size() / 3);
-          else if (i < 0 ? elasticity_.is_prescribed(dof + c)
-                         : surface_.boundaries()[surface_.nodes()[i].boundary].id() != id)
-            return std::nullopt;
-          else if (i >= 0)
-            traction[c] +=
-              weight * (-force_(i + c * surface_.n_nodes()) / surface_.nodes()[i].area);
+          else
+            for (const auto &[i, share] : bearers)
+              traction[c] -= weight * share * force_(i + c * surface_.n_nodes()) /
+                             surface_.nodes()[i].area;
       }
     return traction;
   }

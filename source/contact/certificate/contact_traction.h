@@ -33,7 +33,8 @@ namespace stiction
     // Zero at a free node that faces away from the obstacle; nothing where a
     // support may carry the load, or another contact boundary.
     std::optional<dealii::Tensor<1, 3>> at_node(dealii::types::global_dof_index first_dof,
-                                                dealii::types::boundary_id id) const;
+                                                dealii::types::boundary_id id,
+                                                unsigned int part) const;
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;

@@ -27,7 +27,7 @@ namespace stiction
     // The nodes of a pair that are pressed, by rows.
     struct PressedNodes
     {
-      Eigen::MatrixX3d positions, normals, slip;
+      Eigen::MatrixX3d positions, normals, opposite, slip;
       Eigen::VectorXd pressing; // λ_ν
       Eigen::MatrixX3d friction;
       Eigen::VectorXd areas, covers, gaps;
@@ -43,7 +43,8 @@ namespace stiction
         pressing     = state.lambda(pressed);
         areas        = surface.areas()(pressed);
         const auto n = pressing.size();
-        for (Eigen::MatrixX3d *const rows : {&positions, &normals, &slip, &friction})
+        for (Eigen::MatrixX3d *const rows :
+             {&positions, &normals, &opposite, &slip, &friction})
           rows->resize(n, 3);
         for (Eigen::VectorXd *const values : {&covers, &gaps})
           values->resize(n);
@@ -54,8 +55,9 @@ namespace stiction
             const ContactNode &node = surface.nodes()[pressed[k]];
             for (unsigned int c = 0; c < 3; ++c)
               {
-                positions(k, c) = node.position[c];
+                positions(k, c) = node.center[c];
                 normals(k, c)   = node.normal[c];
+                opposite(k, c)  = node.opposite_normal[c];
               }
             slip.row(k)     = -at_node(moved, pressed[k]);
             friction.row(k) = at_node(forces, pressed[k]);
@@ -131,6 +133,12 @@ namespace stiction
     add_edge(pressed, figures);
     add_gap(pressed, figures);
     add_way(pressed, figures);
+    const Eigen::VectorXd at_rim =
+      pressed.pressing.cwiseProduct(pressed.opposite.rowwise().norm());
+    figures.tilt = (at_rim.transpose() * pressed.normals +
+                    pressed.pressing.transpose() * pressed.opposite)
+                     .norm() /
+                   pressed.pressing.sum();
     figures.climbed = climbed_facets(pressed.positions, pressed.normals, pressed.slip,
                                      pressed.areas, pressed.pressing);
     return figures;

@@ -29,6 +29,15 @@ namespace stiction
       return image;
     }
 
+    // Of forces on contact nodes, or displacements, by blocks, what is their own.
+    Eigen::VectorXd own_parts(const std::vector<ContactFrame> &frames, Eigen::VectorXd v)
+    {
+      const auto m = static_cast<Eigen::Index>(frames.size());
+      for (Eigen::Index i = 0; i < m; ++i)
+        set_at_node(v, i, frames[i].own_part * at_node(v, i));
+      return v;
+    }
+
     // Whether two sparse matrices have the same entries, bit by bit.
     bool are_equal(const Eigen::SparseMatrix<double, Eigen::RowMajor> &a,
                    const Eigen::SparseMatrix<double, Eigen::RowMajor> &b)
@@ -85,7 +94,7 @@ namespace stiction
 
   Eigen::VectorXd ContactOperator::relative_displacement(const LA::Vector &u) const
   {
-    Eigen::VectorXd relative = dofs_.restriction(u);
+    Eigen::VectorXd relative = own_parts(frames_, dofs_.restriction(u));
     if (has_other_side())
       relative -= other_.A * other_.dofs.restriction(u);
     return relative;
@@ -93,8 +102,8 @@ namespace stiction
 
   Eigen::VectorXd ContactOperator::free_forces(const Eigen::VectorXd &lambda) const
   {
-    return at_all_nodes(frames_, force_to_cartesian(lambda),
-                        &ContactFrame::in_free_directions);
+    return own_parts(frames_, at_all_nodes(frames_, force_to_cartesian(lambda),
+                                           &ContactFrame::in_free_directions));
   }
 
   Eigen::VectorXd ContactOperator::forces_on_other_side(
@@ -106,7 +115,7 @@ namespace stiction
   void ContactOperator::add_transpose(const double factor, const Eigen::VectorXd &lambda,
                                       LA::Vector &dst) const
   {
-    dofs_.add_extension(factor * force_to_cartesian(lambda), dst);
+    dofs_.add_extension(factor * own_parts(frames_, force_to_cartesian(lambda)), dst);
     if (has_other_side())
       other_.dofs.add_extension(factor * forces_on_other_side(lambda), dst);
   }
@@ -132,13 +141,19 @@ namespace stiction
   void ContactOperator::add_displacement(const double factor, const Eigen::VectorXd &w,
                                          LA::Vector &u) const
   {
-    dofs_.add_extension(
-      factor * at_all_nodes(frames_, w, &ContactFrame::displacement_to_cartesian), u);
+    Eigen::VectorXd moved =
+      factor * at_all_nodes(frames_, w, &ContactFrame::displacement_to_cartesian);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(moved, i, at_node(moved, i) / frames_[i].own_part);
+    dofs_.add_extension(moved, u);
   }
 
   Eigen::VectorXd ContactOperator::contact_forces(const LA::Vector &R) const
   {
-    return force_to_local(dofs_.restriction(R));
+    Eigen::VectorXd lambda = force_to_local(dofs_.restriction(R));
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(lambda, i, at_node(lambda, i) / frames_[i].own_part);
+    return lambda;
   }
 
   Eigen::VectorXd ContactOperator::force_to_cartesian(const Eigen::VectorXd &lambda) const
@@ -170,7 +185,7 @@ namespace stiction
           const ContactFrame &frame  = frames_[i];
           const Eigen::Vector3d unit = Eigen::Vector3d::Unit(c);
           const Eigen::Vector3d own =
-            frame.displacement_to_local(frame.in_free_directions(unit));
+            frame.own_part * frame.displacement_to_local(frame.in_free_directions(unit));
           const Eigen::Vector3d of_other = frame.displacement_to_local(unit);
           for (Eigen::Index r = 0; r < 3; ++r)
             {
@@ -191,7 +206,7 @@ namespace stiction
     const Eigen::Index m = n_nodes();
     std::vector<Eigen::Matrix3d> M;
     for (const ContactFrame &frame : frames_)
-      M.push_back(frame.scales().asDiagonal() * frame.axes());
+      M.push_back(frame.own_part * frame.scales().asDiagonal() * frame.axes());
     for (Eigen::Index j = 0; j < m; ++j)
       for (Eigen::Index i = 0; i < m; ++i)
         {

@@ -34,8 +34,8 @@ namespace stiction
       "Contact boundary", contact_boundary,
       "Name or number of the boundary that may touch an obstacle, several "
       "separated by '|'; must be said. A node that belongs to several of them "
-      "is taken as "
-      "one of the first of them alone. The entries Obstacle and Initial gap "
+      "bears the forces of the first, nodes beside it those of the others. The entries "
+      "Obstacle and Initial gap "
       "here and all those of the section Friction have one value for all "
       "contact boundaries, or one for each, separated by '|' in the same "
       "order. In place of these lists there may be a section a contact boundary, "
@@ -83,7 +83,8 @@ namespace stiction
                   "with smaller cells; the other one if supports hold nodes of this one "
                   "alone, which lack friction; the boundary itself if several are "
                   "opposite. Either gives the same answer but for the error of the "
-                  "mesh.");
+                  "mesh, unless this side stands on an edge: pressures act along its "
+                  "normals.");
     add_parameter("Mesh gap", mesh_gap,
                   "Of a contact pair, kept: the distance between both sides as they are "
                   "meshed, negative where they overlap, to which 'Initial gap' is added. "

@@ -111,12 +111,13 @@ namespace stiction
     double depth                = 0.;
     for (std::size_t i = 0; i < m; ++i)
       {
-        Point<3> p = facing_away_[i].position;
-        for (unsigned int c = 0; c < 3; ++c)
-          p[c] += moved(static_cast<Eigen::Index>(i + c * m));
+        const Point<3> &p               = facing_away_[i].position;
         const ContactBoundary &boundary = boundaries_[facing_away_[i].boundary];
-        p -= obstacle_displacement(boundary.id(), state.distances);
-        depth = std::max(depth, boundary.penetration(p));
+        const Tensor<1, 3> way = to_tensor(at_node(moved, static_cast<Eigen::Index>(i))) -
+                                 obstacle_displacement(boundary.id(), state.distances);
+        const double came = boundary.penetration(p + way) - boundary.penetration(p);
+        if (came <= 2. * way.norm()) // what is deeper is beside an open surface
+          depth = std::max(depth, came);
       }
     return depth;
   }
@@ -374,6 +375,18 @@ namespace stiction
     return n_nodes() > 0 && motion_.n_pressed() > 0 &&
            motion_.offset(distances).head(n_nodes()).minCoeff() <
              -boundaries_.front().body_size();
+  }
+
+  std::vector<std::pair<Eigen::Index, double>> ContactSurface::bearers_at(
+    const types::global_dof_index first_dof, const types::boundary_id id,
+    const unsigned int part) const
+  {
+    const std::size_t b = index_of(boundaries_, id);
+    if (const Eigen::Index i = node_of(first_dof);
+        i >= 0 && nodes_[i].boundary == b && nodes_[i].part == part)
+      return {{i, 1.}};
+    const auto beside = bearers_.find({first_dof, b, part});
+    return beside == bearers_.end() ? decltype(beside->second)() : beside->second;
   }
 
   Eigen::Index ContactSurface::node_of(const types::global_dof_index first_dof) const

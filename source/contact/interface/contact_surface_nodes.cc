@@ -1,6 +1,6 @@
 // Which nodes of the contact boundaries are contact nodes, and their data.
 
-#include "node_shares.h"
+#include <stiction/contact/interface/node_shares.h>
 
 #include <stiction/base/errors.h>
 #include <stiction/base/text/parameter_file.h>
@@ -19,7 +19,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace stiction
@@ -49,20 +49,18 @@ namespace stiction
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
     join_pairs(elasticity);
+    find_parts(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
     require_nodes(contact_boundary_entry,
-                  boundaries_.size() == 1
-                    ? "the displacement is prescribed at every node of this "
-                      "boundary, must be a boundary with free nodes"
-                    : "the displacement is prescribed at every node that belongs "
-                      "to no boundary before this one, must be a boundary with "
-                      "free nodes of its own");
+                  "the displacement is prescribed at every node of this "
+                  "boundary, must be a boundary with free nodes");
     place_obstacles();
     require_nodes("Boundary conditions/Obstacle",
                   "no free node of the contact boundary faces it, its "
                   "surface must lie opposite to the boundary, its normal "
                   "towards the body");
+    lend_areas(elasticity);
     evaluate_data();
     number_nodes(elasticity);
     find_dragged_nodes();
@@ -71,16 +69,10 @@ namespace stiction
 
   void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
   {
-    const NodeShares shares(elasticity, boundaries_);
+    const NodeShares shares(elasticity, boundaries_, part_of_face_);
     boundary_area_ = shares.boundary_area();
-    std::set<types::global_dof_index> found;
     for (ContactNode node : shares.nodes())
-      {
-        // A node belongs to the first of its boundaries; to tied ones before others, as a
-        // hole in a part is worse than a node without contact.
-        const bool bears = found.insert(node.first_dof).second && set_tangents(node);
-        (bears ? nodes_ : idle_).push_back(node);
-      }
+      (set_tangents(node) ? nodes_ : idle_).push_back(node);
   }
 
   void ContactSurface::require_nodes(const std::string &entry,
@@ -92,7 +84,14 @@ namespace stiction
     const auto empty = std::find(n.begin(), n.end(), 0u);
     if (empty == n.end())
       return;
-    const ContactBoundary &boundary = boundaries_[empty - n.begin()];
+    const auto b                    = static_cast<unsigned int>(empty - n.begin());
+    const ContactBoundary &boundary = boundaries_[b];
+    if (std::any_of(lenders_.begin(), lenders_.end(),
+                    [&](const ContactNode &lender) { return lender.boundary == b; }))
+      throw InputError(boundary.source().describe(contact_boundary_entry) +
+                       ", all nodes of boundary '" + boundary.name() +
+                       "' bear the forces of one before it, must have nodes of its own: "
+                       "finer cells, or its place before that one.");
     throw InputError(
       boundary.source().describe(entry) +
       (n.size() == 1 && !(boundary.is_pair() && entry == contact_boundary_entry)
@@ -115,31 +114,50 @@ namespace stiction
 
   void ContactSurface::place_obstacles()
   {
-    std::vector<ContactNode> facing, held;
+    std::vector<ContactNode> placed, away, facing, held;
     for (ContactNode &node : nodes_)
       {
         const ContactBoundary &boundary = boundaries_[node.boundary];
         if (!place(node))
           {
-            if (boundary.is_pair())
-              continue;
-            boundary.require_outside(node);
-            facing_away_.push_back(node);
-            continue;
+            if (!boundary.is_pair())
+              away.push_back(node);
           }
-        if (set_tangents(node))
-          facing.push_back(node);
+        else if (set_tangents(node))
+          placed.push_back(node);
         else if (!boundary.is_tied())
           held.push_back(node);
       }
+    // A node bears the forces of the first of its boundaries; of tied ones before others,
+    // as a hole in a part is worse than a node without contact. Of the parts of a
+    // boundary it is the one with the smallest gap.
+    std::map<types::global_dof_index, std::size_t> bearing;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+      {
+        std::size_t &best = bearing.emplace(placed[i].first_dof, i).first->second;
+        if (placed[i].boundary == placed[best].boundary &&
+            placed[i].gap < placed[best].gap)
+          best = i;
+      }
+    for (std::size_t i = 0; i < placed.size(); ++i)
+      (bearing[placed[i].first_dof] == i ? facing : idle_).push_back(placed[i]);
+    for (const ContactNode &node : away)
+      if (bearing.count(node.first_dof) == 0)
+        {
+          boundaries_[node.boundary].require_outside(node);
+          facing_away_.push_back(node);
+        }
     nodes_ = std::move(facing);
 
     // what is wrong for a node that bears nothing is no reason to refuse a problem
     for (ContactNode &node : idle_)
       try
         {
-          if (!boundaries_[node.boundary].is_tied() && place(node) &&
-              node.cover > mostly_covered)
+          if (boundaries_[node.boundary].is_tied() || !place(node))
+            continue;
+          if (set_tangents(node))
+            lenders_.push_back(node);
+          else if (node.cover > mostly_covered)
             held.push_back(node);
         }
       catch (const InputError &)
@@ -152,7 +170,11 @@ namespace stiction
   {
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
-    B_      = contact_operator(elasticity, nodes_);
+    B_ = contact_operator(elasticity, nodes_);
+    if (loans_.nonZeros() > 0)
+      B_ = {B_.dofs(), B_.frames(),
+            with_loans(elasticity, B_.other_side(),
+                       contact_operator(elasticity, lenders_).other_side())};
     idle_B_ = contact_operator(elasticity, idle_);
     find_weights_of_other_side();
     facing_away_dofs_ = DofSubset::of_nodes(first_dofs_of(facing_away_));

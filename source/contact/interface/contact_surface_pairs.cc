@@ -10,6 +10,7 @@
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
 #include <stiction/contact/pairs/slave_side.h>
+#include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -32,23 +33,6 @@ namespace stiction
 
     // Of the area around a node: with more, several are opposite to the same place.
     constexpr double covered_twice = 1.05;
-
-    // Of the largest area of a node: less is a sliver, whose gap may be anything.
-    constexpr double sliver = 1e-3;
-
-    // The smallest edge of the boxes around the bodies at two boundaries.
-    double thinnest(const Body &body, const ContactBoundary &pair)
-    {
-      double least = pair.body_size();
-      for (const auto &cell : body.triangulation().cell_iterators_on_level(0))
-        for (const auto &face : cell->face_iterators())
-          if (const auto id = face->boundary_id();
-              face->at_boundary() && (id == pair.id() || pair.has_partner(id)))
-            for (unsigned int d = 0; d < 3; ++d)
-              least =
-                std::min(least, body.pieces()[body.piece_of(cell)].box.side_length(d));
-      return least;
-    }
 
     // Of the size of faces: what is between the sides of a tie counts as rigid.
     constexpr double widest_tie = 0.25;
@@ -104,22 +88,28 @@ namespace stiction
         (pair.partners().size() == 1 ? ", or 'Slave side' must be the other one." : "."));
     }
 
-    // Throws InputError if the sides of a pair overlap by more than a body is thick.
-    void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
-                              const Body &body)
+    // Throws InputError if the sides of a pair overlap by more than a body is thick, all
+    // over: two balls side by side do so where they look away from each other.
+    void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar)
     {
-      if (mortar.slaves.empty())
-        return;
-      const double thickness = thinnest(body, pair),
-                   least     = sliver * mortar.areas.maxCoeff();
-      const double overlap =
-        -(mortar.areas.array() < least).select(0., mortar.gaps).minCoeff();
-      if (overlap >= thickness)
+      if (mortar.slaves.empty() && mortar.deepest_left_out > 0.)
         throw InputError(pair.source().describe("Boundary conditions/Obstacle") +
                          ", boundary '" + pair.name() + "' is " +
-                         format("%.3g", overlap) + " behind '" + pair.partner_name() +
-                         "', and a body of both is only " + format("%.3g", thickness) +
+                         format("%.3g", mortar.deepest_left_out) + " behind '" +
+                         pair.partner_name() + "', and a body of both is only " +
+                         format("%.3g", mortar.thickness) +
                          " thick, must lie opposite to it but for a small interference.");
+    }
+
+    // The faces of each part of a surface.
+    std::vector<std::vector<SurfaceFace>> parts_of(const std::vector<SurfaceFace> &faces)
+    {
+      const std::vector<unsigned int> numbers = smooth_parts(faces);
+      std::vector<std::vector<SurfaceFace>> parts(
+        faces.empty() ? 1 : 1 + *std::max_element(numbers.begin(), numbers.end()));
+      for (std::size_t f = 0; f < faces.size(); ++f)
+        parts[numbers[f]].push_back(faces[f]);
+      return parts;
     }
 
     using Boundaries = std::vector<types::boundary_id>;
@@ -274,31 +264,36 @@ namespace stiction
           bearers.require_one_contact(pair);
           if (!side.is_first)
             std::swap(first, second);
-          mortars_[b] = std::make_unique<Mortar>(elasticity, first, second);
+          Mortar mortar(elasticity, first, second);
           if (pair.is_tied())
-            require_close(pair, *mortars_[b], first);
-          require_all_opposite(elasticity, pair, *mortars_[b]);
+            require_close(pair, mortar, first);
+          require_all_opposite(elasticity, pair, mortar);
           if (may_change_sides(pair, side, bearers) &&
               !is_contact_boundary(pair.partners().front()) &&
-              is_held_less(elasticity, pair, *mortars_[b], first, second))
+              is_held_less(elasticity, pair, mortar, first, second))
             {
-              mortars_[b] = std::make_unique<Mortar>(elasticity, second, first);
-              side        = side.other("the side that is held less");
+              std::swap(first, second);
+              mortar = Mortar(elasticity, first, second);
+              side   = side.other("the side that is held less");
               pair.take_side(false, side.reason);
             }
           if (pair.is_tied())
-            if (const unsigned int lost = n_held_alone(elasticity, *mortars_[b]);
-                lost > 0)
+            if (const unsigned int lost = n_held_alone(elasticity, mortar); lost > 0)
               refuse_lost_tie(pair, lost);
           has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
           bearers.add(pair);
-          require_side_by_side(pair, *mortars_[b], elasticity.body());
+          require_side_by_side(pair, mortar);
+          const auto parts =
+            pair.is_tied() ? decltype(parts_of(first)){first} : parts_of(first);
+          for (const auto &faces : parts)
+            mortars_[b].push_back(parts.size() == 1 ? mortar
+                                                    : Mortar(elasticity, faces, second));
         }
   }
 
   bool ContactSurface::place_in_pair(ContactNode &node) const
   {
-    const Mortar &mortar = *mortars_[node.boundary];
+    const Mortar &mortar = mortars_[node.boundary][node.part];
     const Eigen::Index i = mortar.row_of(node.first_dof);
     if (i < 0 || mortar.areas(i) < least_cover * node.area)
       return false;
@@ -309,11 +304,12 @@ namespace stiction
                        "' one lies behind another at (" + text_of(node.position) +
                        "), must lie side by side: leave out what does not touch '" +
                        boundary.name() + "'.");
-    node.cover          = mortar.areas(i) / node.area;
-    node.area           = mortar.areas(i);
-    node.mesh_gap       = mortar.gaps(i);
-    node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
-    node.gap            = boundary.initial_gap(node.position) +
+    node.cover           = mortar.areas(i) / node.area;
+    node.area            = mortar.areas(i);
+    node.mesh_gap        = mortar.gaps(i);
+    node.opposite_normal = to_tensor(mortar.normals.row(i).transpose());
+    node.youngs_modulus  = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
+    node.gap             = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? node.mesh_gap : 0.);
     return true;
   }
@@ -324,9 +320,9 @@ namespace stiction
   {
     const auto n_rows = static_cast<Eigen::Index>(nodes.size());
     std::map<types::global_dof_index, Eigen::Index> column;
-    for (const auto &mortar : mortars_)
-      if (mortar)
-        for (const auto dof : mortar->masters)
+    for (const auto &of_parts : mortars_)
+      for (const Mortar &mortar : of_parts)
+        for (const auto dof : mortar.masters)
           column.emplace(dof, 0);
     if (column.empty())
       return {};
@@ -340,23 +336,22 @@ namespace stiction
     const auto by_nodes = [&](const Matrix Mortar::*const of_mortar) {
       std::vector<Eigen::Triplet<double>> entries;
       for (Eigen::Index i = 0; i < n_rows; ++i)
-        if (const Mortar *const mortar = mortars_[nodes[i].boundary].get())
-          for (Matrix::InnerIterator a(mortar->*of_mortar,
-                                       mortar->row_of(nodes[i].first_dof));
-               a; ++a)
-            entries.emplace_back(i, column.at(mortar->masters[a.col()]), a.value());
+        if (const auto &of_parts = mortars_[nodes[i].boundary]; !of_parts.empty())
+          {
+            const Mortar &mortar = of_parts[nodes[i].part];
+            for (Matrix::InnerIterator a(mortar.*of_mortar,
+                                         mortar.row_of(nodes[i].first_dof));
+                 a; ++a)
+              entries.emplace_back(i, column.at(mortar.masters[a.col()]), a.value());
+          }
       Matrix matrix(n_rows, static_cast<Eigen::Index>(masters.size()));
       matrix.setFromTriplets(entries.begin(), entries.end());
       return matrix;
     };
 
     ContactOperator::OtherSide other;
-    other.dofs         = DofSubset::of_nodes(masters);
-    LA::Vector is_free = elasticity.zero_vector();
-    for (const auto dof : other.dofs.dofs())
-      if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
-        is_free(dof) = 1.;
-    other.is_free     = other.dofs.restriction(is_free);
+    other.dofs        = DofSubset::of_nodes(masters);
+    other.is_free     = free_unknowns(elasticity, other.dofs);
     other.weights     = by_nodes(&Mortar::weights);
     LA::Vector places = elasticity.zero_vector();
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
@@ -364,7 +359,7 @@ namespace stiction
         places(node.dofs[c]) = node.position[c];
     std::vector<unsigned int> pairs;
     for (const ContactNode &node : nodes)
-      pairs.push_back(node.boundary);
+      pairs.push_back(node.boundary + boundaries_.size() * node.part);
     other.A =
       with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps),
                        own.restriction(places), other.dofs.restriction(places), pairs);
@@ -376,14 +371,20 @@ namespace stiction
     if (!B_.has_other_side())
       return; // Eigen knows no product of sparse matrices without columns
     const auto &other = B_.other_side();
-    for (Eigen::Index j = 0; j < other.weights.cols(); ++j)
-      opposite_node_of_dof_[other.dofs.dofs()[j]] = j;
+    std::set<types::global_dof_index> lend;
+    for (const ContactNode &lender : lenders_)
+      lend.insert(lender.first_dof);
     Eigen::VectorXd areas(n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       areas(i) = nodes_[i].area;
     to_other_side_                 = other.weights.transpose() * areas.asDiagonal();
     const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
     for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
-      to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
+      {
+        const auto dof = other.dofs.dofs()[j];
+        if (of_nodes(j) > 0. || lend.count(dof) == 0)
+          opposite_node_of_dof_[dof] = j;
+        to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
+      }
   }
 } // namespace stiction

@@ -165,7 +165,24 @@ namespace stiction
     const Projected other = project(second);
     if (are_apart(on_plane_, other))
       return points;
-    const auto &quadrature  = rule(first_.degree);
+    const auto &quadrature = rule(first_.degree);
+    const auto add_point   = [&](const Point2 &p, const double weight) {
+      OverlapPoint point{weight, in_unit_square(on_plane_, p), in_unit_square(other, p),
+                         0.};
+      const FaceShape own(first_.degree, point.first),
+        of_other(second.degree, point.second);
+      Tensor<1, 3> edge1, edge2; // of the face as it is, not on its plane
+      for (unsigned int i = 0; i < first_.n_nodes(); ++i)
+        {
+          point.gap +=
+            of_other.value[i] * other.heights[i] - own.value[i] * on_plane_.heights[i];
+          edge1 += own.gradient[i][0] * Tensor<1, 3>(first_.node(i));
+          edge2 += own.gradient[i][1] * Tensor<1, 3>(first_.node(i));
+        }
+      const Tensor<1, 3> across = cross_product_3d(edge1, edge2);
+      point.weight *= across.norm() / std::abs(across * normal_);
+      points.push_back(point);
+    };
     const auto add_triangle = [&](const Point2 &a, const Point2 &b, const Point2 &c) {
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
@@ -173,21 +190,7 @@ namespace stiction
           Point2 p;
           for (unsigned int d = 0; d < 2; ++d)
             p[d] = a[d] + at[0] * (b[d] - a[d]) + at[1] * (c[d] - a[d]);
-          OverlapPoint point{quadrature.weight(q) * cross(a, b, c),
-                             in_unit_square(on_plane_, p), in_unit_square(other, p), 0.};
-          const FaceShape own(first_.degree, point.first),
-            of_other(second.degree, point.second);
-          Tensor<1, 3> edge1, edge2; // of the face as it is, not on its plane
-          for (unsigned int i = 0; i < first_.n_nodes(); ++i)
-            {
-              point.gap += of_other.value[i] * other.heights[i] -
-                           own.value[i] * on_plane_.heights[i];
-              edge1 += own.gradient[i][0] * Tensor<1, 3>(first_.node(i));
-              edge2 += own.gradient[i][1] * Tensor<1, 3>(first_.node(i));
-            }
-          const Tensor<1, 3> across = cross_product_3d(edge1, edge2);
-          point.weight *= across.norm() / std::abs(across * normal_);
-          points.push_back(point);
+          add_point(p, quadrature.weight(q) * cross(a, b, c));
         }
     };
     for (const Polygon &window : polygons(other))
@@ -196,6 +199,8 @@ namespace stiction
           const Polygon common = clip(own, window);
           if (common.size() < 3 || area(common) < no_area * area_)
             continue;
+          for (const Point2 &corner : common)
+            add_point(corner, 0.);
           for (std::size_t i = 2; i < common.size(); ++i)
             if (cross(common[0], common[i - 1], common[i]) > 0.)
               add_triangle(common[0], common[i - 1], common[i]);

@@ -12,6 +12,10 @@ namespace stiction
 {
   namespace
   {
+    // Of what is opposite to a slave node: with more of it free, no node of the other
+    // side is held there. One of much finer cells at the edge counts for little.
+    constexpr double no_hold = 0.99;
+
     // 1 for each unknown that is prescribed, otherwise 0.
     LA::Vector prescribed(const LinearElasticity &elasticity)
     {
@@ -51,7 +55,7 @@ namespace stiction
                   all += std::abs(a.value());
                   free += std::abs(a.value()) * (1. - masters(a.col() + c * n));
                 }
-              is_alone = is_alone || free > 0.5 * all;
+              is_alone = is_alone || free > no_hold * all;
             }
         n_nodes += is_alone ? 1 : 0;
       }

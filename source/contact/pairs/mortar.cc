@@ -1,6 +1,7 @@
 #include <stiction/base/all_gather.h>
 #include <stiction/contact/pairs/face_overlap.h>
 #include <stiction/contact/pairs/mortar.h>
+#include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
@@ -12,6 +13,7 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -40,6 +42,7 @@ namespace stiction
     {
       Dof slave, master; // invalid: to D and to the gap
       double value, overlap, gap, smallest, largest, modulus;
+      std::array<double, 3> normal; // of the master, × area
     };
 
     BoundingBox<3> box_around(const std::vector<Point<3>> &points)
@@ -65,15 +68,13 @@ namespace stiction
       return box_around(points);
     }
 
-    // The diagonal of the box around a surface.
-    double size_of(const std::vector<SurfaceFace> &faces)
+    // Of their bodies.
+    double thinnest(const std::vector<SurfaceFace> &faces)
     {
-      std::vector<Point<3>> points;
+      double least = std::numeric_limits<double>::max();
       for (const SurfaceFace &face : faces)
-        for (unsigned int i = 0; i < face.n_nodes(); ++i)
-          points.push_back(face.node(i));
-      const auto ends = box_around(points).get_boundary_points();
-      return ends.first.distance(ends.second);
+        least = std::min(least, face.thickness);
+      return least;
     }
 
     // A point of a slave face that has another face opposite.
@@ -97,9 +98,9 @@ namespace stiction
       MasterSurface(const MasterSurface &) = delete; // the tree refers to the boxes
 
       // The points of a face with the nearest sheet of this surface opposite, along its
-      // normal within the reach.
-      std::vector<CoveredPoint> opposite(const SurfaceFace &slave,
-                                         const double reach) const
+      // normal within the reach; overlaps that are deeper are left out.
+      std::vector<CoveredPoint> opposite(const SurfaceFace &slave, const double reach,
+                                         const double deepest, double &left_out) const
       {
         const FaceOverlap overlap(slave);
         const double steep = steepest * slave.diameter();
@@ -112,6 +113,11 @@ namespace stiction
             for (const SurfaceFace *const master : within(box_of_sight(slave, sight)))
               for (const OverlapPoint &point : overlap.with(*master))
                 {
+                  if (-point.gap >= deepest)
+                    {
+                      left_out = std::max(left_out, -point.gap);
+                      continue;
+                    }
                   points.push_back({point, master});
                   nearest = std::min(nearest, std::abs(point.gap));
                 }
@@ -158,20 +164,26 @@ namespace stiction
     void add_face(const SurfaceFace &slave, const std::vector<CoveredPoint> &points,
                   std::vector<Share> &shares)
     {
-      const Eigen::Index n = slave.n_nodes();
-      Eigen::MatrixXd m    = Eigen::MatrixXd::Zero(n, n);
-      Eigen::VectorXd d    = Eigen::VectorXd::Zero(n);
+      const Eigen::Index n    = slave.n_nodes();
+      Eigen::MatrixXd m       = Eigen::MatrixXd::Zero(n, n),
+                      normals = Eigen::MatrixXd::Zero(n, 3);
+      Eigen::VectorXd d       = Eigen::VectorXd::Zero(n);
       double smallest = std::numeric_limits<double>::max(), largest = -smallest,
              modulus = 0.;
       for (const CoveredPoint &point : points)
         {
+          smallest = std::min(smallest, point.at.gap);
+          largest  = std::max(largest, point.at.gap);
+          if (point.at.weight == 0.)
+            continue;
           const FaceShape shape(slave.degree, point.at.first);
           const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
           m += point.at.weight * phi * phi.transpose();
           d += point.at.weight * phi;
-          smallest = std::min(smallest, point.at.gap);
-          largest  = std::max(largest, point.at.gap);
-          modulus  = std::max(modulus, point.master->youngs_modulus);
+          const Tensor<1, 3> normal = point.master->normal();
+          normals += point.at.weight * phi.cwiseAbs() *
+                     Eigen::RowVector3d(normal[0], normal[1], normal[2]);
+          modulus = std::max(modulus, point.master->youngs_modulus);
         }
       if (d.sum() < no_cover * slave.diameter() * slave.diameter())
         return;
@@ -180,6 +192,8 @@ namespace stiction
       std::map<Dof, Eigen::MatrixX2d> M; // and the overlaps
       for (const CoveredPoint &point : points)
         {
+          if (point.at.weight == 0.)
+            continue;
           const FaceShape shape(slave.degree, point.at.first);
           const FaceShape other(point.master->degree, point.at.second);
           const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
@@ -197,11 +211,18 @@ namespace stiction
         }
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          shares.push_back({slave.dofs[i], numbers::invalid_dof_index, d(i), 0., gap(i),
-                            smallest, largest, modulus});
+          shares.push_back({slave.dofs[i],
+                            numbers::invalid_dof_index,
+                            d(i),
+                            0.,
+                            gap(i),
+                            smallest,
+                            largest,
+                            modulus,
+                            {{normals(i, 0), normals(i, 1), normals(i, 2)}}});
           for (const auto &[master, columns] : M)
             shares.push_back(
-              {slave.dofs[i], master, columns(i, 0), columns(i, 1), 0., 0., 0., 0.});
+              {slave.dofs[i], master, columns(i, 0), columns(i, 1), 0., 0., 0., 0., {}});
         }
     }
 
@@ -271,7 +292,8 @@ namespace stiction
     std::vector<Share> integrate(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &slave_faces,
                                  const std::vector<SurfaceFace> &master_faces,
-                                 const double reach)
+                                 const double reach, const double deepest,
+                                 double &left_out)
     {
       const MasterSurface masters(master_faces);
 
@@ -282,7 +304,9 @@ namespace stiction
       const std::size_t n        = slave_faces.size();
       std::vector<Share> shares;
       for (std::size_t f = n * rank / n_ranks; f < n * (rank + 1) / n_ranks; ++f)
-        add_face(slave_faces[f], masters.opposite(slave_faces[f], reach), shares);
+        add_face(slave_faces[f],
+                 masters.opposite(slave_faces[f], reach, deepest, left_out), shares);
+      left_out = Utilities::MPI::max(left_out, communicator);
       return all_gather(shares, communicator);
     }
   } // namespace
@@ -292,8 +316,13 @@ namespace stiction
                  const std::vector<SurfaceFace> &master_faces)
   {
     std::set<Dof> slave_nodes, master_nodes;
-    const double reach = std::min(size_of(slave_faces), size_of(master_faces));
-    const auto shares  = integrate(elasticity, slave_faces, master_faces, reach);
+    if (slave_faces.empty() || master_faces.empty())
+      return;
+    const double reach =
+      std::min(slave_faces.front().surface_size, master_faces.front().surface_size);
+    thickness         = std::min(thinnest(slave_faces), thinnest(master_faces));
+    const auto shares = integrate(elasticity, slave_faces, master_faces, reach, thickness,
+                                  deepest_left_out);
     for (const Share &share : shares)
       if (share.master == numbers::invalid_dof_index)
         slave_nodes.insert(share.slave);
@@ -308,6 +337,7 @@ namespace stiction
     const auto n      = static_cast<Eigen::Index>(on_slave.size());
     Eigen::VectorXd D = Eigen::VectorXd::Zero(n), weighted = D, moduli = D,
                     smallest = Eigen::VectorXd::Constant(n, 1e300), largest = -smallest;
+    Eigen::MatrixX3d opposite = Eigen::MatrixX3d::Zero(n, 3);
     std::vector<Eigen::Triplet<double>> entries, common;
     for (const Share &share : shares)
       {
@@ -324,6 +354,7 @@ namespace stiction
         smallest(i) = std::min(smallest(i), share.smallest);
         largest(i)  = std::max(largest(i), share.largest);
         moduli(i)   = std::max(moduli(i), share.modulus);
+        opposite.row(i) += Eigen::RowVector3d::Map(share.normal.data());
       }
     SparseMatrix M(n, static_cast<Eigen::Index>(on_master.size())), W = M;
     M.setFromTriplets(entries.begin(), entries.end());
@@ -343,7 +374,12 @@ namespace stiction
     const SparseMatrix M_hanging = C.transpose() * M * C_master;
     overlaps                     = C.cwiseAbs().transpose() * W * C_master.cwiseAbs();
     areas                        = C.transpose() * D;
-    youngs_moduli                = Eigen::VectorXd::Zero(areas.size());
+    normals = (C.cwiseAbs().transpose() * opposite).rowwise().normalized();
+    const std::set<Dof> rim = rim_of(slave_faces);
+    for (std::size_t i = 0; i < slaves.size(); ++i)
+      if (rim.count(slaves[i]) == 0)
+        normals.row(static_cast<Eigen::Index>(i)).setZero();
+    youngs_moduli = Eigen::VectorXd::Zero(areas.size());
     for (Eigen::Index j = 0; j < C.cols(); ++j)
       for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
         youngs_moduli(j) = std::max(youngs_moduli(j), moduli(entry.row()));

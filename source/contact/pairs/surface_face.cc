@@ -4,6 +4,7 @@
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -33,6 +34,17 @@ namespace stiction
       return {{4. * x - 3., 4. - 8. * x, 4. * x - 1.}};
     }
 
+    // Of the shorter way across a face: an arc of 30 degrees rises by more over its
+    // chord.
+    constexpr double least_rise = 0.05;
+
+    Point<3> unit_centre(const unsigned int face)
+    {
+      Point<3> centre(0.5, 0.5, 0.5);
+      centre[face / 2] = face % 2;
+      return centre;
+    }
+
     // The nodes of a cell on one of its faces, along the first edge first.
     std::vector<unsigned int> nodes_on_face(const FiniteElement<3> &scalar,
                                             const unsigned int f)
@@ -60,6 +72,15 @@ namespace stiction
   {
     const unsigned int n = degree + 1;
     return {{node(0), node(n - 1), node(n * n - 1), node(n * (n - 1))}};
+  }
+
+  std::array<types::global_dof_index, 4> SurfaceFace::corner_dofs() const
+  {
+    const unsigned int n = degree + 1;
+    std::array<types::global_dof_index, 4> corners{
+      {dofs[0], dofs[n - 1], dofs[n * n - 1], dofs[n * (n - 1)]}};
+    std::sort(corners.begin(), corners.end());
+    return corners;
   }
 
   Point<3> SurfaceFace::centre() const
@@ -146,14 +167,36 @@ namespace stiction
             face.inside = in_array(cell->center());
             face.youngs_modulus =
               elasticity.materials().of(cell->material_id()).youngs_modulus;
+            const auto &box = body.pieces()[body.piece_of(cell)].box;
+            face.thickness =
+              std::min({box.side_length(0), box.side_length(1), box.side_length(2)});
             for (unsigned int k = 0; k < on_face[f].size(); ++k)
               {
                 face.dofs[k]  = dofs[3 * on_face[f][k]];
                 face.nodes[k] = in_array(values.quadrature_point(on_face[f][k]));
               }
+            const auto c     = face.corners();
+            const auto rises = [&](const Point<3> &centre) {
+              return std::abs((centre - face.centre()) * face.normal()) >
+                     0.5 * least_rise *
+                       std::min((c[0] + (c[1] - c[2]) - c[3]).norm(),
+                                (c[0] + (c[3] - c[1]) - c[2]).norm());
+            };
+            face.is_round =
+              rises(body.mapping().transform_unit_to_real_cell(cell, unit_centre(f))) ||
+              rises(cell->face(f)->center(true));
             faces.push_back(face);
           }
     faces = all_gather(faces, body.communicator());
+    std::vector<Point<3>> points;
+    for (const SurfaceFace &face : faces)
+      for (unsigned int i = 0; i < face.n_nodes(); ++i)
+        points.push_back(face.node(i));
+    if (points.empty())
+      return faces;
+    const auto ends = BoundingBox<3>(points).get_boundary_points();
+    for (SurfaceFace &face : faces)
+      face.surface_size = ends.first.distance(ends.second);
     // in an order that does not depend on the partition
     std::sort(faces.begin(), faces.end(), [](const SurfaceFace &a, const SurfaceFace &b) {
       return std::tie(a.inside, a.nodes) < std::tie(b.inside, b.nodes);

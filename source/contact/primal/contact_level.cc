@@ -267,7 +267,8 @@ namespace stiction
     Eigen::VectorXd stiffness =
       stiffness_of_cells_.youngs_moduli.cwiseProduct(areas_.cwiseSqrt());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      stiffness(i) /= B_.frames()[i].scales().cwiseAbs2().maxCoeff();
+      stiffness(i) /=
+        (B_.frames()[i].own_part * B_.frames()[i].scales()).cwiseAbs2().maxCoeff();
     return stiffness;
   }
 
@@ -319,7 +320,7 @@ namespace stiction
     const ContactFrame &frame     = B_.frames()[node];
     const Eigen::Matrix3d R       = frame.axes();
     const Eigen::Vector3d is_free = (frame.scales().array() > 0.).matrix().cast<double>();
-    const Eigen::Matrix3d M       = frame.scales().asDiagonal() * R;
+    const Eigen::Matrix3d M       = frame.own_part * frame.scales().asDiagonal() * R;
 
     const double part =
       has_factors ? regularization_of_factors : regularization(elasticity_);

@@ -37,9 +37,11 @@ namespace stiction
       for (Eigen::Index i = 0; i < m; ++i)
         for (unsigned int b = 0; b < 3; ++b)
           {
-            const ContactFrame &frame   = B.frames()[i];
-            const Eigen::Vector3d moved = frame.displacement_to_cartesian(
-              frame.displacement_to_local(Eigen::Vector3d::Unit(b)));
+            const ContactFrame &frame = B.frames()[i];
+            const Eigen::Vector3d moved =
+              frame.displacement_to_cartesian(
+                frame.displacement_to_local(Eigen::Vector3d::Unit(b))) /
+              frame.own_part;
             for (decltype(other.A)::InnerIterator entry(other.A, i + b * m); entry;
                  ++entry)
               for (unsigned int a = 0; a < 3; ++a)

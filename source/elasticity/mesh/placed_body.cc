@@ -27,7 +27,7 @@ namespace stiction
                   "How the body is turned, 'px; py; pz; ax; ay; az; angle': a point of "
                   "the axis, its direction a, and the angle in degrees, counterclockwise "
                   "as seen from where a points to. The axes of an orthotropic material "
-                  "remain x, y and z.");
+                  "do not turn along: 'Material/Materials' says where they point.");
     add_number(*this, "Young's modulus", youngs_modulus,
                "E of the whole body, with its Poisson ratio; not said: the section "
                "'Material' has it. Unit: of stress.");

@@ -32,10 +32,13 @@ namespace stiction
     add_parameter("Materials", materials,
                   "Materials other than the one above, by the id or name they "
                   "have in the mesh: 'material : isotropic; E; nu' or 'material "
-                  ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23' "
-                  "with the axes x, y, z, nu12 being the contraction along y "
-                  "under a pull along x, several separated by '|'. Cells of any "
-                  "other material have the numbers above.");
+                  ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23', "
+                  "nu12 being the contraction along axis 2 under a pull along axis 1, "
+                  "several separated by '|'. The axes 1, 2, 3 are x, y, z, or six more "
+                  "numbers say the directions of 1 and 2, '...; G23; 1; 1; 0; -1; 1; 0' "
+                  "has the grain at 45 degrees between x and y; of the second counts "
+                  "what is across the first. Cells of any other material have the "
+                  "numbers above.");
     add_parameter(
       "Volume strain", volume_strain,
       "pointwise: as the displacements have it; trilinear elements "

@@ -12,6 +12,7 @@
 #include <stiction/elasticity/model/materials.h>
 
 #include <deal.II/base/utilities.h>
+#include <deal.II/physics/transformations.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -111,6 +112,29 @@ namespace stiction
       return Material::isotropic(E, nu);
     }
 
+    // Of the directions of axis 1 and, in a plane with it, axis 2.
+    dealii::Tensor<2, 3> axes_along(const MaterialList &list, const std::string &name,
+                                    const std::vector<std::string> &words)
+    {
+      std::array<dealii::Tensor<1, 3>, 3> axis;
+      for (unsigned int i = 0; i < 6; ++i)
+        axis[i / 3][i % 3] = list.number(words[i + 10]);
+      const double least = 1e-6; // of a sine: directions of a file have some digits
+      axis[0] /= axis[0].norm();
+      axis[1] /= axis[1].norm();
+      axis[2] = cross_product_3d(axis[0], axis[1]);
+      if (!(axis[2].norm() > least))
+        list.refuse("the axes of material " + name +
+                    " must have two directions, neither zero nor along each other");
+      axis[2] /= axis[2].norm();
+      axis[1] = cross_product_3d(axis[2], axis[0]);
+      dealii::Tensor<2, 3> axes;
+      for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+          axes[c][a] = axis[a][c];
+      return axes;
+    }
+
     Material read_orthotropic(const MaterialList &list, const std::string &name,
                               const std::vector<std::string> &words)
     {
@@ -124,7 +148,9 @@ namespace stiction
         }
       try
         {
-          return Material::orthotropic(numbers);
+          return words.size() == 10
+                   ? Material::orthotropic(numbers)
+                   : Material::orthotropic(numbers, axes_along(list, name, words));
         }
       catch (const std::domain_error &)
         {
@@ -140,7 +166,7 @@ namespace stiction
     {
       if (words.size() == 3 && words[0] == "isotropic")
         return read_isotropic(list, name, words);
-      if (words.size() == 10 && words[0] == "orthotropic")
+      if ((words.size() == 10 || words.size() == 16) && words[0] == "orthotropic")
         return read_orthotropic(list, name, words);
       list.refuse("material " + name + " must read " + list.form() +
                   did_you_mean(words[0], {"isotropic", "orthotropic"}));
@@ -168,7 +194,8 @@ namespace stiction
     return material;
   }
 
-  Material Material::orthotropic(const std::array<double, 9> &E1_to_G23)
+  Material Material::orthotropic(const std::array<double, 9> &E1_to_G23,
+                                 const dealii::Tensor<2, 3> &axes)
   {
     const double *const E  = &E1_to_G23[0];
     const double *const nu = &E1_to_G23[3];
@@ -206,6 +233,8 @@ namespace stiction
             material.stiffness[a][b][a][b] = G[pair];
           }
       }
+    material.stiffness =
+      dealii::Physics::Transformations::basis_transformation(material.stiffness, axes);
     return material;
   }
 
@@ -237,7 +266,8 @@ namespace stiction
                                  parameters.material.materials,
                                  "'material : isotropic; E; nu' or 'material : "
                                  "orthotropic; E1; E2; E3; nu12; nu13; nu23; "
-                                 "G12; G13; G23'");
+                                 "G12; G13; G23' with, if not x and y, the directions "
+                                 "of the axes 1 and 2, three numbers each");
     materials.for_each(
       body, [&](const material_id id, const std::string &name, const auto &words) {
         by_id_[id] = read_material(materials, name, words);

@@ -15,11 +15,11 @@ namespace stiction
     {
       const dealii::Tensor<1, 3> force = -to_tensor(node.force_to_cartesian(lambda));
       boundary.force += force;
-      boundary.moment += cross_product_3d(node.position, force);
+      boundary.moment += cross_product_3d(node.center, force);
       boundary.torque -=
         node.arm * to_tensor(node.force_to_cartesian({0., lambda(1), lambda(2)}));
       boundary.normal_force += lambda(0);
-      boundary.center += lambda(0) * node.position;
+      boundary.center += lambda(0) * node.center;
       boundary.open_area += status.normal == NormalStatus::open ? node.area : 0.;
       boundary.slip_area += status.tangential == TangentialStatus::slip ? node.area : 0.;
       boundary.stick_area +=

@@ -59,11 +59,14 @@ namespace stiction
                 {
                   face->get_dof_indices(dofs);
                   places.reinit(cell, f);
+                  const unsigned int part = surface_.part_of(
+                    {{face->vertex_dof_index(0, 0), face->vertex_dof_index(1, 0),
+                      face->vertex_dof_index(2, 0), face->vertex_dof_index(3, 0)}});
                   Patch &patch = add_patch(face, true); // it may be curved
                   for (unsigned int p = 0; p < order.size(); ++p)
                     {
                       const auto dof      = dofs[3 * order[p]];
-                      const Values values = values_at(dof, face->boundary_id());
+                      const Values values = values_at(dof, face->boundary_id(), part);
                       for (unsigned int k = 0; k < values.size(); ++k)
                         set(patch, k, p, values[k]);
                       set(patch, boundary_, p, face->boundary_id());
@@ -81,17 +84,19 @@ namespace stiction
 
       // At a node of the boundary, interpolated if it hangs; its status is
       // then that of the first node it follows. A boundary may bear the forces of one
-      // contact and lie opposite in another.
+      // contact and lie opposite in another; a node may bear those of an earlier one.
       Values values_at(const types::global_dof_index first_dof,
-                       const types::boundary_id boundary) const
+                       const types::boundary_id boundary, const unsigned int part) const
       {
         const bool is_contact  = surface_.is_contact_boundary(boundary),
                    is_opposite = surface_.is_other_side(boundary);
         const auto at          = [&](const types::global_dof_index dof) {
           const Eigen::Index node = surface_.node_of(dof);
-          return is_opposite && !(is_contact && node >= 0)
-                            ? values_opposite(surface_.opposite_node_of(dof))
-                            : values_at_node(node);
+          if (is_opposite && !(is_contact && node >= 0))
+            return values_opposite(surface_.opposite_node_of(dof));
+          const auto bearers = surface_.bearers_at(dof, boundary, part);
+          return !bearers.empty() && bearers.front().first == node ? values_at_node(node)
+                                                                            : mean_of(bearers);
         };
         if (!body_.is_hanging(first_dof))
           return at(first_dof);
@@ -151,36 +156,43 @@ namespace stiction
         return values;
       }
 
-      // At a node of the other side of a pair, from the contact nodes that it faces: the
-      // mean, and the status of the one with most of it.
-      Values values_opposite(const Eigen::Index j) const
+      // The mean of contact nodes, and the status of the one with most of it.
+      Values mean_of(const std::vector<std::pair<Eigen::Index, double>> &nodes) const
       {
-        Values values = values_at_node(-1);
-        if (j < 0)
-          return values;
+        Values values     = values_at_node(-1);
         double largest    = 0.;
         const auto status = {normal_status_, tangential_status_};
-        for (std::decay_t<decltype(surface_.to_other_side())>::InnerIterator weight(
-               surface_.to_other_side(), j);
-             weight; ++weight)
+        for (const auto &[i, weight] : nodes)
           {
-            const Values at = values_at_node(weight.col());
+            const Values at = values_at_node(i);
             for (unsigned int k = 0; k < values.size(); ++k)
               if (std::count(status.begin(), status.end(), k) == 0)
-                values[k] += weight.value() * at[k];
-              else if (weight.value() > largest)
+                values[k] += weight * at[k];
+              else if (weight > largest)
                 values[k] = at[k];
-            largest = std::max(largest, weight.value());
+            largest = std::max(largest, weight);
           }
         values[area_] = 0.; // forces are those of the contact nodes
         const double length =
           std::hypot(values[normal_], values[normal_ + 1], values[normal_ + 2]);
         for (unsigned int c = 0; c < 3 && length > 0.; ++c)
-          {
-            values[normal_ + c] /= -length;
-            for (const auto row : {traction_, tangential_traction_, slip_})
-              values[row + c] = -values[row + c];
-          }
+          values[normal_ + c] /= length;
+        return values;
+      }
+
+      // At a node of the other side of a pair, from the contact nodes that it faces.
+      Values values_opposite(const Eigen::Index j) const
+      {
+        std::vector<std::pair<Eigen::Index, double>> facing;
+        if (j >= 0)
+          for (std::decay_t<decltype(surface_.to_other_side())>::InnerIterator weight(
+                 surface_.to_other_side(), j);
+               weight; ++weight)
+            facing.emplace_back(weight.col(), weight.value());
+        Values values = mean_of(facing);
+        for (unsigned int c = 0; c < 3; ++c)
+          for (const auto row : {normal_, traction_, tangential_traction_, slip_})
+            values[row + c] = -values[row + c];
         return values;
       }
 

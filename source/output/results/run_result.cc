@@ -174,7 +174,7 @@ namespace stiction
       if (is_outer)
         {
           contact.force_on_body += force;
-          contact.moment += cross_product_3d(node.position, force);
+          contact.moment += cross_product_3d(node.center, force);
         }
       return friction;
     }

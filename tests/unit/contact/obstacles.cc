@@ -245,7 +245,8 @@ int main(int argc, char *argv[])
           << std::endl;
   }
 
-  // Two contact boundaries share an edge: its nodes are of the first one.
+  // Two contact boundaries share an edge: its nodes are of the first one, and those
+  // beside it have the area and the gap that it has in the other.
   for (const std::string order : {"bottom | right", "right | bottom"})
     {
       const Problem problem({"Boundary conditions/Prescribed displacement=top : 0; 0; 0",
@@ -267,7 +268,7 @@ int main(int argc, char *argv[])
           wrong += (node.normal - (is_bottom ? Tensor<1, 3>({0., 0., -1.})
                                              : Tensor<1, 3>({1., 0., 0.})))
                      .norm() +
-                   std::abs(node.gap - (b == 0 ? 0.1 : 0.2 + node.position[0])) +
+                   std::abs(node.gap - (b == 0 ? 0.1 : 0.2 + node.center[0])) +
                    std::abs(all.coefficient()(i) - (b == 0 ? 0.3 : 0.)) +
                    std::abs(all.constant()(i) - (b == 0 ? 0. : 8. * node.area));
         }

@@ -25,6 +25,11 @@ namespace stiction
     /// force times its arm.
     double gap = 0., moment_across_gap = 0.;
 
+    /// How much of the normal force is across the normals of the other side where a body
+    /// stands on an edge, |Σ_r λ_i (n_i + m_i)| / Σ λ_i with the nodes r at the rim and
+    /// the normals m_i opposite.
+    double tilt = 0.;
+
     /// The energy from facets, J, see climbed_facets().
     double climbed = 0.;
   };

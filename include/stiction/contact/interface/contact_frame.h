@@ -43,6 +43,9 @@ namespace stiction
     double free_part = 1.; ///< n times that, > 0
     /// Which Cartesian components of the displacement are prescribed.
     std::array<bool, 3> prescribed{{false, false, false}};
+    /// Of the force, what acts at the node itself, > 0: the rest acts at nodes next to
+    /// it, see ContactSurface::lend_areas(). No map of the frame has it.
+    double own_part = 1.;
 
     /// Whether some displacement component is prescribed.
     bool is_held() const { return prescribed[0] || prescribed[1] || prescribed[2]; }

@@ -14,7 +14,8 @@ namespace stiction
   /// B: from displacements of the body to displacements (n·u; s1 t1·u; s2 t2·u)
   /// of its contact nodes in their frames, and Bᵀ from contact forces to loads. Where
   /// another body is opposite, u is relative to Âu of its nodes, and the forces act on
-  /// both.
+  /// both. Where a node bears forces of others beside it, u is the mean of theirs, of
+  /// which ContactFrame::own_part is its own and −Â has the others.
   ///
   /// Vectors over the contact nodes have length 3m, by blocks (ν; t1; t2) or
   /// (x; y; z), and every rank holds them in full.
@@ -23,7 +24,8 @@ namespace stiction
   public:
     ContactOperator() = default;
 
-    /// The nodes of other bodies, or of other boundaries, that lie opposite.
+    /// The nodes of other bodies, or of other boundaries, that lie opposite, and those
+    /// that others bear forces for.
     struct OtherSide
     {
       DofSubset dofs;          ///< by blocks

@@ -12,10 +12,12 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -27,6 +29,11 @@ namespace stiction
   class ParameterFile;
   struct State;
 
+  /// Which part of its boundary, between sharp edges, a face is, by the first unknowns of
+  /// its corners in ascending order; of those that are not there it is part 0.
+  using PartOfFace =
+    std::map<std::array<dealii::types::global_dof_index, 4>, unsigned int>;
+
   /// One node of a contact boundary that may touch its obstacle.
   ///
   /// Of an ellipse of friction, the coefficient and the slip stress are those
@@ -37,22 +44,27 @@ namespace stiction
     /// Of its three displacement unknowns.
     dealii::types::global_dof_index first_dof = 0;
     dealii::Point<3> position; ///< undeformed, m
+    dealii::Point<3> center;   ///< of the places that its force acts at, m
     double gap = 0.;           ///< d along n, m; negative: interference
     /// How far the surface of an obstacle that turns moves past it a radian, m, and
     /// has moved: the point that it faces. The torque of a force is arm·F.
     dealii::Tensor<1, 3> arm, turning;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
-    /// hanging nodes add to it.
+    /// hanging nodes add to it, A what nodes beside it lend,
+    /// ContactSurface::lend_areas().
     double area = 0.;
     /// Of a pair: of what is around it, how much has something opposite. With less than
     /// half a node is beyond the edge of what lies opposite, or next to a corner of it.
     double cover    = 1.;
     double mesh_gap = 0.; ///< of a pair, between the meshes along the normal, m
+    /// Of a pair, at the rim of a part, unit, out of the other side; elsewhere zero.
+    dealii::Tensor<1, 3> opposite_normal;
     /// The largest of the cells behind it, Pa; of a pair that of the softer body.
     double youngs_modulus = 0.;
     double coefficient    = 0.; ///< F of Coulomb's law
     double slip_stress    = 0.; ///< τ_c of given friction, Pa
     unsigned int boundary = 0;  ///< whose node it is, of boundaries()
+    unsigned int part     = 0;  ///< of this boundary, see PartOfFace
   };
 
   /// The contact nodes with their frames, gaps, areas and friction data, and
@@ -65,7 +77,9 @@ namespace stiction
   /// contact boundary whose displacement is prescribed, wholly or along the
   /// normal, are not contact nodes, nor are those that face away from the
   /// obstacle, nor hanging nodes, which follow from others. A node of several
-  /// contact boundaries is one of the first of them, with its area there alone.
+  /// contact boundaries, or on a sharp edge of one, is one of the first of them, and of
+  /// the part with the smallest gap; nodes of the others beside it bear what acts on it
+  /// there.
   ///
   /// The contact force is one number a node and direction, whatever the degree
   /// of the elements: λ_i works on the displacement of node i alone, so that
@@ -231,6 +245,16 @@ namespace stiction
     /// opposite, m. Collective.
     std::vector<double> penetration_of_idle(const State &state) const;
 
+    /// Which part of its contact boundary a face is.
+    unsigned int part_of(std::array<dealii::types::global_dof_index, 4> corners) const;
+
+    /// The contact nodes that bear the forces of a part of a contact boundary at a node,
+    /// with their parts of its area, which add to 1: the node itself, or those beside it,
+    /// see lend_areas(); or none.
+    std::vector<std::pair<Eigen::Index, double>> bearers_at(
+      dealii::types::global_dof_index first_dof, dealii::types::boundary_id id,
+      unsigned int part) const;
+
     /// The contact node with this unknown as its first, -1 if there is none.
     Eigen::Index node_of(dealii::types::global_dof_index first_dof) const;
 
@@ -247,6 +271,10 @@ namespace stiction
     double largest_coefficient() const;
 
   private:
+    /// Finds the parts of the contact boundaries but of tied ones, in which normals do
+    /// not count. Collective.
+    void find_parts(const LinearElasticity &elasticity);
+
     /// Chooses the sides of pairs and finds what lies opposite to the slaves.
     /// Throws InputError if one would be the slave of two, and if a tie would be lost or
     /// its sides are far apart.
@@ -268,6 +296,17 @@ namespace stiction
     /// Takes area and gap of a node of a pair from its mortar.
     /// @return whether enough of what is around it has something opposite.
     bool place_in_pair(ContactNode &node) const;
+    /// Has nodes bear forces for those beside them that belong to an earlier boundary:
+    /// gives them a part of their areas, and the means of gaps, arms and places. Lenders
+    /// without such a neighbour become idle. Collective.
+    void lend_areas(const LinearElasticity &elasticity);
+    /// What lies opposite, where nodes bear forces for others as well. Collective.
+    ContactOperator::OtherSide with_loans(
+      const LinearElasticity &elasticity, const ContactOperator::OtherSide &opposite,
+      const ContactOperator::OtherSide &of_lenders) const;
+    /// 0 for each unknown that is prescribed, otherwise 1. Collective.
+    static Eigen::VectorXd free_unknowns(const LinearElasticity &elasticity,
+                                         const DofSubset &dofs);
     /// Gives the nodes that are left their numbers and makes B.
     void number_nodes(const LinearElasticity &elasticity);
     /// B of some nodes, with what lies opposite to them.
@@ -289,11 +328,19 @@ namespace stiction
     void displace_obstacles();
 
     std::vector<ContactBoundary> boundaries_;
-    std::vector<std::unique_ptr<Mortar>>
-      mortars_; ///< of each, none of those with obstacles
+    std::vector<std::vector<Mortar>>
+      mortars_; ///< of the parts of each, none of those with obstacles
+    PartOfFace part_of_face_;
     std::vector<ContactNode> nodes_, facing_away_;
-    std::vector<ContactNode> idle_; ///< of a boundary whose forces do not act on them
-    ContactOperator idle_B_;        ///< of these
+    std::vector<ContactNode> idle_;    ///< of a boundary whose forces do not act on them
+    ContactOperator idle_B_;           ///< of these
+    std::vector<ContactNode> lenders_; ///< of a boundary after one whose forces they bear
+    /// Of the area of node i, the part that lender j had.
+    Eigen::SparseMatrix<double, Eigen::RowMajor> loans_;
+    /// By the first unknown of a lender, the place of its boundary and the part of that.
+    std::map<std::tuple<dealii::types::global_dof_index, std::size_t, unsigned int>,
+             std::vector<std::pair<Eigen::Index, double>>>
+      bearers_;
     std::vector<Eigen::Index> dragged_;
     Eigen::VectorXd origin_; ///< of count_slip_from(), empty: none
     DofSubset facing_away_dofs_;

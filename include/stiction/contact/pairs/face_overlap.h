@@ -8,7 +8,8 @@
 namespace stiction
 {
   /// Where a face lies opposite to another one: points of quadrature on the part of the
-  /// first that the second covers, seen along the normal at the centre of the first.
+  /// first that the second covers, seen along the normal at the centre of the first, and
+  /// with weight 0 the corners of that part.
   struct OverlapPoint
   {
     double weight;                       ///< an area of the first face, m²

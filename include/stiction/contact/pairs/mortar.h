@@ -34,6 +34,10 @@ namespace stiction
     /// weighted by ψ, but not beyond what there is around the node, m.
     Eigen::VectorXd gaps;
 
+    /// Of each node at the rim of the slave faces the mean of the outward normals of the
+    /// master opposite, unit; of the others zero; by rows.
+    Eigen::MatrixX3d normals;
+
     /// Of each the largest of the cells of the master opposite, Pa.
     Eigen::VectorXd youngs_moduli;
 
@@ -41,6 +45,11 @@ namespace stiction
     std::vector<dealii::types::global_dof_index> masters;
     Eigen::SparseMatrix<double, Eigen::RowMajor> weights;  ///< W, slaves × masters
     Eigen::SparseMatrix<double, Eigen::RowMajor> overlaps; ///< ∫ |φ_i φ_j|, as many
+
+    /// The smallest side of the boxes around the bodies, m. What overlaps by more is not
+    /// opposite: the far sides of two balls look at each other through both.
+    double thickness        = 0.;
+    double deepest_left_out = 0.; ///< the deepest such overlap, m
 
     /// Finds them. Collective.
     Mortar(const LinearElasticity &elasticity,

@@ -22,6 +22,9 @@ namespace stiction
     std::array<double, 3> inside;               ///< the centre of the cell, m
     double youngs_modulus;                      ///< of the cell, Pa
     double coarse_diameter;                     ///< of the face before refinement, m
+    double surface_size; ///< the diagonal of the box around all of them, m
+    double thickness;    ///< the smallest side of the box around its body, m
+    bool is_round;       ///< that of a circle of some ten or fewer
 
     unsigned int n_nodes() const { return (degree + 1) * (degree + 1); }
 
@@ -29,6 +32,9 @@ namespace stiction
     {
       return {nodes[i][0], nodes[i][1], nodes[i][2]};
     }
+
+    /// The first unknowns of the corners, in ascending order: no other face has them.
+    std::array<dealii::types::global_dof_index, 4> corner_dofs() const;
 
     /// The four corners, going around.
     std::array<dealii::Point<3>, 4> corners() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
 #include <array>
@@ -19,14 +20,15 @@ namespace stiction
     ///   ends.
     static Material isotropic(double youngs_modulus, double poisson_ratio);
 
-    /// With the axes x, y, z.
-    ///
     /// @param E1_to_G23 E1, E2, E3; ν12, ν13, ν23; G12, G13, G23; moduli in Pa.
     ///   ν12 is the contraction along 2 under a tension along 1, so that the
     ///   compliance has -ν12/E1 in row 1, column 2.
+    /// @param axes a rotation, whose columns are the axes 1, 2, 3.
     ///
     /// Throws std::domain_error if the stiffness is not positive definite.
-    static Material orthotropic(const std::array<double, 9> &E1_to_G23);
+    static Material orthotropic(
+      const std::array<double, 9> &E1_to_G23,
+      const dealii::Tensor<2, 3> &axes = dealii::unit_symmetric_tensor<3>());
 
     /// Of a small strain, point by point. Unit: Pa.
     dealii::SymmetricTensor<2, 3> stress(

@@ -7,6 +7,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <numeric>
 #include <cctype>
 #include <cstdlib>
 #include <limits>
@@ -205,29 +206,44 @@ namespace stiction
       }
   }
 
+  // Volumes of cells far from the origin would be rounding.
+  std::vector<Point<3>> MeshBuilder::from_first_node(const CellData<3> &cell) const
+  {
+    std::vector<Point<3>> points;
+    for (const unsigned int v : cell.vertices)
+      points.emplace_back(points_[v] - points_[cell.vertices[0]]);
+    return points;
+  }
+
   bool MeshBuilder::turn_hexahedron(CellData<3> &cell) const
   {
+    std::vector<CellData<3>> cells = {cell};
+    std::iota(cells[0].vertices.begin(), cells[0].vertices.end(), 0u);
     try
       {
-        std::vector<CellData<3>> cells = {cell};
-        GridTools::invert_cells_with_negative_measure(points_, cells);
-        cell = cells.front();
+        GridTools::invert_cells_with_negative_measure(from_first_node(cell), cells);
       }
     catch (const ExceptionBase &)
       {
         return false;
       }
+    const std::vector<unsigned int> nodes = cell.vertices;
+    std::transform(cells[0].vertices.begin(), cells[0].vertices.end(),
+                   cell.vertices.begin(), [&](const unsigned int v) { return nodes[v]; });
     return true;
   }
 
   // deal.II's function knows no prisms.
   bool MeshBuilder::turn(CellData<3> &cell) const
   {
-    auto &vertices = cell.vertices;
-    double size    = 0.;
-    for (const unsigned int v : vertices)
-      size = std::max(size, points_[v].distance(points_[vertices[0]]));
-    const double volume = GridTools::cell_measure<3>(points_, make_array_view(vertices));
+    auto &vertices    = cell.vertices;
+    const auto points = from_first_node(cell);
+    double size       = 0.;
+    for (const Point<3> &point : points)
+      size = std::max(size, point.norm());
+    std::vector<unsigned int> in_order(points.size());
+    std::iota(in_order.begin(), in_order.end(), 0u);
+    const double volume = GridTools::cell_measure<3>(points, make_array_view(in_order));
     if (volume < 0. && vertices.size() == 4)
       std::swap(vertices[0], vertices[1]);
     else if (volume < 0.)

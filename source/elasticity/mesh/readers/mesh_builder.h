@@ -78,6 +78,8 @@ namespace stiction
 
     void make_volumes_positive();
 
+    std::vector<dealii::Point<3>> from_first_node(const dealii::CellData<3> &cell) const;
+
     // Whether it has a volume, which is positive then.
     bool turn_hexahedron(dealii::CellData<3> &cell) const;
     bool turn(dealii::CellData<3> &cell) const;

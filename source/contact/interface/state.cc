@@ -1,5 +1,4 @@
 #include <stiction/contact/interface/contact_surface.h>
-#include <stiction/contact/interface/slip_history.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 

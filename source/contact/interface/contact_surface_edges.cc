@@ -1,0 +1,171 @@
+// Nodes of several contact boundaries, or of parts of one that meet at a sharp edge: they
+// bear the forces of the first of these alone. What the others exert on the area around
+// them is borne by nodes beside them, for both: a force λ_i acts by parts at node i and
+// at those it bears for, and the gap and slip that it closes are the means of theirs. As
+// with the crosspoints of mortar methods (B. Wohlmuth, A mortar finite element method
+// using dual spaces for the Lagrange multiplier, 2000) a pressure that is the same
+// everywhere is borne exactly.
+
+#include <stiction/contact/interface/node_shares.h>
+
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/pairs/mortar.h>
+#include <stiction/contact/pairs/smooth_parts.h>
+#include <stiction/contact/pairs/surface_face.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace stiction
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Of the area around a node: with less opposite it bears for no other.
+    constexpr double least_cover_of_bearers = 0.1;
+  } // namespace
+
+  void ContactSurface::find_parts(const LinearElasticity &elasticity)
+  {
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      {
+        if (boundaries_[b].is_tied())
+          continue;
+        const auto faces = surface_faces(elasticity, {boundaries_[b].id()});
+        const auto parts = smooth_parts(faces);
+        for (std::size_t f = 0; f < faces.size(); ++f)
+          if (parts[f] > 0)
+            part_of_face_[faces[f].corner_dofs()] = parts[f];
+      }
+  }
+
+  unsigned int ContactSurface::part_of(
+    std::array<types::global_dof_index, 4> corners) const
+  {
+    std::sort(corners.begin(), corners.end());
+    const auto part = part_of_face_.find(corners);
+    return part == part_of_face_.end() ? 0 : part->second;
+  }
+
+  void ContactSurface::lend_areas(const LinearElasticity &elasticity)
+  {
+    const auto k = static_cast<Eigen::Index>(lenders_.size());
+    loans_.resize(n_nodes(), k);
+    if (k == 0)
+      return;
+    // Not those that lend themselves, in a circle where owners change along an edge, nor
+    // those with next to nothing of their own.
+    std::set<types::global_dof_index> lend;
+    for (const ContactNode &lender : lenders_)
+      lend.insert(lender.first_dof);
+    std::vector<ContactNode> among = nodes_;
+    for (ContactNode &node : among)
+      if (lend.count(node.first_dof) > 0 || node.cover < least_cover_of_bearers)
+        node.boundary = numbers::invalid_unsigned_int;
+    const auto neighbours =
+      neighbours_on_boundary(elasticity, boundaries_, part_of_face_, lenders_, among);
+    std::vector<Eigen::Triplet<double>> lent;
+    for (const auto &neighbour : neighbours)
+      {
+        const ContactNode &lender = lenders_[neighbour.row()];
+        bearers_[{lender.first_dof, lender.boundary, lender.part}].emplace_back(
+          neighbour.col(), neighbour.value());
+        lent.emplace_back(neighbour.col(), neighbour.row(),
+                          neighbour.value() * lender.area);
+      }
+    for (const ContactNode &lender : lenders_)
+      if (bearers_.count({lender.first_dof, lender.boundary, lender.part}) == 0)
+        idle_.push_back(lender);
+    loans_.setFromTriplets(lent.begin(), lent.end());
+
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        ContactNode &node = nodes_[i];
+        const double area = node.area + loans_.row(i).sum();
+        loans_.row(i) /= area;
+        node.own_part = node.area / area;
+        node.area     = area;
+        node.gap *= node.own_part;
+        node.arm *= node.own_part;
+        node.turning *= node.own_part;
+        node.center *= node.own_part;
+        for (decltype(loans_)::InnerIterator loan(loans_, i); loan; ++loan)
+          {
+            const ContactNode &lender = lenders_[loan.col()];
+            node.gap += loan.value() * lender.gap;
+            node.arm += loan.value() * lender.arm;
+            node.turning += loan.value() * lender.turning;
+            node.center += loan.value() * lender.center;
+          }
+      }
+  }
+
+  ContactOperator::OtherSide ContactSurface::with_loans(
+    const LinearElasticity &elasticity, const ContactOperator::OtherSide &opposite,
+    const ContactOperator::OtherSide &of_lenders) const
+  {
+    const Eigen::Index n = opposite.weights.cols(), m = n_nodes();
+    std::vector<types::global_dof_index> nodes;
+    std::map<types::global_dof_index, Eigen::Index> column;
+    const auto add = [&](const types::global_dof_index first_dof) {
+      if (column.emplace(first_dof, nodes.size()).second)
+        nodes.push_back(first_dof);
+    };
+    for (Eigen::Index j = 0; j < n; ++j)
+      add(opposite.dofs.dofs()[j]);
+    for (const ContactNode &lender : lenders_)
+      add(lender.first_dof);
+
+    const auto n_all = static_cast<Eigen::Index>(nodes.size());
+    std::vector<Eigen::Triplet<double>> weights, A;
+    const auto add_rows = [&](const ContactOperator::OtherSide &side,
+                              const Eigen::Index from, const Eigen::Index to,
+                              const double part) {
+      if (n == 0)
+        return; // Eigen has no rows without columns
+      for (decltype(loans_)::InnerIterator w(side.weights, from); w; ++w)
+        weights.emplace_back(to, w.col(), part * w.value());
+      for (Eigen::Index c = 0; c < 3; ++c)
+        for (decltype(loans_)::InnerIterator a(side.A, from + c * side.weights.rows()); a;
+             ++a)
+          A.emplace_back(to + c * m, a.col() % n + a.col() / n * n_all, part * a.value());
+    };
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        add_rows(opposite, i, i, nodes_[i].own_part);
+        for (decltype(loans_)::InnerIterator loan(loans_, i); loan; ++loan)
+          {
+            add_rows(of_lenders, loan.col(), i, loan.value());
+            for (Eigen::Index c = 0; c < 3; ++c)
+              A.emplace_back(i + c * m,
+                             column.at(lenders_[loan.col()].first_dof) + c * n_all,
+                             -loan.value());
+          }
+      }
+    ContactOperator::OtherSide all;
+    all.dofs    = DofSubset::of_nodes(nodes);
+    all.is_free = free_unknowns(elasticity, all.dofs);
+    all.weights.resize(m, n_all);
+    all.weights.setFromTriplets(weights.begin(), weights.end());
+    all.A.resize(3 * m, 3 * n_all);
+    all.A.setFromTriplets(A.begin(), A.end());
+    return all;
+  }
+
+  Eigen::VectorXd ContactSurface::free_unknowns(const LinearElasticity &elasticity,
+                                                const DofSubset &dofs)
+  {
+    LA::Vector is_free = elasticity.zero_vector();
+    for (const auto dof : dofs.dofs())
+      if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
+        is_free(dof) = 1.;
+    return dofs.restriction(is_free);
+  }
+} // namespace stiction
