@@ -30,11 +30,8 @@ namespace stiction
   {
     cell->get_dof_indices(dofs_);
     const unsigned int f = values.get_face_number();
-    const auto face      = cell->face(f);
-    const auto id        = face->boundary_id();
-    const unsigned int part =
-      surface_.part_of({{face->vertex_dof_index(0, 0), face->vertex_dof_index(1, 0),
-                         face->vertex_dof_index(2, 0), face->vertex_dof_index(3, 0)}});
+    const auto id        = cell->face(f)->boundary_id();
+    const auto part      = surface_.parts().of(cell->face(f));
     std::vector<std::optional<Tensor<1, 3>>> at_nodes(fe_.n_dofs_per_face(f) / 3);
     Tensor<1, 3> mean;
     double n_known = 0.;

@@ -116,6 +116,16 @@ namespace stiction
       figures.moment_across_gap   = moment > 0. ? across.norm() / moment : 0.;
     }
 
+    void add_tilt(const PressedNodes &pressed, PairFigures &figures)
+    {
+      const Eigen::VectorXd at_rim =
+        pressed.pressing.cwiseProduct(pressed.opposite.rowwise().norm());
+      figures.tilt = (at_rim.transpose() * pressed.normals +
+                      pressed.pressing.transpose() * pressed.opposite)
+                       .norm() /
+                     pressed.pressing.sum();
+    }
+
     void add_way(const PressedNodes &pressed, PairFigures &figures)
     {
       figures.way     = pressed.along_surface(pressed.slip).rowwise().norm().maxCoeff();
@@ -133,12 +143,7 @@ namespace stiction
     add_edge(pressed, figures);
     add_gap(pressed, figures);
     add_way(pressed, figures);
-    const Eigen::VectorXd at_rim =
-      pressed.pressing.cwiseProduct(pressed.opposite.rowwise().norm());
-    figures.tilt = (at_rim.transpose() * pressed.normals +
-                    pressed.pressing.transpose() * pressed.opposite)
-                     .norm() /
-                   pressed.pressing.sum();
+    add_tilt(pressed, figures);
     figures.climbed = climbed_facets(pressed.positions, pressed.normals, pressed.slip,
                                      pressed.areas, pressed.pressing);
     return figures;

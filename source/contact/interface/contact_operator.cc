@@ -38,6 +38,16 @@ namespace stiction
       return v;
     }
 
+    // All, of what is their own.
+    Eigen::VectorXd from_own_parts(const std::vector<ContactFrame> &frames,
+                                   Eigen::VectorXd v)
+    {
+      const auto m = static_cast<Eigen::Index>(frames.size());
+      for (Eigen::Index i = 0; i < m; ++i)
+        set_at_node(v, i, at_node(v, i) / frames[i].own_part);
+      return v;
+    }
+
     // Whether two sparse matrices have the same entries, bit by bit.
     bool are_equal(const Eigen::SparseMatrix<double, Eigen::RowMajor> &a,
                    const Eigen::SparseMatrix<double, Eigen::RowMajor> &b)
@@ -141,19 +151,16 @@ namespace stiction
   void ContactOperator::add_displacement(const double factor, const Eigen::VectorXd &w,
                                          LA::Vector &u) const
   {
-    Eigen::VectorXd moved =
-      factor * at_all_nodes(frames_, w, &ContactFrame::displacement_to_cartesian);
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(moved, i, at_node(moved, i) / frames_[i].own_part);
-    dofs_.add_extension(moved, u);
+    dofs_.add_extension(
+      factor *
+        from_own_parts(
+          frames_, at_all_nodes(frames_, w, &ContactFrame::displacement_to_cartesian)),
+      u);
   }
 
   Eigen::VectorXd ContactOperator::contact_forces(const LA::Vector &R) const
   {
-    Eigen::VectorXd lambda = force_to_local(dofs_.restriction(R));
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(lambda, i, at_node(lambda, i) / frames_[i].own_part);
-    return lambda;
+    return from_own_parts(frames_, force_to_local(dofs_.restriction(R)));
   }
 
   Eigen::VectorXd ContactOperator::force_to_cartesian(const Eigen::VectorXd &lambda) const

@@ -10,14 +10,9 @@
 
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
-#include <stiction/contact/pairs/smooth_parts.h>
-#include <stiction/contact/pairs/surface_face.h>
-#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
-#include <deal.II/lac/la_parallel_vector.h>
-
-#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -31,28 +26,6 @@ namespace stiction
     // Of the area around a node: with less opposite it bears for no other.
     constexpr double least_cover_of_bearers = 0.1;
   } // namespace
-
-  void ContactSurface::find_parts(const LinearElasticity &elasticity)
-  {
-    for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      {
-        if (boundaries_[b].is_tied())
-          continue;
-        const auto faces = surface_faces(elasticity, {boundaries_[b].id()});
-        const auto parts = smooth_parts(faces);
-        for (std::size_t f = 0; f < faces.size(); ++f)
-          if (parts[f] > 0)
-            part_of_face_[faces[f].corner_dofs()] = parts[f];
-      }
-  }
-
-  unsigned int ContactSurface::part_of(
-    std::array<types::global_dof_index, 4> corners) const
-  {
-    std::sort(corners.begin(), corners.end());
-    const auto part = part_of_face_.find(corners);
-    return part == part_of_face_.end() ? 0 : part->second;
-  }
 
   void ContactSurface::lend_areas(const LinearElasticity &elasticity)
   {
@@ -70,7 +43,7 @@ namespace stiction
       if (lend.count(node.first_dof) > 0 || node.cover < least_cover_of_bearers)
         node.boundary = numbers::invalid_unsigned_int;
     const auto neighbours =
-      neighbours_on_boundary(elasticity, boundaries_, part_of_face_, lenders_, among);
+      neighbours_on_boundary(elasticity, boundaries_, parts_, lenders_, among);
     std::vector<Eigen::Triplet<double>> lent;
     for (const auto &neighbour : neighbours)
       {
@@ -151,7 +124,7 @@ namespace stiction
       }
     ContactOperator::OtherSide all;
     all.dofs    = DofSubset::of_nodes(nodes);
-    all.is_free = free_unknowns(elasticity, all.dofs);
+    all.is_free = 1. - prescribed_of(elasticity, all.dofs).array();
     all.weights.resize(m, n_all);
     all.weights.setFromTriplets(weights.begin(), weights.end());
     all.A.resize(3 * m, 3 * n_all);
@@ -159,13 +132,4 @@ namespace stiction
     return all;
   }
 
-  Eigen::VectorXd ContactSurface::free_unknowns(const LinearElasticity &elasticity,
-                                                const DofSubset &dofs)
-  {
-    LA::Vector is_free = elasticity.zero_vector();
-    for (const auto dof : dofs.dofs())
-      if (is_free.in_local_range(dof) && !elasticity.is_prescribed(dof))
-        is_free(dof) = 1.;
-    return dofs.restriction(is_free);
-  }
 } // namespace stiction

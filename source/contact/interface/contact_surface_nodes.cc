@@ -49,7 +49,6 @@ namespace stiction
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
     join_pairs(elasticity);
-    find_parts(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
     require_nodes(contact_boundary_entry,
@@ -69,7 +68,7 @@ namespace stiction
 
   void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
   {
-    const NodeShares shares(elasticity, boundaries_, part_of_face_);
+    const NodeShares shares(elasticity, boundaries_, parts_);
     boundary_area_ = shares.boundary_area();
     for (ContactNode node : shares.nodes())
       (set_tangents(node) ? nodes_ : idle_).push_back(node);
@@ -140,7 +139,10 @@ namespace stiction
           best = i;
       }
     for (std::size_t i = 0; i < placed.size(); ++i)
-      (bearing[placed[i].first_dof] == i ? facing : idle_).push_back(placed[i]);
+      if (bearing[placed[i].first_dof] == i)
+        facing.push_back(placed[i]);
+      else if (!boundaries_[placed[i].boundary].is_tied())
+        lenders_.push_back(placed[i]);
     for (const ContactNode &node : away)
       if (bearing.count(node.first_dof) == 0)
         {
@@ -153,11 +155,8 @@ namespace stiction
     for (ContactNode &node : idle_)
       try
         {
-          if (boundaries_[node.boundary].is_tied() || !place(node))
-            continue;
-          if (set_tangents(node))
-            lenders_.push_back(node);
-          else if (node.cover > mostly_covered)
+          if (!boundaries_[node.boundary].is_tied() && place(node) &&
+              node.cover > mostly_covered)
             held.push_back(node);
         }
       catch (const InputError &)
@@ -171,6 +170,8 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       node_of_dof_[nodes_[i].first_dof] = i;
     B_ = contact_operator(elasticity, nodes_);
+    for (Eigen::Index j = 0; j < B_.other_side().weights.cols(); ++j)
+      opposite_node_of_dof_[B_.other_side().dofs.dofs()[j]] = j;
     if (loans_.nonZeros() > 0)
       B_ = {B_.dofs(), B_.frames(),
             with_loans(elasticity, B_.other_side(),

@@ -101,17 +101,6 @@ namespace stiction
                          " thick, must lie opposite to it but for a small interference.");
     }
 
-    // The faces of each part of a surface.
-    std::vector<std::vector<SurfaceFace>> parts_of(const std::vector<SurfaceFace> &faces)
-    {
-      const std::vector<unsigned int> numbers = smooth_parts(faces);
-      std::vector<std::vector<SurfaceFace>> parts(
-        faces.empty() ? 1 : 1 + *std::max_element(numbers.begin(), numbers.end()));
-      for (std::size_t f = 0; f < faces.size(); ++f)
-        parts[numbers[f]].push_back(faces[f]);
-      return parts;
-    }
-
     using Boundaries = std::vector<types::boundary_id>;
 
     // Which boundaries bear the forces of a contact, and whose slaves bodies are.
@@ -252,7 +241,9 @@ namespace stiction
     // a boundary that stands in several pairs can be the slave of one alone
     Bearers bearers(elasticity.body(), boundaries_);
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (ContactBoundary &pair = boundaries_[b]; pair.is_pair())
+      if (ContactBoundary &pair = boundaries_[b]; !pair.is_pair())
+        parts_.split(surface_faces(elasticity, {pair.id()}));
+      else
         {
           auto first           = surface_faces(elasticity, {pair.id()});
           auto second          = surface_faces(elasticity, pair.partners());
@@ -284,7 +275,7 @@ namespace stiction
           bearers.add(pair);
           require_side_by_side(pair, mortar);
           const auto parts =
-            pair.is_tied() ? decltype(parts_of(first)){first} : parts_of(first);
+            pair.is_tied() ? decltype(parts_.split(first)){first} : parts_.split(first);
           for (const auto &faces : parts)
             mortars_[b].push_back(parts.size() == 1 ? mortar
                                                     : Mortar(elasticity, faces, second));
@@ -351,7 +342,7 @@ namespace stiction
 
     ContactOperator::OtherSide other;
     other.dofs        = DofSubset::of_nodes(masters);
-    other.is_free     = free_unknowns(elasticity, other.dofs);
+    other.is_free     = 1. - prescribed_of(elasticity, other.dofs).array();
     other.weights     = by_nodes(&Mortar::weights);
     LA::Vector places = elasticity.zero_vector();
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
@@ -371,20 +362,12 @@ namespace stiction
     if (!B_.has_other_side())
       return; // Eigen knows no product of sparse matrices without columns
     const auto &other = B_.other_side();
-    std::set<types::global_dof_index> lend;
-    for (const ContactNode &lender : lenders_)
-      lend.insert(lender.first_dof);
     Eigen::VectorXd areas(n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       areas(i) = nodes_[i].area;
     to_other_side_                 = other.weights.transpose() * areas.asDiagonal();
     const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
     for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
-      {
-        const auto dof = other.dofs.dofs()[j];
-        if (of_nodes(j) > 0. || lend.count(dof) == 0)
-          opposite_node_of_dof_[dof] = j;
-        to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
-      }
+      to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
   }
 } // namespace stiction

@@ -32,7 +32,7 @@ namespace stiction
     template<typename Callback>
     void for_each_contact_face(const Body &body,
                                const std::vector<ContactBoundary> &boundaries,
-                               const PartOfFace &parts, const Callback &callback)
+                               const SmoothParts &parts, const Callback &callback)
     {
       const FiniteElement<3> &fe = body.dof_handler().get_fe();
       const QGauss<2> quadrature(fe.degree + 1);
@@ -53,20 +53,15 @@ namespace stiction
                 continue;
               values.reinit(cell, f);
               cell->get_dof_indices(dofs);
-              PartOfFace::key_type corners;
-              for (unsigned int v = 0; v < corners.size(); ++v)
-                corners[v] = cell->face(f)->vertex_dof_index(v, 0);
-              std::sort(corners.begin(), corners.end());
-              const auto part = parts.find(corners);
               callback(cell, values, dofs, place - boundaries.begin(),
-                       part == parts.end() ? 0 : part->second);
+                       parts.of(cell->face(f)));
             }
     }
   } // namespace
 
   std::vector<Eigen::Triplet<double>> neighbours_on_boundary(
     const LinearElasticity &elasticity, const std::vector<ContactBoundary> &boundaries,
-    const PartOfFace &parts, const std::vector<ContactNode> &of,
+    const SmoothParts &parts, const std::vector<ContactNode> &of,
     const std::vector<ContactNode> &among)
   {
     if (of.empty())
@@ -131,7 +126,7 @@ namespace stiction
 
   NodeShares::NodeShares(const LinearElasticity &elasticity,
                          const std::vector<ContactBoundary> &boundaries,
-                         const PartOfFace &parts)
+                         const SmoothParts &parts)
     : elasticity_(elasticity)
     , body_(elasticity.body())
     , boundaries_(boundaries)

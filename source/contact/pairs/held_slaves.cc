@@ -16,15 +16,16 @@ namespace stiction
     // side is held there. One of much finer cells at the edge counts for little.
     constexpr double no_hold = 0.99;
 
-    // 1 for each unknown that is prescribed, otherwise 0.
-    LA::Vector prescribed(const LinearElasticity &elasticity)
-    {
-      LA::Vector held = elasticity.zero_vector();
-      for (const auto dof : held.locally_owned_elements())
-        held(dof) = elasticity.is_prescribed(dof) ? 1. : 0.;
-      return held;
-    }
   } // namespace
+
+  Eigen::VectorXd prescribed_of(const LinearElasticity &elasticity, const DofSubset &dofs)
+  {
+    LA::Vector held = elasticity.zero_vector();
+    for (const auto dof : dofs.dofs())
+      if (held.in_local_range(dof) && elasticity.is_prescribed(dof))
+        held(dof) = 1.;
+    return dofs.restriction(held);
+  }
 
   bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces)
   {
@@ -33,14 +34,15 @@ namespace stiction
       nodes.insert(nodes.end(), face.dofs.begin(), face.dofs.begin() + face.n_nodes());
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return !DofSubset::of_nodes(nodes).restriction(prescribed(elasticity)).isZero(0.);
+    return !prescribed_of(elasticity, DofSubset::of_nodes(nodes)).isZero(0.);
   }
 
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar)
   {
-    const LA::Vector held         = prescribed(elasticity);
-    const Eigen::VectorXd slaves  = DofSubset::of_nodes(mortar.slaves).restriction(held);
-    const Eigen::VectorXd masters = DofSubset::of_nodes(mortar.masters).restriction(held);
+    const Eigen::VectorXd slaves =
+      prescribed_of(elasticity, DofSubset::of_nodes(mortar.slaves));
+    const Eigen::VectorXd masters =
+      prescribed_of(elasticity, DofSubset::of_nodes(mortar.masters));
     const Eigen::Index m = mortar.weights.rows(), n = mortar.weights.cols();
     unsigned int n_nodes = 0;
     for (Eigen::Index i = 0; i < m; ++i)

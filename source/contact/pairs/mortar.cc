@@ -68,15 +68,6 @@ namespace stiction
       return box_around(points);
     }
 
-    // Of their bodies.
-    double thinnest(const std::vector<SurfaceFace> &faces)
-    {
-      double least = std::numeric_limits<double>::max();
-      for (const SurfaceFace &face : faces)
-        least = std::min(least, face.thickness);
-      return least;
-    }
-
     // A point of a slave face that has another face opposite.
     struct CoveredPoint
     {
@@ -320,7 +311,7 @@ namespace stiction
       return;
     const double reach =
       std::min(slave_faces.front().surface_size, master_faces.front().surface_size);
-    thickness         = std::min(thinnest(slave_faces), thinnest(master_faces));
+    thickness = std::min(slave_faces.front().thickness, master_faces.front().thickness);
     const auto shares = integrate(elasticity, slave_faces, master_faces, reach, thickness,
                                   deepest_left_out);
     for (const Share &share : shares)

@@ -77,10 +77,7 @@ namespace stiction
   std::array<types::global_dof_index, 4> SurfaceFace::corner_dofs() const
   {
     const unsigned int n = degree + 1;
-    std::array<types::global_dof_index, 4> corners{
-      {dofs[0], dofs[n - 1], dofs[n * n - 1], dofs[n * (n - 1)]}};
-    std::sort(corners.begin(), corners.end());
-    return corners;
+    return {{dofs[0], dofs[n - 1], dofs[n * n - 1], dofs[n * (n - 1)]}};
   }
 
   Point<3> SurfaceFace::centre() const
@@ -188,15 +185,22 @@ namespace stiction
             faces.push_back(face);
           }
     faces = all_gather(faces, body.communicator());
-    std::vector<Point<3>> points;
-    for (const SurfaceFace &face : faces)
-      for (unsigned int i = 0; i < face.n_nodes(); ++i)
-        points.push_back(face.node(i));
-    if (points.empty())
+    if (faces.empty())
       return faces;
+    std::vector<Point<3>> points;
+    double thickness = faces.front().thickness;
+    for (const SurfaceFace &face : faces)
+      {
+        thickness = std::min(thickness, face.thickness);
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
+          points.push_back(face.node(i));
+      }
     const auto ends = BoundingBox<3>(points).get_boundary_points();
     for (SurfaceFace &face : faces)
-      face.surface_size = ends.first.distance(ends.second);
+      {
+        face.surface_size = ends.first.distance(ends.second);
+        face.thickness    = thickness;
+      }
     // in an order that does not depend on the partition
     std::sort(faces.begin(), faces.end(), [](const SurfaceFace &a, const SurfaceFace &b) {
       return std::tie(a.inside, a.nodes) < std::tie(b.inside, b.nodes);

@@ -116,23 +116,18 @@ namespace stiction
     dealii::Tensor<2, 3> axes_along(const MaterialList &list, const std::string &name,
                                     const std::vector<std::string> &words)
     {
-      std::array<dealii::Tensor<1, 3>, 3> axis;
+      dealii::Tensor<2, 3> axes; // by rows
       for (unsigned int i = 0; i < 6; ++i)
-        axis[i / 3][i % 3] = list.number(words[i + 10]);
+        axes[i / 3][i % 3] = list.number(words[i + 10]);
       const double least = 1e-6; // of a sine: directions of a file have some digits
-      axis[0] /= axis[0].norm();
-      axis[1] /= axis[1].norm();
-      axis[2] = cross_product_3d(axis[0], axis[1]);
-      if (!(axis[2].norm() > least))
+      axes[0] /= axes[0].norm();
+      axes[2] = cross_product_3d(axes[0], axes[1] / axes[1].norm());
+      if (!(axes[2].norm() > least))
         list.refuse("the axes of material " + name +
                     " must have two directions, neither zero nor along each other");
-      axis[2] /= axis[2].norm();
-      axis[1] = cross_product_3d(axis[2], axis[0]);
-      dealii::Tensor<2, 3> axes;
-      for (unsigned int a = 0; a < 3; ++a)
-        for (unsigned int c = 0; c < 3; ++c)
-          axes[c][a] = axis[a][c];
-      return axes;
+      axes[2] /= axes[2].norm();
+      axes[1] = cross_product_3d(axes[2], axes[0]);
+      return transpose(axes);
     }
 
     Material read_orthotropic(const MaterialList &list, const std::string &name,

@@ -59,10 +59,8 @@ namespace stiction
                 {
                   face->get_dof_indices(dofs);
                   places.reinit(cell, f);
-                  const unsigned int part = surface_.part_of(
-                    {{face->vertex_dof_index(0, 0), face->vertex_dof_index(1, 0),
-                      face->vertex_dof_index(2, 0), face->vertex_dof_index(3, 0)}});
-                  Patch &patch = add_patch(face, true); // it may be curved
+                  const unsigned int part = surface_.parts().of(face);
+                  Patch &patch            = add_patch(face, true); // it may be curved
                   for (unsigned int p = 0; p < order.size(); ++p)
                     {
                       const auto dof      = dofs[3 * order[p]];

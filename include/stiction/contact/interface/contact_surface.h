@@ -2,6 +2,7 @@
 
 #include <stiction/contact/interface/contact_operator.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
+#include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/qp/contact_scales.h>
@@ -12,7 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -28,11 +28,6 @@ namespace stiction
   struct Mortar;
   class ParameterFile;
   struct State;
-
-  /// Which part of its boundary, between sharp edges, a face is, by the first unknowns of
-  /// its corners in ascending order; of those that are not there it is part 0.
-  using PartOfFace =
-    std::map<std::array<dealii::types::global_dof_index, 4>, unsigned int>;
 
   /// One node of a contact boundary that may touch its obstacle.
   ///
@@ -64,7 +59,7 @@ namespace stiction
     double coefficient    = 0.; ///< F of Coulomb's law
     double slip_stress    = 0.; ///< τ_c of given friction, Pa
     unsigned int boundary = 0;  ///< whose node it is, of boundaries()
-    unsigned int part     = 0;  ///< of this boundary, see PartOfFace
+    unsigned int part     = 0;  ///< of this boundary, see SmoothParts
   };
 
   /// The contact nodes with their frames, gaps, areas and friction data, and
@@ -245,8 +240,9 @@ namespace stiction
     /// opposite, m. Collective.
     std::vector<double> penetration_of_idle(const State &state) const;
 
-    /// Which part of its contact boundary a face is.
-    unsigned int part_of(std::array<dealii::types::global_dof_index, 4> corners) const;
+    /// The parts of the contact boundaries between sharp edges; of tied ones, in which
+    /// normals do not count, none.
+    const SmoothParts &parts() const { return parts_; }
 
     /// The contact nodes that bear the forces of a part of a contact boundary at a node,
     /// with their parts of its area, which add to 1: the node itself, or those beside it,
@@ -271,11 +267,8 @@ namespace stiction
     double largest_coefficient() const;
 
   private:
-    /// Finds the parts of the contact boundaries but of tied ones, in which normals do
-    /// not count. Collective.
-    void find_parts(const LinearElasticity &elasticity);
-
-    /// Chooses the sides of pairs and finds what lies opposite to the slaves.
+    /// Chooses the sides of pairs, finds what lies opposite to the slaves, and the parts
+    /// of the boundaries.
     /// Throws InputError if one would be the slave of two, and if a tie would be lost or
     /// its sides are far apart.
     void join_pairs(const LinearElasticity &elasticity);
@@ -304,9 +297,6 @@ namespace stiction
     ContactOperator::OtherSide with_loans(
       const LinearElasticity &elasticity, const ContactOperator::OtherSide &opposite,
       const ContactOperator::OtherSide &of_lenders) const;
-    /// 0 for each unknown that is prescribed, otherwise 1. Collective.
-    static Eigen::VectorXd free_unknowns(const LinearElasticity &elasticity,
-                                         const DofSubset &dofs);
     /// Gives the nodes that are left their numbers and makes B.
     void number_nodes(const LinearElasticity &elasticity);
     /// B of some nodes, with what lies opposite to them.
@@ -330,7 +320,7 @@ namespace stiction
     std::vector<ContactBoundary> boundaries_;
     std::vector<std::vector<Mortar>>
       mortars_; ///< of the parts of each, none of those with obstacles
-    PartOfFace part_of_face_;
+    SmoothParts parts_;
     std::vector<ContactNode> nodes_, facing_away_;
     std::vector<ContactNode> idle_;    ///< of a boundary whose forces do not act on them
     ContactOperator idle_B_;           ///< of these

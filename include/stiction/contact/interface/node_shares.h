@@ -21,19 +21,18 @@ namespace stiction
   /// lists are known to all ranks. Collective.
   std::vector<Eigen::Triplet<double>> neighbours_on_boundary(
     const LinearElasticity &elasticity, const std::vector<ContactBoundary> &boundaries,
-    const PartOfFace &parts, const std::vector<ContactNode> &of,
+    const SmoothParts &parts, const std::vector<ContactNode> &of,
     const std::vector<ContactNode> &among);
 
   /// The nodes of the contact boundaries with what their faces and cells say of
-  /// them: normal, area, modulus, and where they are prescribed. Nodes that are
-  /// prescribed in all directions are left out; hanging nodes hand their shares
-  /// on to those that they hang on.
+  /// them: normal, area, modulus, and where they are prescribed. Hanging nodes hand
+  /// their shares on to those that they hang on.
   class NodeShares
   {
   public:
     /// Adds up the faces of all ranks. Collective.
     NodeShares(const LinearElasticity &elasticity,
-               const std::vector<ContactBoundary> &boundaries, const PartOfFace &parts);
+               const std::vector<ContactBoundary> &boundaries, const SmoothParts &parts);
 
     /// The area of all contact boundaries, m².
     double boundary_area() const { return boundary_area_; }
@@ -72,7 +71,7 @@ namespace stiction
     const LinearElasticity &elasticity_;
     const Body &body_;
     const std::vector<ContactBoundary> &boundaries_;
-    const PartOfFace &parts_;
+    const SmoothParts &parts_;
     /// By the first unknown of a node, a boundary, tied ones first, and a part of it.
     std::map<std::tuple<dealii::types::global_dof_index, double, double>, Share> shares_;
     double boundary_area_ = 0.;

@@ -2,12 +2,20 @@
 
 #include <stiction/contact/pairs/surface_face.h>
 
+#include <stiction/elasticity/linear_algebra/dof_subset.h>
+
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace stiction
 {
   class LinearElasticity;
   struct Mortar;
+
+  /// 1 for each unknown that is prescribed, otherwise 0. Collective.
+  Eigen::VectorXd prescribed_of(const LinearElasticity &elasticity,
+                                const DofSubset &dofs);
 
   /// How many slaves are held along some axis along which most of what they face is not:
   /// a tie has no hold on that there, since such a slave has no unknown left. Collective.

@@ -22,8 +22,8 @@ namespace stiction
     std::array<double, 3> inside;               ///< the centre of the cell, m
     double youngs_modulus;                      ///< of the cell, Pa
     double coarse_diameter;                     ///< of the face before refinement, m
-    double surface_size; ///< the diagonal of the box around all of them, m
-    double thickness;    ///< the smallest side of the box around its body, m
+    double surface_size; ///< the diagonal of the box around all of the surface, m
+    double thickness;    ///< the smallest side of the boxes around its bodies, m
     bool is_round;       ///< that of a circle of some ten or fewer
 
     unsigned int n_nodes() const { return (degree + 1) * (degree + 1); }
@@ -33,10 +33,8 @@ namespace stiction
       return {nodes[i][0], nodes[i][1], nodes[i][2]};
     }
 
-    /// The first unknowns of the corners, in ascending order: no other face has them.
+    /// The four corners, going around: their first unknowns, and where they are.
     std::array<dealii::types::global_dof_index, 4> corner_dofs() const;
-
-    /// The four corners, going around.
     std::array<dealii::Point<3>, 4> corners() const;
 
     /// The mean of the corners.

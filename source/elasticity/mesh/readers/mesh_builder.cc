@@ -7,10 +7,10 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <numeric>
 #include <cctype>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace stiction
 {
