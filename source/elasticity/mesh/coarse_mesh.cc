@@ -116,7 +116,8 @@ namespace stiction
           generate(shape);
         else
           {
-            const MeshData mesh = read_mesh_file(shape.mesh_file, shape.location);
+            const MeshData mesh =
+              read_mesh_file(shape.mesh_file, shape.location, shape.boundaries_in_use);
             triangulation_.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
             quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
             cut_elements_    = mesh.cut_elements;

@@ -150,6 +150,15 @@ namespace stiction
       bodies.push_back(std::make_unique<PlacedBody>(section));
   }
 
+  void GeometryParameters::set_boundaries_in_use(const std::set<std::string> &names)
+  {
+    boundaries_in_use = names;
+    for (const auto &body : bodies)
+      for (const std::string &name : names)
+        if (name.rfind(body->name + '.', 0) == 0)
+          body->boundaries_in_use.insert(name.substr(body->name.size() + 1));
+  }
+
   void GeometryParameters::apply_table_1_level(const ParameterFile &source)
   {
     const unsigned int k = table_1_level;

@@ -111,7 +111,9 @@ namespace stiction
                   "are several instances, loads, supports and laws passed over; in .vtk "
                   "files the numbers of the cell data "
                   "'MaterialID', of faces and of cells. Faces "
-                  "and cells that have none get the number 0. Unit: of length.");
+                  "and cells that have none get the number 0; faces of several "
+                  "boundaries count for the one that other entries speak of, which may "
+                  "be one alone. Unit: of length.");
   }
 
   std::string ShapeParameters::entry_of_shape() const

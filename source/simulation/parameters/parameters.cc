@@ -25,6 +25,7 @@ namespace stiction
     if (has_body)
       {
         geometry.complete(source);
+        geometry.set_boundaries_in_use(boundaries_in_use());
         material.add_bodies(geometry.bodies);
       }
     contact_solver.is_automatic = contact_solver.method == "automatic";
@@ -42,6 +43,16 @@ namespace stiction
     prm.print_parameters(out, dealii::ParameterHandler::ShortPRM |
                                 dealii::ParameterHandler::KeepDeclarationOrder);
     used_file_ = out.str();
+  }
+
+  std::set<std::string> Parameters::boundaries_in_use() const
+  {
+    std::set<std::string> names;
+    for (const std::string &text : {boundary.prescribed_displacement, boundary.traction,
+                                    boundary.pressure, contact.all_boundaries()})
+      for (const std::string &part : split_at_bars(text))
+        names.insert(split_at_colon(part).first);
+    return names;
   }
 
   std::string Parameters::stiffness_solver_type() const

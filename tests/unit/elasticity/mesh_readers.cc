@@ -16,14 +16,15 @@ using namespace stiction;
 namespace
 {
   // A line: what was read, or the sentence.
-  void read(const std::string &name, const std::string &format, const std::string &text)
+  void read(const std::string &name, const std::string &format, const std::string &text,
+            const std::set<std::string> &in_use = {})
   {
     const std::string file = "mesh." + format;
     std::ofstream(file) << text;
     out() << name << ": ";
     try
       {
-        const MeshData mesh = read_mesh_file(file, "The mesh");
+        const MeshData mesh = read_mesh_file(file, "The mesh", in_use);
         out() << mesh.cells.size() << " cells";
         for (const auto &[material, id] : mesh.material_names)
           {
@@ -44,6 +45,8 @@ namespace
             out() << ", "
                   << std::count(mesh.body_of_cell.begin(), mesh.body_of_cell.end(), b)
                   << " of body " << mesh.body_names[b];
+        for (const std::string &what : mesh.left_out)
+          out() << ", without " << what;
         if (mesh.material_names.empty())
           for (const auto &cell : mesh.cells)
             out() << ", material " << cell.material_id;
@@ -58,7 +61,7 @@ namespace
   // Of the mesh that was read last, and of each of its boundaries.
   void read_box()
   {
-    const MeshData mesh = read_mesh_file("mesh.inp", "The mesh");
+    const MeshData mesh = read_mesh_file("mesh.inp", "The mesh", {});
     std::map<std::string, std::vector<unsigned int>> vertices;
     for (const auto &[boundary, id] : mesh.boundary_names)
       for (const auto &face : mesh.faces.boundary_quads)
@@ -119,6 +122,13 @@ namespace
                   "*SURFACE, NAME=floor\nboth, s1\n");
     read("surfaces of nodes are passed over", "inp",
          abaqus + surface + "*SURFACE, NAME=n, TYPE=NODE\n1, 1.\n");
+    const std::string on_two =
+      abaqus + "*SURFACE, NAME=skin\nall, S1\nall, S2\n" + surface;
+    read("a face on two boundaries", "inp", on_two);
+    read("of which the first is used", "inp", on_two, {"skin"});
+    read("the second", "inp", on_two, {"the floor", "roof"});
+    read("by its number", "inp", on_two, {"2"});
+    read("both", "inp", on_two, {"the floor", "skin"});
     refused("included", "*HEADING", "*INCLUDE, INPUT=other.inp");
     refused("nodes elsewhere", "*NODE", "*NODE, INPUT=other.inp");
     refused("no keyword", "*HEADING\n", "");

@@ -4,6 +4,7 @@
 #include <stiction/elasticity/mesh/shape_parameters.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ namespace stiction
     /// Throws InputError for a name that could not stand in an entry.
     void declare_bodies(const std::string &file,
                         const std::vector<std::string> &sections);
+
+    /// Says of which boundaries other entries speak; those of bodies are 'BODY.NAME'.
+    void set_boundaries_in_use(const std::set<std::string> &names);
 
     /// Number of cells after refinement; a double, because it may be anything
     /// before it is checked. For bodies other than the brick the least

@@ -3,6 +3,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ namespace stiction
     std::string generator           = "";
     std::string generator_arguments = "";
     std::string mesh_file           = "";
+
+    /// Names or numbers of the boundaries that other entries speak of.
+    std::set<std::string> boundaries_in_use;
 
     /// The beginning of a sentence about entry_of_shape() and its value.
     std::string location;

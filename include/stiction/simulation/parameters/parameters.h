@@ -124,6 +124,9 @@ namespace stiction
     /// Whether the entries of all sections go together. Throws InputError.
     void check_body() const;
 
+    /// By names or numbers, as they stand in entries.
+    std::set<std::string> boundaries_in_use() const;
+
     /// The part of it about a row of Table 1, which wants its own boundaries.
     void check_table_1() const;
 

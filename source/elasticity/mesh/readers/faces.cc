@@ -12,10 +12,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace stiction
 {
@@ -128,12 +128,11 @@ namespace stiction
         }
   }
 
-  std::map<types::boundary_id, std::size_t> Faces::require_boundaries_fit(
-    std::vector<CellData<2>> &boundary) const
+  std::vector<std::string> Faces::require_boundaries_fit(
+    std::vector<CellData<2>> &boundary, const std::set<types::boundary_id> &in_use) const
   {
     std::map<Key, types::boundary_id> ids;
-    std::map<types::boundary_id, std::size_t> inside, outside;
-    for (CellData<2> &quad : boundary)
+    for (const CellData<2> &quad : boundary)
       {
         const Key key    = sorted(quad.vertices);
         const Face *face = find(key);
@@ -143,20 +142,51 @@ namespace stiction
             (quad.vertices.size() == 3 ? "triangle" : "quadrilateral") + " of boundary " +
             mesh_.name_of_boundary(quad.boundary_id) +
             " that is no face of a cell, faces and cells must have the same nodes.");
-        const auto known = ids.emplace(key, quad.boundary_id);
-        if (known.first->second != quad.boundary_id)
-          throw InputError(
-            location_ + ", has a face of " + describe_cell(mesh_, face->first) +
-            " on the boundaries " + mesh_.name_of_boundary(known.first->second) +
-            " and " + mesh_.name_of_boundary(quad.boundary_id) + ", must be on one.");
-        if (known.second)
-          ++(face->second == no_cell ? outside : inside)[quad.boundary_id];
-        if (face->second != no_cell)
-          quad.boundary_id = numbers::internal_face_boundary_id;
+        types::boundary_id &id = ids.emplace(key, quad.boundary_id).first->second;
+        if (id == quad.boundary_id || in_use.count(quad.boundary_id) == 0)
+          continue;
+        if (in_use.count(id) > 0)
+          throw InputError(location_ + ", has a face of " +
+                           describe_cell(mesh_, face->first) + " on the boundaries " +
+                           mesh_.name_of_boundary(id) + " and " +
+                           mesh_.name_of_boundary(quad.boundary_id) +
+                           ", must be on one of those that the parameter file uses.");
+        id = quad.boundary_id;
       }
-    for (auto entry = inside.begin(); entry != inside.end();)
-      entry = outside.count(entry->first) > 0 ? std::next(entry) : inside.erase(entry);
-    return inside;
+
+    using Pair = std::pair<types::boundary_id, types::boundary_id>;
+    std::map<Pair, std::set<Key>> on_another;
+    std::map<types::boundary_id, std::set<Key>> inside, outside;
+    std::map<Key, CellData<2>> once;
+    for (CellData<2> &quad : boundary)
+      {
+        const Key key         = sorted(quad.vertices);
+        const auto own        = std::exchange(quad.boundary_id, ids.at(key));
+        const bool is_outside = find(key)->second == no_cell;
+        (is_outside ? outside : inside)[own].insert(key);
+        if (!is_outside)
+          quad.boundary_id = numbers::internal_face_boundary_id;
+        else if (quad.boundary_id != own)
+          on_another[{own, quad.boundary_id}].insert(key);
+        once.emplace(key, quad);
+      }
+    boundary.clear();
+    for (const auto &[key, quad] : once)
+      boundary.push_back(quad);
+
+    std::vector<std::string> lost;
+    const auto count = [&](const std::set<Key> &faces, const types::boundary_id id) {
+      return std::to_string(faces.size()) + (faces.size() == 1 ? " face" : " faces") +
+             " of boundary " + mesh_.name_of_boundary(id);
+    };
+    for (const auto &[id, faces] : inside)
+      if (outside.count(id) > 0)
+        lost.push_back(count(faces, id) + " inside of the body");
+    for (const auto &[pair, faces] : on_another)
+      lost.push_back(count(faces, pair.first) + " that " +
+                     (faces.size() == 1 ? "is" : "are") + " on boundary " +
+                     mesh_.name_of_boundary(pair.second) + " as well");
+    return lost;
   }
 
   Faces::Key Faces::sorted(const std::vector<unsigned int> &vertices)

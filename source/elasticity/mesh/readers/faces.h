@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,12 +31,14 @@ namespace stiction
     /// Neighbours must be on either side of their face.
     void require_unfolded() const;
 
-    /// Faces of boundaries must be faces of cells, on one boundary each. Those inside,
-    /// which are no boundary, are marked as such.
+    /// Faces of boundaries must be faces of cells. Those of several get the one that is
+    /// in use, of which there must be at most one, else the first. Those inside, which
+    /// are no boundary, are marked as such.
     ///
-    /// @return of boundaries with faces inside and outside, how many are inside.
-    std::map<dealii::types::boundary_id, std::size_t> require_boundaries_fit(
-      std::vector<dealii::CellData<2>> &boundary) const;
+    /// @return what boundaries lose by that, a clause each.
+    std::vector<std::string> require_boundaries_fit(
+      std::vector<dealii::CellData<2>> &boundary,
+      const std::set<dealii::types::boundary_id> &in_use) const;
 
   private:
     // Sorted; the last entry of a triangle is larger than any vertex.

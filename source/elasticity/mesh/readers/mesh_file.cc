@@ -81,7 +81,8 @@ namespace stiction
     }
   } // namespace
 
-  MeshData read_mesh_file(const std::string &file, const std::string &location)
+  MeshData read_mesh_file(const std::string &file, const std::string &location,
+                          const std::set<std::string> &in_use)
   {
     MeshData mesh = read_by_extension(file, location);
     require_cells(mesh, location);
@@ -91,10 +92,16 @@ namespace stiction
       faces.require_conforming();
       faces.require_manifold();
       faces.require_unfolded();
-      for (const auto &[id, n] : faces.require_boundaries_fit(mesh.faces.boundary_quads))
-        mesh.left_out.push_back(std::to_string(n) + (n == 1 ? " face" : " faces") +
-                                " of boundary " + mesh.name_of_boundary(id) +
-                                " inside of the body");
+      std::set<types::boundary_id> ids;
+      for (const CellData<2> &quad : mesh.faces.boundary_quads)
+        if (in_use.count(std::to_string(quad.boundary_id)) > 0)
+          ids.insert(quad.boundary_id);
+      for (const auto &[name, id] : mesh.boundary_names)
+        if (in_use.count(name) > 0)
+          ids.insert(id);
+      for (std::string &what :
+           faces.require_boundaries_fit(mesh.faces.boundary_quads, ids))
+        mesh.left_out.push_back(std::move(what));
     }
     cut_into_hexahedra(mesh);
     GridTools::consistently_order_cells(mesh.cells);

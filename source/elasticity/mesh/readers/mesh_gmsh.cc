@@ -116,12 +116,11 @@ namespace stiction
                 groups.insert(std::abs(text_.integer()));
               if (dimension > 0)
                 text_.skip(text_.count());
-              if (dimension >= 2 && groups.size() > 1)
-                text_.refuse(std::string(dimension == 2 ? "surface " : "volume ") +
-                             std::to_string(entity) +
+              if (dimension == 3 && groups.size() > 1)
+                text_.refuse("volume " + std::to_string(entity) +
                              " is in two physical groups, must be in one at most");
               if (!groups.empty())
-                group_of_[dimension][entity] = *groups.begin();
+                groups_of_[dimension][entity] = groups;
             }
       }
 
@@ -160,7 +159,7 @@ namespace stiction
             const std::uint64_t n_tags = text_.count();
             const std::int64_t group   = n_tags == 0 ? 0 : text_.integer();
             text_.skip(n_tags == 0 ? 0 : n_tags - 1);
-            read_element(type, group);
+            read_element(type, {std::abs(group)});
           }
       }
 
@@ -173,23 +172,29 @@ namespace stiction
             const std::uint64_t dimension = text_.count();
             const std::int64_t entity     = text_.integer();
             const std::int64_t type       = text_.integer();
+            const std::set<std::int64_t> &groups =
+              groups_of_[dimension < 4 ? dimension : 0]
+                .emplace(entity, std::set<std::int64_t>{0})
+                .first->second;
             for (std::uint64_t n = text_.count(); n > 0; --n)
               {
                 text_.integer();
-                read_element(type, dimension < 4 ? group_of_[dimension][entity] : 0);
+                read_element(type, groups);
               }
           }
       }
 
-      void read_element(const std::int64_t type, const std::int64_t group)
+      // Once for each group that it is in.
+      void read_element(const std::int64_t type, const std::set<std::int64_t> &groups)
       {
-        mesh_.add_element(type, std::abs(group),
-                          text_.integers(mesh_.element_kind(type).n_nodes));
+        const auto nodes = text_.integers(mesh_.element_kind(type).n_nodes);
+        for (const std::int64_t group : groups)
+          mesh_.add_element(type, group, nodes);
       }
 
       TextScanner &text_;
       MeshBuilder mesh_;
-      std::array<std::map<std::int64_t, std::int64_t>, 4> group_of_;
+      std::array<std::map<std::int64_t, std::set<std::int64_t>>, 4> groups_of_;
       bool has_format_ = false;
       bool is_4_       = false;
     };
