@@ -184,5 +184,6 @@ int main(int argc, char *argv[])
         << yes(on_plane > 0. && std::abs(ball(true) / on_plane - 1.) < 0.01) << std::endl
         << "half a ball of a few cells: parts " << n_parts_of_ball() << std::endl
         << "on an edge: warnings " << on_an_edge("boundary") << ", from the flat side "
-        << on_an_edge("obstacle") << std::endl;
+        << on_an_edge("obstacle") << ", automatic " << on_an_edge("automatic")
+        << std::endl;
 }

@@ -81,7 +81,8 @@ namespace stiction
                   "that go on the softer one if E/h of its cells, h being their size "
                   "before refinement, is less by a factor of two or more, otherwise that "
                   "with smaller cells; the other one if supports hold nodes of this one "
-                  "alone, which lack friction; the boundary itself if several are "
+                  "alone, which lack friction, or if this one stands on an edge and is "
+                  "not 30 times softer; the boundary itself if several are "
                   "opposite. Either gives the same answer but for the error of the "
                   "mesh, unless this side stands on an edge: pressures act along its "
                   "normals.");

@@ -57,9 +57,16 @@ namespace stiction
                    const std::vector<SurfaceFace> &inner,
                    const std::vector<SurfaceFace> &outer);
 
+  /// Whether the point of the slave that is closest to the master is on an edge of it
+  /// that the master's normal does not agree with: of a punch that is tilted. Collective.
+  bool stands_on_edge(const LinearElasticity &elasticity,
+                      const std::vector<SurfaceFace> &slave,
+                      const std::vector<SurfaceFace> &master);
+
   /// The same but for a surface that ends within the other one: forces act at nodes of
   /// the slave side, so that contact ends where it should if that is the side with the
-  /// edge. Collective.
+  /// edge. They act along its normals, though, so that it is not one that stands on an
+  /// edge on the other, unless it is much softer. Collective.
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,
                                  const std::vector<SurfaceFace> &second);
