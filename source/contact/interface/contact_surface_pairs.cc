@@ -286,7 +286,8 @@ namespace stiction
   {
     const Mortar &mortar = mortars_[node.boundary][node.part];
     const Eigen::Index i = mortar.row_of(node.first_dof);
-    if (i < 0 || mortar.areas(i) < least_cover * node.area)
+    if (i < 0 || mortar.areas(i) < least_cover * node.area ||
+        mortar.is_of_both(node.first_dof))
       return false;
     const ContactBoundary &boundary = boundaries_[node.boundary];
     if (boundary.partners().size() > 1 && mortar.areas(i) > covered_twice * node.area)

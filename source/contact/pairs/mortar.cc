@@ -45,10 +45,7 @@ namespace stiction
       std::array<double, 3> normal; // of the master, × area
     };
 
-    BoundingBox<3> box_around(const std::vector<Point<3>> &points)
-    {
-      return BoundingBox<3>(points);
-    }
+    BoundingBox<3> box_around(const std::vector<Point<3>> &points) { return {points}; }
 
     BoundingBox<3> box_of(const SurfaceFace &face)
     {
@@ -394,5 +391,10 @@ namespace stiction
   {
     const auto row = std::lower_bound(slaves.begin(), slaves.end(), slave);
     return row != slaves.end() && *row == slave ? row - slaves.begin() : -1;
+  }
+
+  bool Mortar::is_of_both(const types::global_dof_index slave) const
+  {
+    return std::binary_search(masters.begin(), masters.end(), slave);
   }
 } // namespace stiction

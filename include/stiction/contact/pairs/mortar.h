@@ -59,6 +59,10 @@ namespace stiction
     /// The row of a slave node, -1 if it has nothing opposite.
     Eigen::Index row_of(dealii::types::global_dof_index slave) const;
 
+    /// Whether a slave is a master as well: the tip of a crack, which the mesh holds
+    /// together.
+    bool is_of_both(dealii::types::global_dof_index slave) const;
+
     /// The largest of the gaps and overlaps, m.
     double largest_gap() const
     {
