@@ -21,9 +21,9 @@ namespace stiction
       using Function = std::function<Value(const Tensor<1, 3> &v)>;
 
       // @param at ψ and ∇ψ at a place as seen from the point.
-      Shape(const Point<3> &point, const Function &at)
+      Shape(const Point<3> &point, Function at)
         : point_(point)
-        , at_(at)
+        , at_(std::move(at))
       {
       }
 

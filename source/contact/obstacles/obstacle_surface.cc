@@ -20,6 +20,10 @@ namespace stiction
     // How many triangles are looked at first.
     constexpr unsigned int few = 4;
 
+    // Of the size of the surface: what is closer is on it but for rounding, or but for
+    // the single precision of binary files.
+    constexpr double rounding = 1e-10, same_place = 1e-6;
+
     // The point of a triangle nearest to another point, and the feature it lies
     // on: 0 the triangle, 1...3 the edge that begins at that vertex, 4...6 the
     // vertex.
@@ -58,6 +62,43 @@ namespace stiction
         }
       return nearest;
     }
+
+    double determinant(const Tensor<1, 3> &a, const Tensor<1, 3> &b,
+                       const Tensor<1, 3> &c)
+    {
+      return cross_product_3d(a, b) * c;
+    }
+
+    // Of the directions between some others, Σ_k c_k n_k with c_k ≥ 0, the unit vector
+    // that is closest to a given one: that, or between two, or one of them.
+    Tensor<1, 3> most_along(const Tensor<1, 3> &given, const std::vector<Tensor<1, 3>> &n)
+    {
+      Tensor<1, 3> best   = n.front();
+      const auto consider = [&](const Tensor<1, 3> &direction) {
+        if (direction * given > best * given)
+          best = direction;
+      };
+      for (std::size_t i = 0; i < n.size(); ++i)
+        {
+          consider(n[i]);
+          for (std::size_t j = 0; j < i; ++j)
+            {
+              Tensor<1, 3> across = cross_product_3d(n[i], n[j]);
+              across /= across.norm();
+              const Tensor<1, 3> between = given - (given * across) * across;
+              if (determinant(n[i], between, across) >= 0. &&
+                  determinant(between, n[j], across) >= 0. && between.norm() > 0.)
+                consider(between / between.norm());
+              for (std::size_t k = 0; k < j; ++k)
+                if (const double all = determinant(n[i], n[j], n[k]);
+                    determinant(given, n[j], n[k]) * all > 0. &&
+                    determinant(n[i], given, n[k]) * all > 0. &&
+                    determinant(n[i], n[j], given) * all > 0.)
+                  return given;
+            }
+        }
+      return best;
+    }
   } // namespace
 
   struct ObstacleSurface::Data
@@ -90,6 +131,17 @@ namespace stiction
       return feature == 0  ? normals[triangle]
              : feature < 4 ? edge_normals.at(edge(triangle, feature - 1))
                            : vertex_normals[surface.triangles[triangle][feature - 4]];
+    }
+
+    // Calls back with all triangles whose boxes are within a distance.
+    template<typename Callback>
+    void within(const double distance, const Point<3> &p, const Callback &callback) const
+    {
+      dealii::BoundingBox<3> around(std::make_pair(p, p));
+      around.extend(distance);
+      for (auto box = tree.qbegin(boost::geometry::index::intersects(around));
+           box != tree.qend(); ++box)
+        callback(*box);
     }
   };
 
@@ -130,12 +182,10 @@ namespace stiction
 
   Obstacle::Value ObstacleSurface::at(const Point<3> &p) const
   {
-    namespace bgi = boost::geometry::index;
-
     double distance = std::numeric_limits<double>::infinity();
     Nearest nearest{};
     unsigned int triangle = 0;
-    const auto look_at    = [&](const auto &box) {
+    const auto look_at    = [&](const Data::Box &box) {
       if (boost::geometry::distance(p, box.first) > distance)
         return;
       const Nearest here         = nearest_on_triangle(data_->corners(box.second), p);
@@ -148,14 +198,10 @@ namespace stiction
         }
     };
     // a few tell how far away others may be at most
-    for (auto box = data_->tree.qbegin(bgi::nearest(p, few)); box != data_->tree.qend();
-         ++box)
-      look_at(*box);
-    dealii::BoundingBox<3> around(std::make_pair(p, p));
-    around.extend(distance);
-    for (auto box = data_->tree.qbegin(bgi::intersects(around));
+    for (auto box = data_->tree.qbegin(boost::geometry::index::nearest(p, few));
          box != data_->tree.qend(); ++box)
       look_at(*box);
+    data_->within(distance, p, look_at);
 
     const Tensor<1, 3> &normal = data_->normal(triangle, nearest.feature);
     const Tensor<1, 3> away    = p - nearest.point;
@@ -163,10 +209,39 @@ namespace stiction
     Value value;
     value.psi = sign * distance;
     // on the surface the direction of the difference is rounding
-    if (nearest.feature == 0 || distance <= 1e-10 * data_->size)
+    if (nearest.feature == 0 || distance <= rounding * data_->size)
       value.gradient = normal.norm() > 0. ? normal / normal.norm() : normal;
     else
       value.gradient = away / value.psi;
+    return value;
+  }
+
+  Obstacle::Value ObstacleSurface::facing(const Point<3> &p,
+                                          const Tensor<1, 3> &normal) const
+  {
+    Value value        = at(p);
+    const double close = same_place * data_->size, distance = std::abs(value.psi);
+    std::vector<Tensor<1, 3>> gradients;
+    data_->within(distance + close, p, [&](const Data::Box &box) {
+      const Point<3> nearest = nearest_on_triangle(data_->corners(box.second), p).point;
+      if (nearest.distance(p) > distance + close)
+        return;
+      const Tensor<1, 3> gradient =
+        distance <= close ? data_->normals[box.second]
+                          : (p - nearest) / std::copysign(nearest.distance(p), value.psi);
+      if (std::none_of(
+            gradients.begin(), gradients.end(),
+            [&](const Tensor<1, 3> &other) { return gradient * other > 1. - rounding; }))
+        gradients.push_back(gradient);
+    });
+    if (gradients.size() < 2)
+      return value;
+    // along it the nearest side is as far away as it approaches slowly
+    const Tensor<1, 3> along = most_along(-normal, gradients);
+    double approach          = 0.;
+    for (const Tensor<1, 3> &gradient : gradients)
+      approach = std::max(approach, gradient * along);
+    value.gradient = approach * along;
     return value;
   }
 } // namespace stiction

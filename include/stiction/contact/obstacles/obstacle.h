@@ -31,6 +31,14 @@ namespace stiction
     /// centre of a sphere.
     virtual Value at(const dealii::Point<3> &p) const = 0;
 
+    /// The same for a body with this outward normal: where an edge or a corner of the
+    /// obstacle touches it, or two of its sides are as near, the gradient of the many
+    /// there that is most opposite to the normal.
+    virtual Value facing(const dealii::Point<3> &p, const dealii::Tensor<1, 3> &) const
+    {
+      return at(p);
+    }
+
     /// Its surface, if it is given as triangles; nullptr otherwise.
     virtual const TriangulatedSurface *triangles() const { return nullptr; }
 

@@ -23,6 +23,9 @@ namespace stiction
 
     Value at(const dealii::Point<3> &p) const override;
 
+    Value facing(const dealii::Point<3> &p,
+                 const dealii::Tensor<1, 3> &normal) const override;
+
     const TriangulatedSurface *triangles() const override;
 
   private:
