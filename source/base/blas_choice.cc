@@ -79,7 +79,7 @@ namespace stiction
     std::vector<std::string> words = command_line();
     std::vector<char *> arguments;
     for (std::string &word : words)
-      arguments.push_back(&word[0]);
+      arguments.push_back(word.data());
     arguments.push_back(nullptr);
     setenv(core_variable, better.c_str(), 1);
     setenv(guard_variable, core.c_str(), 1);

@@ -78,7 +78,7 @@ namespace stiction
     va_start(arguments, pattern);
     va_copy(again, arguments);
     std::string text(std::vsnprintf(nullptr, 0, pattern, arguments), ' ');
-    std::vsnprintf(&text[0], text.size() + 1, pattern, again);
+    std::vsnprintf(text.data(), text.size() + 1, pattern, again);
     va_end(arguments);
     va_end(again);
     return text;

@@ -25,9 +25,10 @@ namespace stiction
   }
 
   Phases::Scope::Scope(double &seconds, Phases &phases, const std::string &name)
-    : Scope(seconds)
+    : seconds_(seconds)
+    , phases_(&phases)
+    , begin_(Clock::now())
   {
-    phases_ = &phases;
     const std::lock_guard<std::mutex> lock(phases.mutex_);
     phases.running_.push_back({name, begin_});
   }

@@ -59,12 +59,12 @@ namespace stiction
 
   std::string Pace::advice(const double tolerance, const std::string &otherwise) const
   {
-    const std::string raise = "raise 'Contact solver/Maximum iterations'";
+    std::string raise = "raise 'Contact solver/Maximum iterations'";
     if (rows_.size() < min_rows)
       return raise;
 
     // many methods do not fall in every step
-    const auto middle   = rows_.begin() + rows_.size() / 2;
+    const auto middle   = rows_.begin() + static_cast<std::ptrdiff_t>(rows_.size() / 2);
     const auto smallest = [](const auto begin, const auto end) {
       return std::min_element(
                begin, end,

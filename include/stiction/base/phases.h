@@ -43,7 +43,7 @@ namespace stiction
     void announce(Log &log);
 
     /// To be kept as a local variable.
-    Scope scope(const std::string &phase) { return Scope(seconds_[phase], *this, phase); }
+    Scope scope(const std::string &phase) { return {seconds_[phase], *this, phase}; }
 
     /// Sets a phase that was measured otherwise.
     void set(const std::string &phase, double seconds) { seconds_[phase] = seconds; }

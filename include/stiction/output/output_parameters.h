@@ -19,13 +19,13 @@ namespace stiction
     /// Whether solution.pvtu gets the fields that can be left out.
     bool has_all_fields() const { return fields == "all"; }
 
-    std::string directory        = "output/stiction";
-    std::string export_directory = "";
-    std::string units            = "none";
-    bool write_solution          = true;
-    std::string fields           = "all";
-    bool double_precision        = false;
-    unsigned int every           = 1;
-    bool print_progress          = true;
+    std::string directory = "output/stiction";
+    std::string export_directory;
+    std::string units     = "none";
+    bool write_solution   = true;
+    std::string fields    = "all";
+    bool double_precision = false;
+    unsigned int every    = 1;
+    bool print_progress   = true;
   };
 } // namespace stiction

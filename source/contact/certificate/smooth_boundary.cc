@@ -16,8 +16,8 @@ namespace stiction
 
     LA::Vector zero_vector(const Body &body)
     {
-      return LA::Vector(body.locally_owned_dofs(), body.locally_relevant_dofs(),
-                        body.communicator());
+      return {body.locally_owned_dofs(), body.locally_relevant_dofs(),
+              body.communicator()};
     }
 
     // The edges of a cell from one of its vertices, along its directions.
@@ -111,8 +111,7 @@ namespace stiction
   }
 
   Tensor<1, 3> SmoothBoundary::normal(const types::global_dof_index first_dof,
-                                      const LA::Vector &normals,
-                                      const Tensor<1, 3> &flat) const
+                                      const LA::Vector &normals, const Tensor<1, 3> &flat)
   {
     Tensor<1, 3> normal;
     for (unsigned int c = 0; c < 3; ++c)

@@ -159,13 +159,13 @@ namespace stiction
 
   ContactBoundary::ContactBoundary(const Entries &entries, ParameterFile source,
                                    const Body &body, const double time)
-    : id_(body.boundary_names().id(entries.name, source.locate(boundary_entry)))
+    : slave_side_(entries.slave_side)
+    , mesh_gap_(entries.mesh_gap)
+    , id_(body.boundary_names().id(entries.name, source.locate(boundary_entry)))
+    , size_(body.diameter())
     , source_(std::make_shared<const ParameterFile>(std::move(source)))
   {
-    name_       = body.boundary_names().name(id_);
-    size_       = body.diameter();
-    slave_side_ = entries.slave_side;
-    mesh_gap_   = entries.mesh_gap;
+    name_ = body.boundary_names().name(id_);
     gap_ =
       std::make_unique<ParsedFunction>(entries.gap, 1, source_->locate(gap_entry), time);
     friction_         = std::make_unique<FrictionData>(entries.law, entries.coefficient,
@@ -315,7 +315,7 @@ namespace stiction
     const auto refuse = [&](const std::string &reason) {
       throw InputError(source_->describe(obstacle_entry) + ", " + reason + ".");
     };
-    const Obstacle::Value value = obstacle_->at(node.position);
+    const Obstacle::Value value = obstacle_->facing(node.position, node.normal);
     const double slope          = value.gradient.norm();
     // a formula's differences leave rounding where there is no slope
     if (!(slope > 0.) || slope * size_ < 1e-8 * std::abs(value.psi))

@@ -213,7 +213,7 @@ namespace stiction
     const Eigen::Index m = n_nodes();
     std::vector<Eigen::Matrix3d> M;
     for (const ContactFrame &frame : frames_)
-      M.push_back(frame.own_part * frame.scales().asDiagonal() * frame.axes());
+      M.emplace_back(frame.own_part * frame.scales().asDiagonal() * frame.axes());
     for (Eigen::Index j = 0; j < m; ++j)
       for (Eigen::Index i = 0; i < m; ++i)
         {

@@ -153,7 +153,7 @@ namespace stiction
                             : boundary.displacement();
         column += force > 0. ? 1 : 0;
       }
-    return Tensor<1, 3>();
+    return {};
   }
 
   void ContactSurface::count_slip_from(const Eigen::VectorXd &origin)

@@ -89,7 +89,6 @@ namespace stiction
     : first_(first)
     , centre_(first.centre())
     , normal_(first.normal())
-    , area_(0.)
   {
     const auto corners = first.corners();
     along1_            = corners[1] - corners[0];

@@ -90,7 +90,7 @@ namespace stiction
                                  const double tolerance, const unsigned int max_steps,
                                  const Observer &observer)
   {
-    const std::string reason =
+    std::string reason =
       iterate(state, std::move(first_lambda), tolerance, max_steps, observer);
     if (!reason.empty() && path_)
       {
@@ -190,7 +190,7 @@ namespace stiction
 
   ContactResidual LevelNewton::measure(ContactState &state, const double tolerance) const
   {
-    const ContactResidual residual(problem_, state, problem_.slip_bound());
+    ContactResidual residual(problem_, state, problem_.slip_bound());
     if (residual.value() > tolerance)
       return residual;
     state.update(problem_);

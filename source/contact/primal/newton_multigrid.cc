@@ -55,7 +55,7 @@ namespace stiction
         return std::vector<dealii::types::global_dof_index>(dofs.dofs().begin(),
                                                             dofs.dofs().begin() + count);
       };
-      return BasisTransformation(first(B.dofs(), m), first(other.dofs, n), std::move(N));
+      return {first(B.dofs(), m), first(other.dofs, n), N};
     }
 
     // The foundation under contact nodes, passed to the nodes opposite of those bodies
@@ -115,9 +115,8 @@ namespace stiction
 
   NewtonMultigrid::NewtonMultigrid(const LinearElasticity &elasticity,
                                    const ContactSurface &surface,
-                                   const bool levels_in_use,
-                                   const LevelNewton::Options &options)
-    : options_(options)
+                                   const bool levels_in_use, LevelNewton::Options options)
+    : options_(std::move(options))
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
     , dof_hierarchy_(hierarchy_, surface.first_dofs())
     , multigrid_(elasticity, hierarchy_, dof_hierarchy_,
@@ -254,7 +253,7 @@ namespace stiction
     for (unsigned int c = 0; c < 3; ++c)
       force.segment(c * n, n) = fine.areas().cwiseProduct(
         weights * coarse_force.segment(c * m, m).cwiseQuotient(coarse.areas()));
-    const Eigen::VectorXd lambda = fine.B().force_to_local(force);
+    Eigen::VectorXd lambda = fine.B().force_to_local(force);
 
     auto state       = std::make_unique<ContactState>(fine);
     state->distances = state_->distances;

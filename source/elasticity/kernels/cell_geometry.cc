@@ -13,7 +13,8 @@ namespace stiction::cell_kernel
     std::array<double, 3> gauss_point(const unsigned int q)
     {
       static const double g = 1. / std::sqrt(3.);
-      return {q & 1 ? g : -g, q & 2 ? g : -g, q & 4 ? g : -g};
+      const auto side = [&](const unsigned int bit) { return (q & bit) != 0 ? g : -g; };
+      return {side(1), side(2), side(4)};
     }
 
     // With the transposed inverse times the determinant, the cofactors.
@@ -42,10 +43,10 @@ namespace stiction::cell_kernel
           {
             double factor[3];
             for (unsigned int d = 0; d < 3; ++d)
-              factor[d] = .5 * (1. + (v >> d & 1 ? 1. : -1.) * gauss_point(q)[d]);
+              factor[d] = .5 * (1. + ((v >> d & 1) != 0 ? 1. : -1.) * gauss_point(q)[d]);
             for (unsigned int d = 0; d < 3; ++d)
-              result[q][v][d] =
-                (v >> d & 1 ? .5 : -.5) * factor[(d + 1) % 3] * factor[(d + 2) % 3];
+              result[q][v][d] = ((v >> d & 1) != 0 ? .5 : -.5) * factor[(d + 1) % 3] *
+                                factor[(d + 2) % 3];
           }
       return result;
     }
@@ -79,7 +80,7 @@ namespace stiction::cell_kernel
         // from values at −1 and 1 to coefficients, in each direction
         for (const unsigned int bit : {1, 2, 4})
           for (unsigned int v = 0; v < 8; ++v)
-            if (!(v & bit))
+            if ((v & bit) == 0)
               {
                 const double low = values[v], high = values[v | bit];
                 values[v]       = high + low;
@@ -103,9 +104,9 @@ namespace stiction::cell_kernel
 
   bool CellMap::is_affine() const
   {
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const auto &of_component : modes)
       for (const unsigned int mode : {3, 5, 6, 7})
-        if (std::abs(modes[c][mode]) > tolerance)
+        if (std::abs(of_component[mode]) > tolerance)
           return false;
     return true;
   }

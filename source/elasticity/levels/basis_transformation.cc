@@ -126,7 +126,7 @@ namespace stiction
   {
   }
 
-  BasisTransformation::BasisTransformation(Dofs slaves, Dofs masters, Matrix N)
+  BasisTransformation::BasisTransformation(Dofs slaves, Dofs masters, const Matrix &N)
   {
     auto relation   = std::make_shared<Relation>();
     relation->chain = slaves_among(masters, slaves);
@@ -140,7 +140,7 @@ namespace stiction
       }
     relation->slaves  = std::move(slaves);
     relation->masters = std::move(masters);
-    relation->N       = std::move(N);
+    relation->N       = N;
     relation_         = relation;
     ground_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(relation->masters.size()));
   }
@@ -292,7 +292,7 @@ namespace stiction
     if (is_identity())
       return K.vmult(dst, src);
     const Eigen::VectorXd moved = opposite(values_at(masters(), src));
-    LA::VectorOf<Number> &u     = std::get<LA::VectorOf<Number>>(scratch_);
+    auto &u                     = std::get<LA::VectorOf<Number>>(scratch_);
     if (u.size() != src.size())
       u.reinit(src, true);
     u.copy_locally_owned_data_from(src);

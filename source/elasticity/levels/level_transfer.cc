@@ -96,8 +96,6 @@ namespace stiction
 
   LevelTransfer::LevelTransfer(const Body &body, const unsigned int fine_level,
                                const MeshLevel &coarse, const MeshLevel &fine)
-    : coarse_(coarse)
-    , fine_(fine)
   {
     const DoFHandler<3> &coarse_dofs = body.vertex_dof_handler();
     const auto nodes                 = fine_nodes_of_a_cell();
@@ -110,10 +108,10 @@ namespace stiction
           for (const auto &cell : coarse_dofs.mg_cell_iterators_on_level(fine_level - 1))
             if (cell->is_locally_owned_on_level() && cell->has_children())
               for (const FineNode &node : nodes)
-                visit(
-                  cell, node,
-                  fine.local_node(cell->child(node.child)
-                                    ->mg_vertex_dof_index(fine_level, node.vertex, 0)));
+                visit(cell, node,
+                      fine.local_node(cell->child(node.child)
+                                        ->mg_vertex_dof_index(
+                                          static_cast<int>(fine_level), node.vertex, 0)));
           return;
         }
       const auto in_cell = FETools::lexicographic_to_hierarchic_numbering<3>(2);

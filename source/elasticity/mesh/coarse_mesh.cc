@@ -60,10 +60,11 @@ namespace stiction
                   const double smallest)
     {
       static const QGauss<3> quadrature(3);
-      for (const Point<3> &p : quadrature.get_points())
-        if (!cells.empty() && !(cells.determinant(cell, p) > smallest))
-          return false;
-      return true;
+      const auto &points = quadrature.get_points();
+      return cells.empty() ||
+             std::all_of(points.begin(), points.end(), [&](const Point<3> &p) {
+               return cells.determinant(cell, p) > smallest;
+             });
     }
 
     // What an exception of many lines has to say, in one.

@@ -58,7 +58,7 @@ namespace stiction
     {
       std::vector<Point<3>> unit_points;
       for (unsigned int i = 0; i < 27; ++i)
-        unit_points.emplace_back(i % 3 / 2., i / 3 % 3 / 2., i / 9 / 2.);
+        unit_points.emplace_back(0.5 * (i % 3), 0.5 * (i / 3 % 3), 0.5 * (i / 9));
       const MappingQ<3> mapping(2);
       const FE_Q<3> fe(1);
       FEValues<3> values(mapping, fe, Quadrature<3>(unit_points),

@@ -117,8 +117,7 @@ namespace stiction
       }
   }
 
-  RigidMotion FreeMotions::motion(const OfPiece &piece,
-                                  const Eigen::VectorXd &amounts) const
+  RigidMotion FreeMotions::motion(const OfPiece &piece, const Eigen::VectorXd &amounts)
   {
     const Eigen::VectorXd v =
       piece.basis * amounts.segment(piece.begin, piece.basis.cols());

@@ -192,7 +192,7 @@ namespace stiction
   Material Material::orthotropic(const std::array<double, 9> &E1_to_G23,
                                  const dealii::Tensor<2, 3> &axes)
   {
-    const double *const E  = &E1_to_G23[0];
+    const double *const E  = E1_to_G23.data();
     const double *const nu = &E1_to_G23[3];
     const double *const G  = &E1_to_G23[6];
 

@@ -29,14 +29,14 @@ namespace stiction
   } // namespace
 
   BackgroundMultigrid::Grid::Grid(BlockMatrix A, std::vector<unsigned int> touched,
-                                  Interpolation to_finer, const bool is_last,
+                                  const Interpolation &to_finer, const bool is_last,
                                   MPI_Comm communicator)
     : x(BlockVector::Zero(A.n(), 3))
     , b(x)
     , communicator_(communicator)
     , A_(std::move(A))
     , touched_(std::move(touched))
-    , to_finer_(std::move(to_finer))
+    , to_finer_(to_finer)
     , springs_(touched_.size(), Eigen::Matrix3f::Zero())
     , direction_(x)
     , product_(x)

@@ -26,7 +26,7 @@ namespace stiction
     /// @param touched the vertices that may have springs.
     /// @param to_finer the interpolation to the grid before.
     /// @param is_last whether it is solved for directly. Collective.
-    Grid(BlockMatrix A, std::vector<unsigned int> touched, Interpolation to_finer,
+    Grid(BlockMatrix A, std::vector<unsigned int> touched, const Interpolation &to_finer,
          bool is_last, MPI_Comm communicator);
 
     const BlockMatrix &share() const { return A_; }

@@ -213,7 +213,8 @@ namespace stiction
                 weights.emplace_back(p, grid.vertices[number][v], weight);
             }
         }
-      Interpolation matrix(n_points, grid.places.size());
+      Interpolation matrix(static_cast<Eigen::Index>(n_points),
+                           static_cast<Eigen::Index>(grid.places.size()));
       matrix.setFromTriplets(weights.begin(), weights.end());
       return matrix;
     }
@@ -270,7 +271,7 @@ namespace stiction
         for (const Cube &cube : grid.cubes)
           pieces.cubes.push_back(cube.parent());
         Grid coarse = make_grid(pieces, places.size());
-        if (coarse.places.size() > 0.9 * static_cast<double>(places.size()))
+        if (10 * coarse.places.size() > 9 * places.size())
           break;
         all.push_back(interpolate(
           coarse, places.size(),

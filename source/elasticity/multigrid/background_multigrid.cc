@@ -258,8 +258,9 @@ namespace stiction
             touched.push_back(touched_by(touched.back(), grids[g]));
           }
         grids_.push_back(std::make_unique<Grid>(
-          std::move(A), touched.back(), g > 0 ? grids[g] : Interpolation(),
-          g + 1 == grids.size(), mesh.communicator()));
+          std::move(A), // NOLINT(bugprone-use-after-move): made anew for the next one
+          touched.back(), g > 0 ? grids[g] : Interpolation(), g + 1 == grids.size(),
+          mesh.communicator()));
       }
     if (!basis.is_identity())
       between_ =

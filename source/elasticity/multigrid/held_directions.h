@@ -20,9 +20,9 @@ namespace stiction
   struct HeldDirections
   {
     /// @param is_fixed one at prescribed unknowns. Without supports to begin with.
-    HeldDirections(const MeshLevel &mesh, const LA::Vector &is_fixed,
+    HeldDirections(const MeshLevel &mesh, LA::Vector is_fixed,
                    const std::vector<dealii::types::global_dof_index> &first_dofs)
-      : fixed(is_fixed)
+      : fixed(std::move(is_fixed))
       , supports(first_dofs.size())
     {
       for (std::size_t i = 0; i < first_dofs.size(); ++i)

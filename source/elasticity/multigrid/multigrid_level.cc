@@ -47,11 +47,11 @@ namespace stiction
   Multigrid::Level::Level(const Materials &materials, const MeshLevel &mesh,
                           const double unit, const LA::Vector &fixed,
                           const std::vector<dealii::types::global_dof_index> &first_dofs,
-                          const BasisTransformation &basis)
+                          BasisTransformation basis)
     : x(mesh.zero_vector<float>())
     , b(mesh.zero_vector<float>())
     , unit_(unit)
-    , basis_(basis)
+    , basis_(std::move(basis))
     , K_(mesh, materials, unit)
     , inverse_diagonal_(mesh.zero_vector<float>())
     , product_(mesh.zero_vector<float>())
@@ -95,7 +95,8 @@ namespace stiction
       }
     dealii::Utilities::MPI::sum(of_slaves, mesh.communicator(), of_slaves);
     for (std::size_t i = 0; i < basis_.slaves().size(); ++i)
-      blocks_of_slaves_.push_back(Eigen::Map<const Eigen::Matrix3d>(&of_slaves[9 * i]));
+      blocks_of_slaves_.emplace_back(
+        Eigen::Map<const Eigen::Matrix3d>(&of_slaves[9 * i]));
 
     std::unordered_map<unsigned int, Node *> in_list;
     for (Node &node : nodes_)

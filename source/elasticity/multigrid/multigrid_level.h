@@ -30,7 +30,7 @@ namespace stiction
     Level(const Materials &materials, const MeshLevel &mesh, double unit,
           const LA::Vector &fixed,
           const std::vector<dealii::types::global_dof_index> &first_dofs,
-          const BasisTransformation &basis);
+          BasisTransformation basis);
 
     void set_supports(const NodalSupports &supports);
 

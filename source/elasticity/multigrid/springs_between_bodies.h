@@ -25,7 +25,7 @@ namespace stiction
                          const std::vector<Interpolation> &grids);
 
     /// Whether node i of the list has something opposite.
-    bool has(const std::size_t i) const { return of_slave_[i].size() > 0; }
+    bool has(const std::size_t i) const { return !of_slave_[i].empty(); }
 
     /// The matrix on each grid, with the spring S of each slave.
     std::vector<BlockMatrix> on_grids(const std::vector<Eigen::Matrix3f> &S) const;

@@ -102,7 +102,7 @@ namespace stiction
          {std::make_pair(true, excluded), std::make_pair(false, excluded),
           std::make_pair(false, std::vector<types::global_dof_index>())})
       {
-        const std::vector<types::global_dof_index> anchors =
+        std::vector<types::global_dof_index> anchors =
           choose(candidates(body, constraints, free_motions, left_out, only_coarse), n,
                  body.communicator());
         if (static_cast<Eigen::Index>(anchors.size()) == n)

@@ -32,8 +32,9 @@ namespace stiction
             gradients(v, d) = 1.;
             for (unsigned int e = 0; e < 3; ++e)
               {
-                const bool is_far = v >> e & 1;
-                const double x    = 0.5 + ((q >> e & 1) ? half_distance : -half_distance);
+                const bool is_far = (v >> e & 1) != 0;
+                const double x =
+                  0.5 + ((q >> e & 1) != 0 ? half_distance : -half_distance);
                 gradients(v, d) *= e == d ? (is_far ? 1. : -1.) : (is_far ? x : 1. - x);
               }
           }

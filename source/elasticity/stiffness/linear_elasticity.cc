@@ -83,7 +83,7 @@ namespace stiction
   {
     const auto n = free_motions_->n();
     if (n == 0)
-      return Eigen::VectorXd();
+      return {};
     Eigen::MatrixXd system(n, n + 1); // the motions at the anchors, and u
     system.setZero();
     for (const Body::Node &node : body_.locally_owned_nodes())

@@ -134,7 +134,7 @@ namespace stiction
         // a binary file may be one long line
         std::ifstream in(path_);
         std::string text(banner.size(), ' ');
-        if (!in.read(&text[0], static_cast<std::streamsize>(text.size())) ||
+        if (!in.read(text.data(), static_cast<std::streamsize>(text.size())) ||
             upper(text) != banner)
           throw InputError(path_ + ", line 1: is no Matrix Market file, " + rule + ".");
         std::getline(in, text);
@@ -267,7 +267,7 @@ namespace stiction
     Eigen::VectorXd read_vector(const std::string &path, const Index size,
                                 const Allowed allowed, const std::string &meaning)
     {
-      const Eigen::VectorXd vector = read(path, size, 1, allowed, meaning).matrix;
+      Eigen::VectorXd vector = read(path, size, 1, allowed, meaning).matrix;
       // entries that coordinates left out are 0
       problem_check::require_all(vector, allowed, [&](const Index i) {
         return path + ": entry " + std::to_string(i + 1);
@@ -287,8 +287,7 @@ namespace stiction
       "Lengths and forces are in the units of the parameter file.";
 
     write(in + "Q.mtx", problem.Q, true,
-          {"Q = B K^-1 B^T (m/N): how far the m contact nodes of an elastic "
-           "body",
+          {"Q = B K^-1 B^T (m/N): how far the m contact nodes of an elastic body",
            "move under forces at them. Symmetric positive definite, order 3m.", blocks,
            lengths, "Stored: lower triangle, column by column."});
     write(in + "h.mtx", problem.h, false,

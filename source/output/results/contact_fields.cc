@@ -18,6 +18,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -32,13 +33,13 @@ namespace stiction
     public:
       ContactOutput(const Body &body, const LA::Vector &u, const ContactSurface &surface,
                     const Certificate &certificate,
-                    const std::vector<NodeStatus> &statuses,
-                    const Eigen::VectorXd &slip_path, const Units &units)
+                    const std::vector<NodeStatus> &statuses, Eigen::VectorXd slip_path,
+                    const Units &units)
         : FieldOutput<2>(body)
         , surface_(surface)
         , certificate_(certificate)
         , statuses_(statuses)
-        , slip_path_(slip_path)
+        , slip_path_(std::move(slip_path))
         , units_(units)
       {
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();

@@ -2,9 +2,11 @@
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/qp/certified_solve.h>
 
+#include <utility>
+
 namespace stiction
 {
-  ConvergenceHistory::ConvergenceHistory(Log &log, const std::string &step_name,
+  ConvergenceHistory::ConvergenceHistory(Log &log, std::string step_name,
                                          const bool on_levels, const bool print,
                                          const bool has_meshes, const bool has_times)
     : log_(log)
@@ -12,7 +14,7 @@ namespace stiction
     , print_(print)
     , has_meshes_(has_meshes)
     , has_times_(has_times)
-    , step_name_(step_name)
+    , step_name_(std::move(step_name))
   {
   }
 

@@ -59,7 +59,7 @@ namespace stiction::qp
         if (exhausted || (k + 1 >= min_steps && residual <= accuracy * theta))
           break;
         off_diagonal.push_back(beta);
-        basis.push_back(w / beta);
+        basis.emplace_back(w / beta);
       }
     return bound;
   }

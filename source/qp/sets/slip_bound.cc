@@ -16,18 +16,18 @@ namespace stiction::qp
   SlipBound SlipBound::given(Eigen::VectorXd g)
   {
     const Eigen::Index m = g.size();
-    return SlipBound(std::move(g), Eigen::VectorXd::Zero(m), false);
+    return {std::move(g), Eigen::VectorXd::Zero(m), false};
   }
 
   SlipBound SlipBound::coulomb(Eigen::VectorXd F)
   {
     const Eigen::Index m = F.size();
-    return SlipBound(Eigen::VectorXd::Zero(m), std::move(F), true);
+    return {Eigen::VectorXd::Zero(m), std::move(F), true};
   }
 
   SlipBound SlipBound::mixed(Eigen::VectorXd c, Eigen::VectorXd F)
   {
-    return SlipBound(std::move(c), std::move(F), true);
+    return {std::move(c), std::move(F), true};
   }
 
   bool SlipBound::is_tied(const Eigen::Index node) const

@@ -62,7 +62,7 @@ namespace stiction::checkpoint_files
       try
         {
           std::ifstream in(checkpoint + header_name);
-          const json header = json::parse(in);
+          json header = json::parse(in);
           std::string digest;
           std::getline(std::ifstream(checkpoint + digest_name), digest);
           if (header.at("format") != current_format)
@@ -101,7 +101,7 @@ namespace stiction::checkpoint_files
 
   std::string begin(const std::string &directory, MPI_Comm communicator)
   {
-    const std::string name = directory + unfinished_name;
+    std::string name = directory + unfinished_name;
     do_on_first_rank(communicator, [&]() {
       std::error_code error;
       fs::remove_all(name, error);

@@ -65,7 +65,7 @@ namespace stiction
 
   std::vector<double> TimeParameters::times() const
   {
-    const std::vector<double> numbers = *numbers_of(steps);
+    std::vector<double> numbers = *numbers_of(steps);
     if (numbers.size() > 1)
       return numbers;
     std::vector<double> times;

@@ -27,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -59,9 +60,9 @@ namespace stiction
   } // namespace
 
   DualContactSolver::DualContactSolver(const Setting &setting,
-                                       const std::set<std::string> &tried)
+                                       std::set<std::string> tried)
     : ContactSolver(setting)
-    , tried_(tried)
+    , tried_(std::move(tried))
   {
     set_up_stiffness_solver();
     set_up_dual_operator();

@@ -69,9 +69,9 @@ namespace stiction
                      unsigned int f);
 
     // Of length one. @param flat that of the face that asks
-    dealii::Tensor<1, 3> normal(dealii::types::global_dof_index first_dof,
-                                const LA::Vector &normals,
-                                const dealii::Tensor<1, 3> &flat) const;
+    static dealii::Tensor<1, 3> normal(dealii::types::global_dof_index first_dof,
+                                       const LA::Vector &normals,
+                                       const dealii::Tensor<1, 3> &flat);
 
     const Body &body_;
     std::map<dealii::types::boundary_id, LA::Vector> normals_; // of any length

@@ -29,7 +29,7 @@ namespace stiction
     /// The contact boundaries and, of pairs, the other ones, separated by '|'.
     std::string all_boundaries() const;
 
-    std::string contact_boundary      = "";
+    std::string contact_boundary;
     std::string obstacle              = "foundation";
     std::string slave_side            = "automatic";
     std::string mesh_gap              = "kept";

@@ -35,9 +35,9 @@ namespace stiction
     /// The one law of all contact boundaries as in the entry, or 'mixed'.
     std::string name() const;
 
-    std::string law_name        = "";
-    std::string coefficient     = "";
-    std::string slip_stress     = "";
-    std::string first_direction = "";
+    std::string law_name;
+    std::string coefficient;
+    std::string slip_stress;
+    std::string first_direction;
   };
 } // namespace stiction

@@ -58,6 +58,6 @@ namespace stiction
     dealii::Point<3> centre_;
     dealii::Tensor<1, 3> normal_, along1_, along2_;
     Projected on_plane_;
-    double area_; ///< of its polygons
+    double area_ = 0.; ///< of its polygons
   };
 } // namespace stiction

@@ -32,7 +32,7 @@ namespace stiction
     ///   the preconditioner is algebraic. The arguments must outlive the
     ///   object. Collective.
     NewtonMultigrid(const LinearElasticity &elasticity, const ContactSurface &surface,
-                    bool levels_in_use, const LevelNewton::Options &options = {});
+                    bool levels_in_use, LevelNewton::Options options = {});
 
     /// Takes loads, supports, gaps and friction afresh from elasticity and surface;
     /// contact nodes and frames must be the same. Collective.
@@ -46,10 +46,10 @@ namespace stiction
     /// Solves the problem to the tolerance, in the figures of the certificate.
     /// Collective.
     ///
-    /// @param state in: what is known of the solution: a displacement
+    /// @param solution in: what is known of the solution: a displacement
     ///   near the solution, from which the finest level begins, and distances of
     ///   pressed obstacles, from which the coarsest one does; out: the solution.
-    SolveStatus solve(State &state, double tolerance, unsigned int max_steps,
+    SolveStatus solve(State &solution, double tolerance, unsigned int max_steps,
                       const Observer &observer);
 
     /// What all calls of solve() did, from the coarsest level to the mesh itself.

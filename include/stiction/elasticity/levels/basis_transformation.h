@@ -50,7 +50,7 @@ namespace stiction
 
     /// @param slaves, masters the first unknowns of the nodes i and j.
     /// @param N row 3i + a, column 3j + b. Throws CircleOfSlaves.
-    BasisTransformation(Dofs slaves, Dofs masters, Matrix N);
+    BasisTransformation(Dofs slaves, Dofs masters, const Matrix &N);
 
     /// That of the next coarser level: a slave sees what it sees on the finer one,
     /// interpolated; without the slaves in it where these would go round in a circle.

@@ -54,8 +54,6 @@ namespace stiction
     /// the fine node first.
     template<unsigned int n> using Rows = std::vector<std::array<unsigned int, n + 1>>;
 
-    const MeshLevel &coarse_;
-    const MeshLevel &fine_;
     std::tuple<Rows<1>, Rows<2>, Rows<4>, Rows<8>> rows_;
   };
 } // namespace stiction

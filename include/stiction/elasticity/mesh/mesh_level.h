@@ -15,14 +15,11 @@
 namespace dealii
 {
   template<int dim, int spacedim> class DoFHandler;
-  namespace Utilities
-  {
-    namespace MPI
-    {
-      class Partitioner;
-    }
-  } // namespace Utilities
-} // namespace dealii
+}
+namespace dealii::Utilities::MPI
+{
+  class Partitioner;
+}
 
 namespace stiction
 {

@@ -34,13 +34,13 @@ namespace stiction
     /// The fewest coarse cells along an edge of the brick; of other shapes 1.
     double n_thinnest() const;
 
-    std::string type                       = "";
+    std::string type;
     std::vector<double> lengths            = {};
     std::vector<unsigned int> subdivisions = {};
     std::optional<double> radius, inner_radius, length;
-    std::string generator           = "";
-    std::string generator_arguments = "";
-    std::string mesh_file           = "";
+    std::string generator;
+    std::string generator_arguments;
+    std::string mesh_file;
 
     /// Names or numbers of the boundaries that other entries speak of.
     std::set<std::string> boundaries_in_use;

@@ -15,11 +15,11 @@ namespace stiction
     /// it is written) or a displacement that is not zero.
     bool has_load() const;
 
-    std::string prescribed_displacement = "";
-    std::string prescribed_points       = "";
-    std::string traction                = "";
-    std::string pressure                = "";
-    std::string body_force              = "";
-    std::string gravity                 = "";
+    std::string prescribed_displacement;
+    std::string prescribed_points;
+    std::string traction;
+    std::string pressure;
+    std::string body_force;
+    std::string gravity;
   };
 } // namespace stiction

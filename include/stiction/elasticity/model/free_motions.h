@@ -71,7 +71,7 @@ namespace stiction
       Eigen::Index begin;    ///< of its motions among all
     };
 
-    RigidMotion motion(const OfPiece &piece, const Eigen::VectorXd &amounts) const;
+    static RigidMotion motion(const OfPiece &piece, const Eigen::VectorXd &amounts);
 
     std::vector<OfPiece> pieces_;
     Eigen::Index n_ = 0;

@@ -35,9 +35,9 @@ namespace stiction
     static constexpr double locking_poisson_ratio = 0.45;
 
     std::optional<double> youngs_modulus, poisson_ratio, density;
-    std::string materials     = "";
-    std::string densities     = "";
-    std::string material_ids  = "";
+    std::string materials;
+    std::string densities;
+    std::string material_ids;
     std::string volume_strain = "automatic";
   };
 } // namespace stiction

@@ -16,9 +16,9 @@ namespace stiction
   /// What a part of the body is made of: linear elastic.
   struct Material
   {
-    /// @param youngs_modulus, poisson_ratio in Pa; from -1 to 0.5 without the
-    ///   ends.
-    static Material isotropic(double youngs_modulus, double poisson_ratio);
+    /// @param E Young's modulus, Pa. @param nu Poisson's ratio, from -1 to 0.5 without
+    ///   the ends.
+    static Material isotropic(double E, double nu);
 
     /// @param E1_to_G23 E1, E2, E3; ν12, ν13, ν23; G12, G13, G23; moduli in Pa.
     ///   ν12 is the contraction along 2 under a tension along 1, so that the

@@ -34,7 +34,7 @@ namespace stiction
       for (const auto &[node, others] : nodes_)
         for (unsigned int c = 0; c < 3; ++c)
           {
-            Number sum = Number(0.);
+            auto sum = Number(0.);
             for (const auto &[other, weight] : others)
               sum += static_cast<Number>(weight) * u[3 * std::size_t(other) + c];
             u[3 * std::size_t(node) + c] = sum;

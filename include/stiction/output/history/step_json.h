@@ -7,8 +7,8 @@
 namespace stiction
 {
   /// A certified step with all its digits, as in the list "steps" of summary.json.
-  void to_json(nlohmann::json &json, const StepResult &step);
+  void to_json(nlohmann::json &entry, const StepResult &step);
 
   /// Back. Throws what nlohmann's library does if something is missing.
-  void from_json(const nlohmann::json &json, StepResult &step);
+  void from_json(const nlohmann::json &entry, StepResult &step);
 } // namespace stiction

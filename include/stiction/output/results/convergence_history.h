@@ -21,7 +21,7 @@ namespace stiction
     ///   other: then a row tells which.
     /// @param has_times whether it is solved at several times: then a row tells
     ///   which.
-    ConvergenceHistory(Log &log, const std::string &step_name, bool on_levels, bool print,
+    ConvergenceHistory(Log &log, std::string step_name, bool on_levels, bool print,
                        bool has_meshes = false, bool has_times = false);
 
     /// What follows belongs to another time.

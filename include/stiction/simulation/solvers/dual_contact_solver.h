@@ -23,8 +23,7 @@ namespace stiction
   public:
     /// @param tried the methods that count as tried if this one comes no closer, none:
     ///   the one that the parameters say.
-    explicit DualContactSolver(const Setting &setting,
-                               const std::set<std::string> &tried = {});
+    explicit DualContactSolver(const Setting &setting, std::set<std::string> tried = {});
     ~DualContactSolver() override;
 
     SolveStatus solve(State &state, const Observer &observer) override;

@@ -4,7 +4,7 @@
 
 // STICTION_VECTOR_BYTES is defined by the file that includes this.
 
-#define STICTION_INLINE static inline __attribute__((always_inline))
+#define STICTION_INLINE inline __attribute__((always_inline))
 
 namespace stiction::cell_kernel
 {
@@ -14,16 +14,16 @@ namespace stiction::cell_kernel
     template<typename Number> struct Register
     {
       static constexpr unsigned int lanes = STICTION_VECTOR_BYTES / sizeof(Number);
-      typedef Number Type __attribute__((vector_size(STICTION_VECTOR_BYTES)));
+      using Type __attribute__((vector_size(STICTION_VECTOR_BYTES))) = Number;
 
       // Wide registers are filled with one number at no cost, narrow ones
       // read it repeated.
 #if STICTION_VECTOR_BYTES == 16
       static constexpr bool repeats = true;
-      typedef Type Coefficient;
+      using Coefficient             = Type;
 #else
       static constexpr bool repeats = false;
-      typedef Number Coefficient;
+      using Coefficient             = Number;
 #endif
     };
 

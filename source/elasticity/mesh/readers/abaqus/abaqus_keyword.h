@@ -17,7 +17,7 @@ namespace stiction
     /// Whether a line is one, and no comment.
     static bool begins(const std::string &line)
     {
-      return line.rfind("*", 0) == 0 && line.rfind("**", 0) != 0;
+      return line.rfind('*', 0) == 0 && line.rfind("**", 0) != 0;
     }
 
     AbaqusKeyword() = default;
