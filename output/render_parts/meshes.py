@@ -10,8 +10,11 @@ import numpy as np
 FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4],
                   [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
 
+# Of the largest displacement: points that differ by less move alike.
+SAME_MOTION = 1e-5
 
-def merge(points, bodies=None):
+
+def merge(points, bodies=None, moved=None):
     """Number the points, those alike up to rounding alike.
 
     Returns the position of the first point of every number, and the number of
@@ -19,6 +22,8 @@ def merge(points, bodies=None):
     seen from two cells may differ in its last digit.
 
     bodies: the number of the body of every point; those of different ones differ.
+    moved: how far points move; those that do not move alike differ, as the lips of a
+    crack do.
     """
     close = 2 * np.finfo(np.float32).eps * np.abs(points).max()
     places = np.empty(points.shape, dtype=np.int64)
@@ -32,6 +37,11 @@ def merge(points, bodies=None):
         bodies = bodies.astype(np.int64)
         keys = keys * (bodies.max() + 1) + bodies
     _, first, number = np.unique(keys, return_index=True, return_inverse=True)
+    if moved is not None:
+        away = np.linalg.norm(moved - moved[first[number]], axis=1)
+        apart = away > SAME_MOTION * np.linalg.norm(moved, axis=1).max()
+        _, first, number = np.unique(2 * number + apart, return_index=True,
+                                     return_inverse=True)
     return first, number
 
 
@@ -42,13 +52,21 @@ def face_keys(faces, n_points):
     return random[faces].sum(axis=1)  # modulo 2^64
 
 
-def outer_faces(cells, n_points):
-    """The faces of the cells that are on the surface, seen from outside."""
+def outer_faces(cells, n_points, cuts=None):
+    """The faces of the cells that are on the surface, seen from outside.
+
+    cuts: faces that are on it wherever they are, from both sides: of a closed crack.
+    """
     faces = cells[:, FACES].reshape(-1, 4)
-    _, first, count = np.unique(face_keys(faces, n_points), return_index=True,
-                                return_counts=True)
-    faces = faces[first[count == 1]]
-    return faces[~between_levels(faces, n_points)]
+    keys = face_keys(faces, n_points)
+    _, first, number, count = np.unique(keys, return_index=True, return_inverse=True,
+                                        return_counts=True)
+    outer = faces[first[count == 1]]
+    outer = outer[~between_levels(outer, n_points)]
+    if cuts is None:
+        return outer
+    is_cut = (count[number] > 1) & np.isin(keys, face_keys(cuts, n_points))
+    return np.vstack([outer, faces[is_cut]])
 
 
 def between_levels(faces, n_points):

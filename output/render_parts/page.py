@@ -130,7 +130,7 @@ class Slot:
             self.panel, scale, 0.16)
         self.reach, sizes = 0, np.linalg.norm(self.friction, axis=1)
         self.usual = np.percentile(sizes, 95) if len(sizes) else 0
-        if self.usual <= 1e-6 * self.panel.pressure.max():
+        if self.usual <= 1e-6 * max(self.panel.pressure.max(), 0):
             self.usual = 0
             return
         self.per_inch = max(self.usual / min(1.2 * distance, 0.4), sizes.max() / 0.6)

@@ -22,9 +22,10 @@ EVEN = 1e-3  # of all forces: with less of a resultant a cylinder is pressed all
 
 
 def shown_pressure(contact, certified):
-    """The pressure without that of nodes which may as well be open, which is rounding
-    alone; of a run that is not certified all nodes may, and theirs is shown."""
-    return np.where((contact.normal_status == 3) & certified, 0, contact.pressure)
+    """The pressure without that of nodes which are open or may as well be, which is
+    rounding alone; of a run that is not certified all nodes may, and theirs is shown."""
+    return np.where(np.isin(contact.normal_status, (0, 3)) & certified, 0,
+                    contact.pressure)
 
 
 def panels_of(contact, points, certified=True):

@@ -127,16 +127,19 @@ def read(directory, tag="", time=None):
     contact = read_mesh(os.path.join(directory, f"contact{tag}.pvtu"), QUADRILATERAL,
                         4, ["pressure", "tangential_traction",
                             "normal_status", "tangential_status", "area",
-                            "boundary"])
+                            "boundary", "displacement", "normal"])
     summary = read_summary(directory)
     certified = time is not None or is_certified(summary)
     n = len(solution.points)
     contact = without_other_sides(contact, summary)
     first, number = meshes.merge(np.vstack([solution.points, contact.points]),
-                                 np.concatenate([solution.body, contact.body]))
+                                 np.concatenate([solution.body, contact.body]),
+                                 np.vstack([solution.displacement,
+                                            contact.displacement]))
     if (first >= n).any():
         raise Unusable("solution.pvtu and contact.pvtu are not of the same run.")
-    faces = meshes.outer_faces(number[:n][solution.cells], len(first))
+    faces = meshes.outer_faces(number[:n][solution.cells], len(first),
+                               number[n:][contact.cells])
     body = body_of(solution, faces, first, number[:n])
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
@@ -148,7 +151,7 @@ def read(directory, tag="", time=None):
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),
-        contact=contact_of(contact, number[n:], faces, len(first)),
+        contact=contact_of(contact, number[n:], faces, body.points),
         obstacle=read_obstacle(directory, tag))
 
 
@@ -186,19 +189,26 @@ def body_of(solution, faces, first, number):
         faces=faces)
 
 
-def contact_of(contact, number, outer, n_points):
+def contact_of(contact, number, outer, points):
     """The contact faces, turned so that they are seen from outside."""
     faces = number[contact.cells]
-    keys = meshes.face_keys(outer, n_points)
+    # the two sides of a closed crack are known by which way they look
+    normals = contact.normal[contact.cells].mean(axis=1)
+    keys = meshes.face_keys(outer, len(points))
+    wanted = meshes.face_keys(faces, len(points))
     order = np.argsort(keys)
-    wanted = meshes.face_keys(faces, n_points)
-    place = order[np.searchsorted(keys, wanted, sorter=order) % len(keys)]
+    at = np.searchsorted(keys, wanted, sorter=order)
+    place = order[at % len(keys)]
+    other = order[(at + 1) % len(keys)]
+    looks = [(meshes.vector_areas(points[outer[side]]) * normals).sum(axis=1)
+             for side in (place, other)]
+    place = np.where((keys[other] == wanted) & (looks[1] > looks[0]), other, place)
     if (keys[place] != wanted).any():
         raise Unusable("the faces in contact.pvtu are not on the surface of "
                        "the body in solution.pvtu.")
     fields = {name: values[contact.cells]
               for name, values in vars(contact).items()
-              if name not in ("points", "cells", "body")}
+              if name not in ("points", "cells", "body", "displacement", "normal")}
     fields["boundary"] = fields["boundary"][:, 0].astype(int)
     # where there is no contact node, the pressure of the others of the face
     known = fields["normal_status"] >= 0
