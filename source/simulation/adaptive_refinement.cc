@@ -118,6 +118,9 @@ namespace stiction
         mesh.relative_error < parameters_.contact_solver.tolerance)
       return "that is below 'Contact solver/Tolerance', no cell is cut";
 
+    if (mesh.relative_error <= parameters_.refinement.wanted_error)
+      return "that is within 'Refinement/Wanted error', no cell is cut";
+
     const double growth     = 1. + 7. * n_cells_to_cut / mesh.n_cells;
     const double n_unknowns = growth * mesh.n_unknowns;
     if (parameters_.refinement.maximum_unknowns > 0 &&

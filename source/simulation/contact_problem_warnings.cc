@@ -18,6 +18,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -64,7 +65,10 @@ namespace stiction
     constexpr double much_of_friction = 0.05;
 
     // Of the way that elastic bodies give, twice their energy over the normal force.
-    constexpr double much_of_way = 0.1;
+    constexpr double much_of_way = 0.03;
+
+    // Of what bodies are thick.
+    constexpr double much_overlap = 0.15;
 
     // Radians by which normals may turn.
     constexpr double much_turned = 0.05;
@@ -213,6 +217,34 @@ namespace stiction
                100. * share)});
     }
 
+    // What lies inside of the other side before anything gives way, 'Initial gap' apart.
+    void add_overlap(const ContactBoundary &boundary, const ContactSurface &surface,
+                     const Body &body, const Units &units, Warnings &warnings)
+    {
+      if (boundary.is_tied() || (boundary.obstacle() == nullptr && !boundary.is_pair()))
+        return;
+      double depth = 0., thickness = std::numeric_limits<double>::max();
+      for (const ContactNode &node : surface.nodes())
+        if (surface.boundaries()[node.boundary].id() == boundary.id())
+          depth = std::max(depth, boundary.initial_gap(node.position) - node.gap);
+      std::set<unsigned int> pieces = body.pieces_at(boundary.id());
+      for (const auto partner : boundary.partners())
+        pieces.merge(body.pieces_at(partner));
+      for (const unsigned int piece : pieces)
+        for (unsigned int c = 0; c < 3; ++c)
+          thickness = std::min(thickness, body.pieces()[piece].box.side_length(c));
+      if (depth > much_overlap * thickness)
+        warnings.push_back(
+          {"overlap of " + boundary.name(), depth,
+           "nodes of '" + boundary.name() + "' begin up to " +
+             with_unit(format("%.2g", depth), units.length) + " inside " +
+             (boundary.is_pair() ? '\'' + boundary.partner_name() + '\''
+                                 : "the obstacle") +
+             format(", %.0f %% of what a body is thick, and are pushed out; place them "
+                    "side by side if that is not meant.",
+                    100. * depth / thickness)});
+    }
+
     // What linear kinematics leaves out where nodes moved along an obstacle.
     void add_departure(const ContactBoundary &boundary,
                        const ObstacleDeparture &departure, const double way,
@@ -303,6 +335,7 @@ namespace stiction
         if (depths[b] > deep * largest)
           add_idle(boundaries[b], depths[b], units_, warnings);
         add_fall(boundaries[b], falls[b], steps_ != nullptr, warnings);
+        add_overlap(boundaries[b], surface, *body_, units_, warnings);
         add_departure(boundaries[b], obstacle_departure(surface, boundaries[b], state_),
                       way, units_, warnings);
       }

@@ -42,9 +42,9 @@ namespace stiction
     if (kind_ == "boundary" && absent_.count(name) != 0)
       throw InputError(location + ": boundary '" + name +
                        "' of the mesh file has no face on the outside of the mesh, must "
-                       "have some: faces inside lie between cells that share their "
-                       "nodes, bodies that are to be two need nodes of their own; on the "
-                       "outside there are " +
+                       "have some: it is a name without faces, or they are inside, "
+                       "between cells that share their nodes (bodies that are to be two "
+                       "need nodes of their own); on the outside there are " +
                        known + ".");
     throw InputError(
       location + ": the mesh has no " + kind_ + " " +

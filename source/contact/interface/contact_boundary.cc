@@ -351,6 +351,6 @@ namespace stiction
       return 0.;
     const Obstacle::Value value = obstacle_->at(p);
     const double slope          = value.gradient.norm();
-    return value.psi < 0. && slope > 0. ? -value.psi / slope : 0.;
+    return slope > 0. ? std::max(0., -value.psi / slope - gap_->value(p)) : 0.;
   }
 } // namespace stiction

@@ -97,11 +97,15 @@ namespace stiction
     add_parameter("Initial gap", initial_gap,
                   "Distance from the undeformed contact boundary to the "
                   "foundation along the outward normal, a formula in x, y, z, t; "
-                  "for other obstacles it is added to their distance. "
+                  "for other obstacles it is added to their distance, so that a "
+                  "large one makes a ball smaller: to begin farther away move the "
+                  "obstacle. "
                   "Negative: initial interference. Unit: of length.");
     add_parameter("Obstacle displacement", obstacle_displacement,
                   "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' "
-                  "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U, and slip is "
+                  "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U with the "
+                  "normals n of that place, so that a curved one must begin where it "
+                  "touches, or nearly so; slip is "
                   "that of the body relative to the moved surface, which drags the body "
                   "along by friction. Small, like the displacements of the body: normals "
                   "stay. Unit: of length.");
@@ -120,7 +124,8 @@ namespace stiction
     add_parameter("Obstacle force", obstacle_force,
                   "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
                   "The obstacle is then free to move along this vector, from where the "
-                  "other entries place it, and moves until it acts on the body with this "
+                  "other entries place it (a curved one where it touches, or nearly so), "
+                  "and moves until it acts on the body with this "
                   "force along it; it does not tilt, and is held in the directions "
                   "across. Of a body cut by planes of symmetry it is the part of the "
                   "force that acts on what is modelled. '0; 0; 0': the obstacle is held; "

@@ -100,10 +100,13 @@ namespace stiction
   {
     const Means a(first), b(second);
     SlaveSide side{true, b.modulus / a.modulus, "the first side"};
+    const auto softer_or_coarser = [](const double softness) {
+      return softness >= softer ? "the softer side" : "the one of larger cells";
+    };
     if (softer * a.stiffness <= b.stiffness)
-      return {true, side.softness, "the softer side"};
+      return {true, side.softness, softer_or_coarser(side.softness)};
     if (softer * b.stiffness <= a.stiffness)
-      return side.other("the softer side");
+      return side.other(softer_or_coarser(1. / side.softness));
     if (finer * a.size < b.size)
       return {true, side.softness, "the finer side"};
     if (finer * b.size < a.size)

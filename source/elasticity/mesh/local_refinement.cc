@@ -6,6 +6,7 @@
 #include <stiction/elasticity/mesh/local_refinement.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
@@ -48,13 +49,19 @@ namespace stiction
     for (unsigned int k = 0; k < geometry.contact_refinement; ++k)
       {
         std::vector<bool> is_cut(body.triangulation().n_active_cells());
+        bool is_any = false;
         throw_on_all_ranks(body.communicator(), [&]() {
           for (const auto &cell : body.triangulation().active_cell_iterators())
             if (cell->is_locally_owned())
               for (const unsigned int f : cell->face_indices())
                 if (is_wanted(cell, f) || is_below_wanted(cell, f))
-                  is_cut[cell->active_cell_index()] = true;
+                  is_any = is_cut[cell->active_cell_index()] = true;
         });
+        if (k == 0 && !dealii::Utilities::MPI::logical_or(is_any, body.communicator()))
+          throw InputError(source.describe(where) +
+                           ", is above 0 at the centre of no face of a contact boundary, "
+                           "must be at one: faces may be larger than what it speaks of, "
+                           "'Geometry/Global refinement' makes them smaller.");
         body.refine(is_cut);
       }
   }

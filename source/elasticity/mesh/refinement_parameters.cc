@@ -17,13 +17,20 @@ namespace stiction
                   "cells with the largest errors are cut into eight, and the "
                   "problem is solved again. The files are those of the last "
                   "mesh; it is the last one too if its answer is not "
-                  "certified.",
+                  "certified. In every step of a history so many times again, from "
+                  "the mesh of the step before, which is not made coarser: 'Wanted "
+                  "error' or 'Maximum unknowns' end that.",
                   prm, Patterns::Integer(0, 50));
     add_parameter("Fraction", fraction,
                   "The cells that are cut are the fewest that make up this "
                   "part of the sum of the squares of the estimated errors; "
                   "above 0, at most 1.",
                   prm, Patterns::Double());
+    add_parameter("Wanted error", wanted_error,
+                  "No cell is cut where the estimated error, as a part of the "
+                  "energy norm of the displacement, is at most this: 0.05 for 5 %. "
+                  "0: none.",
+                  prm, Patterns::Double(0., 1.));
     add_parameter("Maximum unknowns", maximum_unknowns,
                   "No mesh is made that would have more unknowns than about "
                   "this; 0: the memory is the limit.",

@@ -16,6 +16,7 @@ namespace stiction
 
     unsigned int adaptive_steps   = 0;
     double fraction               = 0.5;
+    double wanted_error           = 0.;
     unsigned int maximum_unknowns = 0;
     bool estimate_error           = true;
   };

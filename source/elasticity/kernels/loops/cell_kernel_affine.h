@@ -240,14 +240,14 @@ namespace stiction::cell_kernel
 
     // --------------------------------------------------------- the product
     template<typename Number, int n, bool is_box>
-    static void add_affine(const AffineElements<Number> &elements, Number *const dst,
-                           const Number *const src)
+    void add_affine(const AffineElements<Number> &elements, Number *const dst,
+                    const Number *const src)
     {
       constexpr int n_nodes        = n * n * n;
       constexpr unsigned int lanes = Register<Number>::lanes;
       using Sequence               = std::make_integer_sequence<int, n_nodes>;
       using Coefficient            = typename Register<Number>::Coefficient;
-      const Coefficient *const coefficients =
+      const auto *const coefficients =
         reinterpret_cast<const Coefficient *>(elements.coefficients);
 
       Values<Number, n_nodes> u, f;

@@ -57,7 +57,7 @@ namespace stiction::cell_kernel
     };
 
     // The index of a point among the places of a direction.
-    static constexpr int place(const int point, const int direction)
+    constexpr int place(const int point, const int direction)
     {
       return direction == 0   ? point >> 1
              : direction == 1 ? (point & 1) | (point >> 1 & 2)
@@ -168,8 +168,8 @@ namespace stiction::cell_kernel
     }
 
     template<typename Number>
-    static void add_general(const GeneralCells<Number> &cells, Number *const dst,
-                            const Number *const src)
+    void add_general(const GeneralCells<Number> &cells, Number *const dst,
+                     const Number *const src)
     {
       using V                      = Vector<Number>;
       constexpr unsigned int lanes = Register<Number>::lanes;

@@ -102,7 +102,10 @@ namespace stiction
         if (name == "*SURFACE" && is_of_elements())
           surfaces_.push_back({keyword_.value("NAME"), scope_, text_.here(), {}});
         else if (name == "*SURFACE")
-          keyword_.name = "*IGNORED";
+          {
+            passed_over_.insert("surfaces of nodes");
+            keyword_.name = "*IGNORED";
+          }
         else if (name == "*INSTANCE")
           begin_instance();
         else if (name == "*PART" && parts_.have_instances())
