@@ -311,7 +311,7 @@ namespace stiction
   {
     const Eigen::Index n = elasticity.free_motions().n();
     if (n == 0 || surface.has_friction_of_state())
-      return Eigen::MatrixXd(n, 0);
+      return Eigen::MatrixXd::Zero(n, 0);
     return qp::unresisted_motions(rigid_balance(elasticity, surface).G.rightCols(n),
                                   surface.slip_bound());
   }

@@ -57,8 +57,10 @@ namespace stiction
                                           const QuadraticCells &cells)
     {
       std::vector<Point<3>> unit_points;
-      for (unsigned int i = 0; i < 27; ++i)
-        unit_points.emplace_back(0.5 * (i % 3), 0.5 * (i / 3 % 3), 0.5 * (i / 9));
+      for (const double z : {0., .5, 1.})
+        for (const double y : {0., .5, 1.})
+          for (const double x : {0., .5, 1.})
+            unit_points.emplace_back(x, y, z);
       const MappingQ<3> mapping(2);
       const FE_Q<3> fe(1);
       FEValues<3> values(mapping, fe, Quadrature<3>(unit_points),
