@@ -3,6 +3,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/friction_limit.h>
 #include <stiction/contact/certificate/obstacle_departure.h>
 #include <stiction/contact/certificate/pair_figures.h>
 #include <stiction/contact/interface/contact_boundary.h>
@@ -351,6 +352,13 @@ namespace stiction
           add_facets(pair, figures, *body_, *certificate_, warnings);
         }
     add_deformation(largest_deformation(*body_, state_.u), warnings);
+    for (const unsigned int piece :
+         bodies_at_friction_limit(elasticity(), surface, state_, node_statuses()))
+      warnings.push_back(
+        {"limit of " + body_->pieces()[piece].name, largest,
+         "friction bears all that it can at body '" + body_->pieces()[piece].name +
+           "', which slides as a whole: forces balance, but how far it slides, and what "
+           "friction dissipates by that, is not determined."});
     double turn                    = 0.;
     const Eigen::VectorXd way_free = elasticity().free_motion_of(state_.u);
     for (const RigidMotion &motion : elasticity().free_motions().motions(way_free))

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <set>
+#include <vector>
+
+namespace stiction
+{
+  class ContactSurface;
+  class LinearElasticity;
+  struct NodeStatus;
+  struct State;
+
+  /// The bodies, by their places in Body::pieces(), that friction holds at its limit: of a
+  /// body that contact alone holds no pressed node sticks, and they slip because it moves
+  /// as a whole, along all that it touches. Then forces balance, but how far it goes is
+  /// not determined. Collective.
+  std::set<unsigned int> bodies_at_friction_limit(
+    const LinearElasticity &elasticity, const ContactSurface &surface, const State &state,
+    const std::vector<NodeStatus> &statuses);
+} // namespace stiction
