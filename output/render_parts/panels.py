@@ -19,6 +19,8 @@ KIND = {(0, 0): OPEN, (1, 0): CLOSED, (1, 1): SLIP, (1, 2): STICK,
 AXES = "xyz"
 NOTHING = 1e-6  # parts of the largest pressure that are none
 EVEN = 1e-3  # of all forces: with less of a resultant a cylinder is pressed all around
+OPEN_ARC = 0.1  # of the area: a closed cylinder's area vectors add to nothing
+WIDE = 0.65  # the cosine of half an arc: beyond it a view has its ends edge-on
 
 
 def shown_pressure(contact, certified):
@@ -94,6 +96,17 @@ def cylinder_axis(normals):
     return snapped(vectors[:, 0])
 
 
+def is_wide_arc(corners, normals):
+    """Whether these are faces of a part of a cylinder that goes far around."""
+    axis = cylinder_axis(normals)
+    units = meshes.unit(normals)
+    if axis is None or (units @ meshes.unit(units.sum(axis=0))).min() > WIDE:
+        return False
+    middles = corners.mean(axis=1)
+    radii = np.linalg.norm(across(middles - axis_place(middles, units), axis), axis=1)
+    return np.ptp(radii) < 0.05 * radii.mean()
+
+
 def snapped(direction, near=1e-3):
     """A unit vector, an axis if it nearly is one, mostly upwards along it."""
     direction = direction / np.linalg.norm(direction)
@@ -104,7 +117,7 @@ def snapped(direction, near=1e-3):
 
 def lay_flat(panel, corners, normals):
     """Give the panel places in the plane, names of its axes, and friction."""
-    if is_visible(normals):
+    if is_visible(normals) and not is_wide_arc(corners, normals):
         see_along(panel, corners, normals.sum(axis=0))
     else:
         unroll(panel, corners, normals)
@@ -125,7 +138,7 @@ def see_along(panel, corners, mean):
 
 
 def unroll(panel, corners, normals):
-    """Cut a cylinder opposite to where it is pressed, and lay it flat."""
+    """Lay a cylinder flat, cut opposite to where it is pressed if it is closed."""
     axis = cylinder_axis(normals)
     units = meshes.unit(normals)
     middles = corners.mean(axis=1)
@@ -137,7 +150,9 @@ def unroll(panel, corners, normals):
     pressed = across(forces.sum(axis=0), axis)
     if np.linalg.norm(pressed) <= EVEN * np.linalg.norm(forces, axis=1).sum():
         pressed = -np.eye(3)[2 if abs(axis[2]) < 0.9 else 1]
-    front = snapped_sign(pressed, axis)
+    middle = outward * normals.sum(axis=0)
+    is_open = np.linalg.norm(middle) > OPEN_ARC * np.linalg.norm(normals, axis=1).sum()
+    front = snapped_sign(middle if is_open else pressed, axis)
     side = np.cross(axis, front)
     radius = np.linalg.norm(across(middles - center, axis), axis=1).mean()
 

@@ -102,6 +102,21 @@ class Panels(unittest.TestCase):
         self.assertAlmostEqual(middle[0], 0)
         self.assertTrue(panel.enlarged)
 
+    def test_part_of_a_cylinder_is_unrolled(self):
+        points, faces = cylinder_side(2, 3)
+        around = points[faces].mean(axis=1)
+        for least, length, seen in ((-0.1, 2, "unrolled"), (1.7, 2, "seen from"),
+                                    (-1.5, 3, "unrolled")):
+            contact = contact_on(faces[around[:, 0] > least], 0)
+            contact.pressure[points[contact.faces][..., 1] < 0] = 0  # at one end
+            panel, = panels.panels_of(contact, points)
+            self.assertIn(seen, panel.seen)
+            ends = panel.places[..., 0]
+            self.assertAlmostEqual(ends.min(), -ends.max())
+            if seen == "unrolled":
+                self.assertAlmostEqual(np.ptp(ends) / np.pi, length, delta=0.4)
+                self.assertEqual(panel.axes[0], "arc from +x")
+
     def test_side_that_nothing_presses_or_all_around(self):
         points, faces = cylinder_side(2, 3)
         for pressure in 0., 2.:
