@@ -41,12 +41,12 @@ namespace stiction
     // forces. Then those of the forces count that would undo h node by node,
     // and always where no contact forces at all are to be the answer.
     qp::Scaling usable_scaling(const ContactConditions &conditions, const DualOperator &Q,
-                               const double tolerance)
+                               const qp::SlipBound &slip_bound, const double tolerance)
     {
       constexpr double rounding = 1e-6;
 
       qp::Scaling scaling      = conditions.scaling();
-      const auto [force, work] = decoupled_scales(Q);
+      const auto [force, work] = decoupled_scales(Q, slip_bound);
       const double total       = scaling.force.sum();
       const bool is_answer =
         conditions.lambda().isZero(0.) && conditions.is_solved(tolerance);
@@ -116,7 +116,7 @@ namespace stiction
                0.5 * tolerance);
     double smallest         = row.residual;
     unsigned int iterations = 0, idle = 0;
-    qp::Scaling scaling = usable_scaling(*conditions, Q, tolerance);
+    qp::Scaling scaling = usable_scaling(*conditions, Q, slip_bound, tolerance);
 
     // in both scales: they must be right in those of the problem, too
     const auto is_content = [&]() {
@@ -152,7 +152,7 @@ namespace stiction
         lambda           = iterate.lambda;
         conditions       = &verifier.verify(lambda);
         iterate.gradient = conditions->gradient();
-        scaling          = usable_scaling(*conditions, Q, tolerance);
+        scaling          = usable_scaling(*conditions, Q, slip_bound, tolerance);
         if (is_content())
           break;
         if (status.interrupted)

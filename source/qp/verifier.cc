@@ -29,7 +29,7 @@ namespace stiction
     double work = lambda.dot(Q_lambda);
     if (force == 0.)
       {
-        const DecoupledScales scales = decoupled_scales(Q_);
+        const DecoupledScales scales = decoupled_scales(Q_, slip_bound_);
         force                        = scales.force;
         work                         = scales.work;
       }

@@ -16,6 +16,12 @@
 
 namespace stiction
 {
+  namespace
+  {
+    // Times the size of the body: an obstacle in other units is farther away.
+    constexpr double far_away = 10.;
+  } // namespace
+
   void ContactProblem::describe_choices() const
   {
     for (const std::string &what : body_->left_out())
@@ -91,5 +97,10 @@ namespace stiction
                          n == 1 ? " contact node overlaps" : " contact nodes overlap",
                          " the obstacle before the body gives way, by up to ",
                          with_unit(format("%.3g", -gaps.minCoeff()), units_.length)));
+    if (gaps.size() > 0 && gaps.minCoeff() > far_away * body_->diameter())
+      log_->line("  the nearest obstacle is " +
+                 with_unit(format("%.3g", gaps.minCoeff()), units_.length) +
+                 format(" away, %.3g times the size of the body: has it the same units?",
+                        gaps.minCoeff() / body_->diameter()));
   }
 } // namespace stiction

@@ -1,6 +1,7 @@
 #include <stiction/qp/operators/dual_operator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace stiction
@@ -74,19 +75,22 @@ namespace stiction
     return shape * (z.dot(Qz) / (3. * shape.sum()));
   }
 
-  DecoupledScales decoupled_scales(const DualOperator &Q)
+  DecoupledScales decoupled_scales(const DualOperator &Q, const qp::SlipBound &slip_bound)
   {
     const Eigen::Index m     = Q.n_nodes();
     const Eigen::VectorXd &h = Q.right_hand_side();
     const Eigen::VectorXd &c = Q.nodal_compliance();
     DecoupledScales result;
+    // nothing has to undo an open gap
+    const Eigen::VectorXd normal = h.head(m).cwiseQuotient(c).cwiseMax(0.);
+    const Eigen::VectorXd bound  = slip_bound.at(normal);
     for (Eigen::Index i = 0; i < m; ++i)
       {
-        // nothing has to undo an open gap
-        const double size =
-          Eigen::Vector3d(std::max(h(i), 0.), h(i + m), h(i + 2 * m)).norm();
-        result.force += size / c(i);
-        result.work += size * size / c(i);
+        const double friction =
+          std::min(std::hypot(h(i + m), h(i + 2 * m)) / c(i), bound(i));
+        const double size = std::hypot(normal(i), friction);
+        result.force += size;
+        result.work += size * size * c(i);
       }
     return result;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/qp/operators/symmetric_operator.h>
+#include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>
 
@@ -95,14 +96,15 @@ namespace stiction
   };
 
   /// What it would take to undo h node by node, its overlaps (not its open
-  /// gaps) and its slips, with c the nodal compliance: a scale of forces and of
-  /// work that does not depend on any solution.
+  /// gaps) and as much of its slips as friction bears, with c the nodal compliance: a
+  /// scale of forces and of work that does not depend on any solution.
   struct DecoupledScales
   {
-    double force = 0.; ///< Σ‖(h_ν⁺, h_t)_i‖/c_i, N
-    double work  = 0.; ///< Σ‖(h_ν⁺, h_t)_i‖²/c_i, Nm
+    double force = 0.; ///< Σ‖f_i‖ of f_i = (h_ν⁺, h_t)_i/c_i in its convex set, N
+    double work  = 0.; ///< Σ‖f_i‖² c_i, Nm
   };
 
   /// Collective.
-  DecoupledScales decoupled_scales(const DualOperator &Q);
+  DecoupledScales decoupled_scales(const DualOperator &Q,
+                                   const qp::SlipBound &slip_bound);
 } // namespace stiction
