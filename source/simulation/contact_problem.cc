@@ -79,7 +79,7 @@ namespace stiction
       assemble_system();
       make_contact_surface();
       print_applied(*log_, elasticity(), contact_surface());
-      describe_interference();
+      describe_gaps();
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       go_on(times);
       begin_balance();
@@ -183,6 +183,7 @@ namespace stiction
     if (parameters_.time.has_steps())
       log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
     print_applied(*log_, elasticity(), contact_surface());
+    describe_gaps();
     print_overview(*log_, elasticity(), contact_surface(), units_);
     print_memory(*log_, parameters_,
                  static_cast<double>(body_->triangulation().n_global_active_cells()),

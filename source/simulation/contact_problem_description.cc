@@ -87,7 +87,7 @@ namespace stiction
         "pair their boundaries, or merge their nodes if they are one body");
   }
 
-  void ContactProblem::describe_interference()
+  void ContactProblem::describe_gaps()
   {
     const Eigen::VectorXd gaps = contact_surface().gaps();
     const double rounding      = 1e-12 * body_->diameter();

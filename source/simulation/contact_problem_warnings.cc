@@ -218,30 +218,28 @@ namespace stiction
                100. * share)});
     }
 
-    // What lies inside of the other side before anything gives way, 'Initial gap' apart.
-    void add_overlap(const ContactBoundary &boundary, const ContactSurface &surface,
+    // What lies inside of the other body before anything gives way, 'Initial gap' apart.
+    void add_overlap(const ContactBoundary &pair, const ContactSurface &surface,
                      const Body &body, const Units &units, Warnings &warnings)
     {
-      if (boundary.is_tied() || (boundary.obstacle() == nullptr && !boundary.is_pair()))
-        return;
       double depth = 0., thickness = std::numeric_limits<double>::max();
       for (const ContactNode &node : surface.nodes())
-        if (surface.boundaries()[node.boundary].id() == boundary.id())
-          depth = std::max(depth, boundary.initial_gap(node.position) - node.gap);
-      std::set<unsigned int> pieces = body.pieces_at(boundary.id());
-      for (const auto partner : boundary.partners())
+        if (surface.boundaries()[node.boundary].id() == pair.id() &&
+            pair.keeps_mesh_gap())
+          depth = std::max(depth, -node.mesh_gap);
+      std::set<unsigned int> pieces = body.pieces_at(pair.id());
+      for (const auto partner : pair.partners())
         pieces.merge(body.pieces_at(partner));
       for (const unsigned int piece : pieces)
         for (unsigned int c = 0; c < 3; ++c)
           thickness = std::min(thickness, body.pieces()[piece].box.side_length(c));
       if (depth > much_overlap * thickness)
         warnings.push_back(
-          {"overlap of " + boundary.name(), depth,
-           "nodes of '" + boundary.name() + "' begin up to " +
-             with_unit(format("%.2g", depth), units.length) + " inside " +
-             (boundary.is_pair() ? '\'' + boundary.partner_name() + '\''
-                                 : "the obstacle") +
-             format(", %.0f %% of what a body is thick, and are pushed out; place them "
+          {"overlap of " + pair.name(), depth,
+           "nodes of '" + pair.name() + "' begin up to " +
+             with_unit(format("%.2g", depth), units.length) + " inside '" +
+             pair.partner_name() +
+             format("', %.0f %% of what a body is thick, and are pushed out; place them "
                     "side by side if that is not meant.",
                     100. * depth / thickness)});
     }
@@ -336,7 +334,6 @@ namespace stiction
         if (depths[b] > deep * largest)
           add_idle(boundaries[b], depths[b], units_, warnings);
         add_fall(boundaries[b], falls[b], steps_ != nullptr, warnings);
-        add_overlap(boundaries[b], surface, *body_, units_, warnings);
         add_departure(boundaries[b], obstacle_departure(surface, boundaries[b], state_),
                       way, units_, warnings);
       }
@@ -345,6 +342,7 @@ namespace stiction
         {
           const PairFigures figures =
             pair_figures(surface, pair, state_, std::max(force, state_.scales.force));
+          add_overlap(pair, surface, *body_, units_, warnings);
           add_edge(pair, figures, warnings);
           add_slide(pair, figures, units_, warnings);
           add_gap(pair, figures, units_, warnings);

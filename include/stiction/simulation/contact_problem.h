@@ -137,8 +137,9 @@ namespace stiction
     /// Warns of bodies that touch and do not feel one another.
     void describe_touching_bodies() const;
 
-    /// Says how many contact nodes overlap their obstacles before the body gives way.
-    void describe_interference();
+    /// Says how many contact nodes overlap their obstacles before the body gives way, or
+    /// if all obstacles are far away.
+    void describe_gaps();
     void assemble_system();
     void make_contact_surface();
     void open_output();

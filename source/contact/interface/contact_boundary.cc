@@ -351,6 +351,7 @@ namespace stiction
       return 0.;
     const Obstacle::Value value = obstacle_->at(p);
     const double slope          = value.gradient.norm();
-    return slope > 0. ? std::max(0., -value.psi / slope - gap_->value(p)) : 0.;
+    return slope > 0. ? std::max(0., -value.psi / slope - std::max(0., gap_->value(p)))
+                      : 0.;
   }
 } // namespace stiction

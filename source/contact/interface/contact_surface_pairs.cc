@@ -247,7 +247,8 @@ namespace stiction
         {
           auto first           = surface_faces(elasticity, {pair.id()});
           auto second          = surface_faces(elasticity, pair.partners());
-          const SlaveSide best = pair.slave_side() == "automatic"
+          const bool is_open   = pair.slave_side() == "automatic";
+          const SlaveSide best = is_open && pair.partners().size() == 1
                                    ? automatic_slave_side(elasticity, first, second)
                                    : choose_slave_side(first, second);
           SlaveSide side       = choose_side(pair, best, bearers);

@@ -4,6 +4,9 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <Eigen/Core>
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,6 +26,9 @@ namespace stiction
     // Of the size of the surface: what is closer is on it but for rounding, or but for
     // the single precision of binary files.
     constexpr double rounding = 1e-10, same_place = 1e-6;
+
+    // A cosine: what lies farther aside is not on the way.
+    constexpr double on_the_way = 0.1;
 
     // The point of a triangle nearest to another point, and the feature it lies
     // on: 0 the triangle, 1...3 the edge that begins at that vertex, 4...6 the
@@ -63,41 +69,53 @@ namespace stiction
       return nearest;
     }
 
-    double determinant(const Tensor<1, 3> &a, const Tensor<1, 3> &b,
-                       const Tensor<1, 3> &c)
+    // Of the directions between some others, Σ_k c_k n_k with c_k ≥ 0, that closest to a
+    // given one: the non-negative least squares of Lawson and Hanson (1974), with three
+    // columns at most. Zero if it is across all of them or farther.
+    Eigen::Vector3d closest_between(const Eigen::Matrix3Xd &n,
+                                    const Eigen::Vector3d &given)
     {
-      return cross_product_3d(a, b) * c;
-    }
-
-    // Of the directions between some others, Σ_k c_k n_k with c_k ≥ 0, the unit vector
-    // that is closest to a given one: that, or between two, or one of them.
-    Tensor<1, 3> most_along(const Tensor<1, 3> &given, const std::vector<Tensor<1, 3>> &n)
-    {
-      Tensor<1, 3> best   = n.front();
-      const auto consider = [&](const Tensor<1, 3> &direction) {
-        if (direction * given > best * given)
-          best = direction;
+      std::vector<Eigen::Index> used;
+      Eigen::VectorXd c;
+      Eigen::Vector3d left = given;
+      const auto columns   = [&]() {
+        Eigen::Matrix3Xd chosen(3, used.size());
+        for (std::size_t i = 0; i < used.size(); ++i)
+          chosen.col(static_cast<Eigen::Index>(i)) = n.col(used[i]);
+        return chosen;
       };
-      for (std::size_t i = 0; i < n.size(); ++i)
-        {
-          consider(n[i]);
-          for (std::size_t j = 0; j < i; ++j)
+      const auto remove_all = [&](const double least) {
+        for (Eigen::Index i = c.size() - 1; i >= 0; --i)
+          if (c(i) <= least)
             {
-              Tensor<1, 3> across = cross_product_3d(n[i], n[j]);
-              across /= across.norm();
-              const Tensor<1, 3> between = given - (given * across) * across;
-              if (determinant(n[i], between, across) >= 0. &&
-                  determinant(between, n[j], across) >= 0. && between.norm() > 0.)
-                consider(between / between.norm());
-              for (std::size_t k = 0; k < j; ++k)
-                if (const double all = determinant(n[i], n[j], n[k]);
-                    determinant(given, n[j], n[k]) * all > 0. &&
-                    determinant(n[i], given, n[k]) * all > 0. &&
-                    determinant(n[i], n[j], given) * all > 0.)
-                  return given;
+              used.erase(used.begin() + i);
+              c.segment(i, c.size() - 1 - i) = c.tail(c.size() - 1 - i).eval();
+              c.conservativeResize(c.size() - 1);
             }
+      };
+      Eigen::Index next = 0;
+      for (Eigen::Index step = 0; step < 3 * n.cols() && used.size() < 3 &&
+                                  (n.transpose() * left).maxCoeff(&next) > rounding;
+           ++step)
+        {
+          used.push_back(next);
+          c.conservativeResize(c.size() + 1);
+          c(c.size() - 1) = 0.;
+          while (!used.empty())
+            {
+              const Eigen::VectorXd best = columns().colPivHouseholderQr().solve(given);
+              double part                = 1.;
+              for (Eigen::Index i = 0; i < c.size(); ++i)
+                if (best(i) <= 0.)
+                  part = std::min(part, c(i) / (c(i) - best(i)));
+              c += part * (best - c);
+              if (part == 1.)
+                break;
+              remove_all(rounding);
+            }
+          left = given - columns() * c;
         }
-      return best;
+      return given - left;
     }
   } // namespace
 
@@ -141,7 +159,8 @@ namespace stiction
       around.extend(distance);
       for (auto box = tree.qbegin(boost::geometry::index::intersects(around));
            box != tree.qend(); ++box)
-        callback(*box);
+        if (boost::geometry::distance(p, box->first) <= distance)
+          callback(*box);
     }
   };
 
@@ -221,7 +240,7 @@ namespace stiction
   {
     Value value        = at(p);
     const double close = same_place * data_->size, distance = std::abs(value.psi);
-    std::vector<Tensor<1, 3>> gradients;
+    std::vector<Eigen::Vector3d> gradients;
     data_->within(distance + close, p, [&](const Data::Box &box) {
       const Point<3> nearest = nearest_on_triangle(data_->corners(box.second), p).point;
       if (nearest.distance(p) > distance + close)
@@ -229,19 +248,23 @@ namespace stiction
       const Tensor<1, 3> gradient =
         distance <= close ? data_->normals[box.second]
                           : (p - nearest) / std::copysign(nearest.distance(p), value.psi);
-      if (std::none_of(
-            gradients.begin(), gradients.end(),
-            [&](const Tensor<1, 3> &other) { return gradient * other > 1. - rounding; }))
-        gradients.push_back(gradient);
+      gradients.emplace_back(gradient[0], gradient[1], gradient[2]);
     });
-    if (gradients.size() < 2)
+    if (std::all_of(gradients.begin(), gradients.end(), [&](const Eigen::Vector3d &g) {
+          return g.dot(gradients.front()) > 1. - rounding;
+        }))
       return value;
-    // along it the nearest side is as far away as it approaches slowly
-    const Tensor<1, 3> along = most_along(-normal, gradients);
-    double approach          = 0.;
-    for (const Tensor<1, 3> &gradient : gradients)
-      approach = std::max(approach, gradient * along);
-    value.gradient = approach * along;
+    Eigen::Matrix3Xd all(3, gradients.size());
+    for (std::size_t k = 0; k < gradients.size(); ++k)
+      all.col(static_cast<Eigen::Index>(k)) = gradients[k];
+    const Eigen::Vector3d along = closest_between(
+      all, -Eigen::Vector3d(normal[0], normal[1], normal[2]).normalized());
+    // the nearest side is as far away along it as it approaches slowly
+    const double approach =
+      along.norm() > 0. ? (all.transpose() * along.normalized()).maxCoeff() : 0.;
+    if (approach > on_the_way)
+      for (unsigned int c = 0; c < 3; ++c)
+        value.gradient[c] = approach * along.normalized()(c);
     return value;
   }
 } // namespace stiction

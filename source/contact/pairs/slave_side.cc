@@ -1,9 +1,8 @@
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/slave_side.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace stiction
@@ -23,7 +22,7 @@ namespace stiction
     // it is when the mesh is refined.
     constexpr double flat = 0.99;
 
-    // Of the length of the sum of two unit normals: more, and surfaces are not opposite.
+    // Of a sine: surfaces that are more inclined to each other touch at an edge.
     constexpr double tilted = 0.05;
 
     bool is_flat(const std::vector<SurfaceFace> &faces)
@@ -31,12 +30,6 @@ namespace stiction
       return std::all_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
         return face.normal() * faces.front().normal() > flat;
       });
-    }
-
-    bool has_node(const SurfaceFace &face, const types::global_dof_index dof)
-    {
-      const auto end = face.dofs.begin() + face.n_nodes();
-      return std::find(face.dofs.begin(), end, dof) != end;
     }
 
     double area(const std::vector<SurfaceFace> &faces)
@@ -132,40 +125,25 @@ namespace stiction
            covered(Mortar(elasticity, outer, inner), outer) < smaller;
   }
 
-  bool stands_on_edge(const LinearElasticity &elasticity,
-                      const std::vector<SurfaceFace> &slave,
+  bool stands_on_edge(const std::vector<SurfaceFace> &slave,
                       const std::vector<SurfaceFace> &master)
   {
-    const Mortar mortar(elasticity, slave, master);
-    if (mortar.slaves.empty())
+    if (!is_flat(slave) || !is_flat(master))
       return false;
-    Eigen::Index closest;
-    mortar.gaps.minCoeff(&closest);
-    Tensor<1, 3> opposite;
-    for (unsigned int c = 0; c < 3; ++c)
-      opposite[c] = mortar.normals(closest, c);
-    if (opposite.norm() == 0.) // it is not at the rim
+    const Tensor<1, 3> n = slave.front().normal(), opposite = master.front().normal();
+    // along it the gap closes
+    Tensor<1, 3> t = (opposite * n) * n - opposite;
+    if (opposite * n > 0. || t.norm() < tilted)
       return false;
-
-    Tensor<1, 3> normal;
-    std::vector<const SurfaceFace *> around;
-    for (const SurfaceFace &face : slave)
-      if (has_node(face, mortar.slaves[closest]))
-        {
-          normal += face.area() * face.normal();
-          around.push_back(&face);
-        }
-    normal /= normal.norm();
-    // facets of a round surface are off by as much as they turn from one to the next
-    double turn = 0.;
-    for (const SurfaceFace &face : slave)
-      if (std::any_of(around.begin(), around.end(), [&](const SurfaceFace *const other) {
-            return std::any_of(other->dofs.begin(),
-                               other->dofs.begin() + other->n_nodes(),
-                               [&](const auto dof) { return has_node(face, dof); });
-          }))
-        turn = std::max(turn, (face.normal() - normal).norm());
-    return (normal + opposite).norm() > std::max(tilted, turn);
+    t /= t.norm();
+    const auto end_of = [&](const std::vector<SurfaceFace> &faces) {
+      double end = std::numeric_limits<double>::lowest();
+      for (const SurfaceFace &face : faces)
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
+          end = std::max(end, t * face.node(i));
+      return end;
+    };
+    return end_of(slave) < end_of(master) - (1. - smaller) * slave.front().surface_size;
   }
 
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
@@ -176,10 +154,8 @@ namespace stiction
     if (side.is_first ? ends_within(elasticity, second, first)
                       : ends_within(elasticity, first, second))
       side = side.other("the side that ends within the other");
-    const auto &slave = side.is_first ? first : second;
-    const auto &other = side.is_first ? second : first;
-    if (!side.is_much_softer() && stands_on_edge(elasticity, slave, other) &&
-        !stands_on_edge(elasticity, other, slave))
+    if (!side.is_much_softer() &&
+        (side.is_first ? stands_on_edge(first, second) : stands_on_edge(second, first)))
       side = side.other("the side that does not stand on an edge");
     return side;
   }

@@ -8,6 +8,9 @@ namespace stiction
 {
   namespace
   {
+    // Of the largest entry of h.
+    constexpr double rounding_of_h = 1e-12;
+
     unsigned long thirds(const DualBlock block)
     {
       switch (block)
@@ -81,14 +84,17 @@ namespace stiction
     const Eigen::VectorXd &h = Q.right_hand_side();
     const Eigen::VectorXd &c = Q.nodal_compliance();
     DecoupledScales result;
+    const double rounding = rounding_of_h * (m > 0 ? h.lpNorm<Eigen::Infinity>() : 0.);
     // nothing has to undo an open gap
-    const Eigen::VectorXd normal = h.head(m).cwiseQuotient(c).cwiseMax(0.);
-    const Eigen::VectorXd bound  = slip_bound.at(normal);
+    const Eigen::VectorXd normal =
+      (h.head(m).array() > rounding).select(h.head(m), 0.).cwiseQuotient(c);
+    const Eigen::VectorXd bound = slip_bound.at(normal);
     for (Eigen::Index i = 0; i < m; ++i)
       {
-        const double friction =
-          std::min(std::hypot(h(i + m), h(i + 2 * m)) / c(i), bound(i));
-        const double size = std::hypot(normal(i), friction);
+        const double slip = std::hypot(h(i + m), h(i + 2 * m)) / c(i);
+        const double size = slip_bound.is_tied(i)
+                              ? std::hypot(h(i) / c(i), slip)
+                              : std::hypot(normal(i), std::min(slip, bound(i)));
         result.force += size;
         result.work += size * size * c(i);
       }

@@ -10,10 +10,11 @@ namespace stiction
   struct NodeStatus;
   struct State;
 
-  /// The bodies, by their places in Body::pieces(), that friction holds at its limit: of a
-  /// body that contact alone holds no pressed node sticks, and they slip because it moves
-  /// as a whole, along all that it touches. Then forces balance, but how far it goes is
-  /// not determined. Collective.
+  /// The bodies, by their places in Body::pieces(), that friction holds at its limit: of
+  /// a body that contact alone holds no pressed node sticks, and they slip because it
+  /// moves as a whole, along all that it touches. Then forces balance, but how far it
+  /// goes is not determined. What moves, or belongs to several bodies at once, is taken
+  /// to hold. Collective.
   std::set<unsigned int> bodies_at_friction_limit(
     const LinearElasticity &elasticity, const ContactSurface &surface, const State &state,
     const std::vector<NodeStatus> &statuses);

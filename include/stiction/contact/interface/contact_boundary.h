@@ -121,8 +121,8 @@ namespace stiction
 
     const FrictionData &friction() const { return *friction_; }
 
-    /// How far a place is inside the obstacle along ∇ψ, 'Initial gap' apart, m; 0 outside
-    /// and for the foundation.
+    /// How far a place is inside the obstacle along ∇ψ, which 'Initial gap' makes
+    /// smaller, m; 0 outside and for the foundation.
     double penetration(const dealii::Point<3> &p) const;
 
   private:

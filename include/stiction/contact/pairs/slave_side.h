@@ -57,10 +57,10 @@ namespace stiction
                    const std::vector<SurfaceFace> &inner,
                    const std::vector<SurfaceFace> &outer);
 
-  /// Whether the point of the slave that is closest to the master is on an edge of it
-  /// that the master's normal does not agree with: of a punch that is tilted. Collective.
-  bool stands_on_edge(const LinearElasticity &elasticity,
-                      const std::vector<SurfaceFace> &slave,
+  /// Whether both are flat, inclined to each other by three degrees or more, and the
+  /// slave ends before the master does where the gap closes: the face of a punch that is
+  /// tilted.
+  bool stands_on_edge(const std::vector<SurfaceFace> &slave,
                       const std::vector<SurfaceFace> &master);
 
   /// The same but for a surface that ends within the other one: forces act at nodes of

@@ -7,6 +7,9 @@
 
 #include <Eigen/Core>
 
+#include <set>
+#include <string>
+
 namespace stiction
 {
   class AugmentedOperator;

@@ -145,7 +145,7 @@ namespace stiction
         types::boundary_id &id = ids.emplace(key, quad.boundary_id).first->second;
         if (id == quad.boundary_id || in_use.count(quad.boundary_id) == 0)
           continue;
-        if (in_use.count(id) > 0)
+        if (in_use.count(id) > 0 && face->second == no_cell)
           throw InputError(location_ + ", has a face of " +
                            describe_cell(mesh_, face->first) + " on the boundaries " +
                            mesh_.name_of_boundary(id) + " and " +

@@ -93,12 +93,13 @@ namespace stiction
       faces.require_manifold();
       faces.require_unfolded();
       std::set<types::boundary_id> ids;
-      for (const CellData<2> &quad : mesh.faces.boundary_quads)
-        if (in_use.count(std::to_string(quad.boundary_id)) > 0)
-          ids.insert(quad.boundary_id);
-      for (const auto &[name, id] : mesh.boundary_names)
-        if (in_use.count(name) > 0)
-          ids.insert(id);
+      for (const std::string &name : in_use)
+        if (const auto named = mesh.boundary_names.find(name);
+            named != mesh.boundary_names.end())
+          ids.insert(named->second);
+        else if (!name.empty() && name.size() <= 9 &&
+                 name.find_first_not_of("0123456789") == std::string::npos)
+          ids.insert(static_cast<types::boundary_id>(std::stoul(name)));
       for (std::string &what :
            faces.require_boundaries_fit(mesh.faces.boundary_quads, ids))
         mesh.left_out.push_back(std::move(what));
