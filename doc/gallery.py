@@ -55,6 +55,8 @@ PICTURES = {
     "and pulled to the right.",
     "several_bodies/brick_on_elastic_foundation": "The reference brick on a slab of the "
     "same steel, which gives way under it.",
+    "crack": "A slice of a plate with a crack, compressed and sheared: its lips stay closed "
+    "and rub, by as much as in an infinite plate but for 3 %.",
     "seal": "A rubber seal squeezed into a groove, half of its length: it fills the groove "
     "and presses against its walls, and comes out at its free end.",
     "two_contact_boundaries": "A bar between a foundation and a plane, "
