@@ -37,7 +37,8 @@ def merge(points, bodies=None, moved=None):
         bodies = bodies.astype(np.int64)
         keys = keys * (bodies.max() + 1) + bodies
     _, first, number = np.unique(keys, return_index=True, return_inverse=True)
-    if moved is not None:
+    apart = moved is not None
+    while np.any(apart):  # more than once where several lips meet
         away = np.linalg.norm(moved - moved[first[number]], axis=1)
         apart = away > SAME_MOTION * np.linalg.norm(moved, axis=1).max()
         _, first, number = np.unique(2 * number + apart, return_index=True,

@@ -54,6 +54,12 @@ class Surface(unittest.TestCase):
             lips = meshes.outer_faces(cells, n_points, number[cut & below][None])
             self.assertEqual(len(lips), 12)
 
+    def test_three_lips_at_one_place(self):
+        moved = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 0, 0]])
+        first, number = meshes.merge(np.ones((4, 3)), moved=moved)
+        self.assertEqual(len(first), 3)
+        self.assertEqual(number[1], number[3])
+
     def test_outline_of_a_cube_is_its_edges(self):
         points, faces = mesh_of(hexahedra((2, 2, 2)))
         edges = meshes.outline(points, faces, np.array([1, -1, 1]))
