@@ -42,6 +42,7 @@ LAYERS = (  # from the ground up
     "simulation/parameters",
     "simulation/checkpoint",
     "simulation/solvers",
+    "simulation/warnings",
     "simulation",
     "",  # main.cc
 )

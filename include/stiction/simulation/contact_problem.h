@@ -8,7 +8,7 @@
 #include <stiction/output/history/step_result.h>
 #include <stiction/simulation/checkpoint/mesh_history.h>
 #include <stiction/simulation/discretization.h>
-#include <stiction/simulation/warning.h>
+#include <stiction/simulation/warnings/warning.h>
 
 #include <deal.II/base/timer.h>
 

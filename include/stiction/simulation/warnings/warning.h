@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
@@ -11,4 +12,6 @@ namespace stiction
     double size;       ///< of several steps the worst one has the largest
     std::string text;  ///< a sentence
   };
+
+  using Warnings = std::vector<Warning>;
 } // namespace stiction

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stiction/simulation/warnings/warning.h>
+
+namespace stiction
+{
+  class Body;
+  class Certificate;
+  class ContactBoundary;
+  class ContactSurface;
+  struct PairFigures;
+  struct Units;
+
+  /// Adds what the certificate does not tell of a pair that is not tied: overlaps, forces
+  /// beyond edges, ways, gaps, tilt and facets.
+  void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
+                            const PairFigures &figures, const Body &body,
+                            const Certificate &certificate, const Units &units,
+                            Warnings &warnings);
+} // namespace stiction

@@ -1,0 +1,172 @@
+#include <stiction/base/log.h>
+#include <stiction/base/units.h>
+#include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/pair_figures.h>
+#include <stiction/contact/interface/contact_boundary.h>
+#include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/simulation/warnings/pair_warnings.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace stiction
+{
+  namespace
+  {
+    // Of the force of a pair: less is what the edge of a punch bears on coarse meshes.
+    constexpr double much_beyond_edge = 1. / 3.;
+
+    // Of the pressure where something lies opposite: edges of punches make two or three
+    // times that, by the mesh.
+    constexpr double high_beyond_edge = 5.;
+
+    // Of the moments of all forces of a pair.
+    constexpr double much_across_gap = 0.02;
+
+    // Of the normal force of a pair: three degrees.
+    constexpr double much_tilt = 0.05;
+
+    // Of the strain energy of the bodies of a pair.
+    constexpr double much_from_facets = 0.02;
+
+    // Of what bodies are thick.
+    constexpr double much_overlap = 0.15;
+
+    // What lies inside of the other body before anything gives way, 'Initial gap' apart.
+    void add_overlap(const ContactBoundary &pair, const ContactSurface &surface,
+                     const Body &body, const Units &units, Warnings &warnings)
+    {
+      double depth = 0., thickness = std::numeric_limits<double>::max();
+      for (const ContactNode &node : surface.nodes())
+        if (surface.boundaries()[node.boundary].id() == pair.id() &&
+            pair.keeps_mesh_gap())
+          depth = std::max(depth, -node.mesh_gap);
+      std::set<unsigned int> pieces = body.pieces_at(pair.id());
+      for (const auto partner : pair.partners())
+        pieces.merge(body.pieces_at(partner));
+      for (const unsigned int piece : pieces)
+        for (unsigned int c = 0; c < 3; ++c)
+          thickness = std::min(thickness, body.pieces()[piece].box.side_length(c));
+      if (depth > much_overlap * thickness)
+        warnings.push_back(
+          {"overlap of " + pair.name(), depth,
+           "nodes of '" + pair.name() + "' begin up to " +
+             with_unit(format("%.2g", depth), units.length) + " inside '" +
+             pair.partner_name() +
+             format("', %.0f %% of what a body is thick, and are pushed out; place them "
+                    "side by side if that is not meant.",
+                    100. * depth / thickness)});
+    }
+
+    void add_edge(const ContactBoundary &pair, const PairFigures &figures,
+                  Warnings &warnings)
+    {
+      const char *const name  = pair.name().c_str();
+      const char *const other = pair.partner_name().c_str();
+      const std::string remedy =
+        (pair.partners().size() == 1
+           ? "let the other side bear the forces ('Slave side'), or make"
+           : "make") +
+        std::string(" cells finer there.");
+      if (figures.share_beyond_edge > much_beyond_edge)
+        warnings.push_back(
+          {"edge of " + pair.name(), figures.share_beyond_edge,
+           format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
+                  "beyond the edge of what lies opposite, by up to a cell: a body tips "
+                  "late, and pressures at such an edge are too large; ",
+                  100. * figures.share_beyond_edge, name, other, name) +
+             remedy});
+      else if (figures.peak_beyond_edge > high_beyond_edge)
+        warnings.push_back(
+          {"edge of " + pair.name(), figures.share_beyond_edge,
+           format(
+             "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
+             "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
+             "trusted; %.0f %% of the force acts there; ",
+             name, other, figures.peak_beyond_edge, name,
+             100. * figures.share_beyond_edge) +
+             remedy});
+    }
+
+    void add_slide(const ContactBoundary &pair, const PairFigures &figures,
+                   const Units &units, Warnings &warnings)
+    {
+      if (figures.way > figures.spacing)
+        warnings.push_back({"slide of " + pair.name(), figures.way,
+                            "nodes of '" + pair.name() + "' are " +
+                              with_unit(format("%.2g", figures.way), units.length) +
+                              " from where they were on '" + pair.partner_name() + "', " +
+                              format("%.1f", figures.way / figures.spacing) +
+                              " times the distance of nodes: gaps, normals and what lies "
+                              "opposite remain those "
+                              "of the undeformed bodies."});
+    }
+
+    void add_gap(const ContactBoundary &pair, const PairFigures &figures,
+                 const Units &units, Warnings &warnings)
+    {
+      if (figures.moment_across_gap > much_across_gap)
+        warnings.push_back(
+          {"gap of " + pair.name(), figures.moment_across_gap,
+           "friction between '" + pair.name() + "' and '" + pair.partner_name() +
+             "' acts across the " + with_unit(format("%.2g", figures.gap), units.length) +
+             format(" between their meshes: that has a moment, %.2g %% of that of all "
+                    "contact forces about its axis, which bodies that touch do not have; "
+                    "make them where they touch.",
+                    100. * figures.moment_across_gap)});
+    }
+
+    void add_tilt(const ContactBoundary &pair, const PairFigures &figures,
+                  Warnings &warnings)
+    {
+      if (!pair.is_tied() && figures.tilt > much_tilt)
+        warnings.push_back(
+          {"normals of " + pair.name(), figures.tilt,
+           format("pressures between '%s' and '%s' act along the normals of the first, "
+                  "%.0f %% of their force across those of the second, which is too much "
+                  "or too little along it: one of them stands on an edge; ",
+                  pair.name().c_str(), pair.partner_name().c_str(), 100. * figures.tilt) +
+             (pair.partners().size() == 1
+                ? "let the side that is flat there bear the forces ('Slave side')."
+                : "round it off, or make the flat one the one boundary.")});
+    }
+
+    void add_facets(const ContactBoundary &pair, const PairFigures &figures,
+                    const Body &body, const Certificate &certificate, Warnings &warnings)
+    {
+      std::set<unsigned int> pieces = body.pieces_at(pair.id());
+      for (const auto partner : pair.partners())
+        pieces.merge(body.pieces_at(partner));
+      double energy = 0.;
+      for (const unsigned int piece : pieces)
+        energy += certificate.strain_energy(piece);
+      const double share = figures.climbed / energy;
+      if (share > much_from_facets)
+        warnings.push_back(
+          {"facets of " + pair.name(), share,
+           "'" + pair.name() + "' slid on '" + pair.partner_name() +
+             format(
+               "' until facets wedged, which have %.2g %% of the strain energy: were "
+               "the surface as round as it is but for them, friction might not hold the "
+               "loads; see whether less is held on a finer mesh, or on one that follows "
+               "the surface (second order, 'Geometry/Element degree = 2').",
+               100. * share)});
+    }
+  } // namespace
+
+  void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
+                            const PairFigures &figures, const Body &body,
+                            const Certificate &certificate, const Units &units,
+                            Warnings &warnings)
+  {
+    add_overlap(pair, surface, body, units, warnings);
+    add_edge(pair, figures, warnings);
+    add_slide(pair, figures, units, warnings);
+    add_gap(pair, figures, units, warnings);
+    add_tilt(pair, figures, warnings);
+    add_facets(pair, figures, body, certificate, warnings);
+  }
+} // namespace stiction
