@@ -33,14 +33,14 @@ namespace stiction
     public:
       ContactOutput(const Body &body, const LA::Vector &u, const ContactSurface &surface,
                     const Certificate &certificate,
-                    const std::vector<NodeStatus> &statuses, Eigen::VectorXd slip_path,
-                    const Units &units)
+                    const std::vector<NodeStatus> &statuses,
+                    const Eigen::VectorXd &slip_path, Units units)
         : FieldOutput<2>(body)
         , surface_(surface)
         , certificate_(certificate)
         , statuses_(statuses)
-        , slip_path_(std::move(slip_path))
-        , units_(units)
+        , slip_path_(slip_path)
+        , units_(std::move(units))
       {
         const FiniteElement<3> &fe = body_.dof_handler().get_fe();
         // points of a patch are in the order of a table, unknowns first those
