@@ -1,7 +1,7 @@
 #include <stiction/qp/operators/nodal_blocks.h>
+#include <stiction/qp/sets/nonnegative_amounts.h>
 #include <stiction/qp/unbalanced_load.h>
 
-#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <cmath>
@@ -39,45 +39,17 @@ namespace stiction::qp
     // Σ amount × work is as near to b as amounts ≥ 0 can bring it; those of no use go.
     void find_amounts(std::vector<Candidate> &candidates, const Eigen::VectorXd &b)
     {
-      // the amounts of these alone, whatever their signs
-      std::vector<bool> is_used(candidates.size());
-      for (std::size_t k = 0; k < candidates.size(); ++k)
-        is_used[k] = candidates[k].amount > 0.;
-      is_used.back() = true; // the new one, which gains
-      while (true)
+      const auto n = static_cast<Eigen::Index>(candidates.size());
+      Eigen::MatrixXd A(b.size(), n);
+      Eigen::VectorXd amounts(n);
+      for (Eigen::Index k = 0; k < n; ++k)
         {
-          std::vector<std::size_t> used;
-          for (std::size_t k = 0; k < candidates.size(); ++k)
-            if (is_used[k])
-              used.push_back(k);
-          Eigen::MatrixXd A(b.size(), static_cast<Eigen::Index>(used.size()));
-          for (std::size_t j = 0; j < used.size(); ++j)
-            A.col(static_cast<Eigen::Index>(j)) = candidates[used[j]].work;
-          const Eigen::VectorXd wanted = A.completeOrthogonalDecomposition().solve(b);
-
-          // as far towards them as all stay positive
-          double part      = 1.;
-          std::size_t last = candidates.size();
-          for (std::size_t j = 0; j < used.size(); ++j)
-            {
-              const double now = candidates[used[j]].amount;
-              const double z   = wanted(static_cast<Eigen::Index>(j));
-              if (z < 0. && now / (now - z) < part)
-                {
-                  part = now / (now - z);
-                  last = used[j];
-                }
-            }
-          for (std::size_t j = 0; j < used.size(); ++j)
-            {
-              double &amount = candidates[used[j]].amount;
-              amount += part * (wanted(static_cast<Eigen::Index>(j)) - amount);
-            }
-          if (last == candidates.size())
-            break;
-          candidates[last].amount = 0.;
-          is_used[last]           = false;
+          A.col(k)   = candidates[k].work;
+          amounts(k) = candidates[k].amount;
         }
+      qp::find_amounts(A, b, amounts);
+      for (Eigen::Index k = 0; k < n; ++k)
+        candidates[k].amount = amounts(k);
       std::vector<Candidate> kept;
       for (Candidate &candidate : candidates)
         if (candidate.amount > 0.)

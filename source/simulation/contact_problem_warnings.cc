@@ -236,16 +236,17 @@ namespace stiction
                                warnings);
         }
     add_deformation(largest_deformation(*body_, state_.u), warnings);
-    for (const unsigned int piece :
-         bodies_at_friction_limit(elasticity(), surface, state_, node_statuses()))
+    const auto motions =
+      elasticity().free_motions().motions(elasticity().free_motion_of(state_.u));
+    for (const unsigned int piece : bodies_at_friction_limit(
+           elasticity(), surface, motions, state_, node_statuses()))
       warnings.push_back(
         {"limit of " + body_->pieces()[piece].name, largest,
          "friction bears all that it can at body '" + body_->pieces()[piece].name +
            "', which slides as a whole: forces balance, but how far it slides, and what "
            "friction dissipates by that, is not determined."});
-    double turn                    = 0.;
-    const Eigen::VectorXd way_free = elasticity().free_motion_of(state_.u);
-    for (const RigidMotion &motion : elasticity().free_motions().motions(way_free))
+    double turn = 0.;
+    for (const RigidMotion &motion : motions)
       turn = std::max(turn, motion.rotation.norm());
     add_turn(turn, surface.largest_coefficient(), warnings);
     return warnings;

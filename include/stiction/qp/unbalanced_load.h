@@ -28,8 +28,7 @@ namespace stiction::qp
 
   /// The contact forces with λ_ν ≥ 0 and ‖λ_t‖ ≤ g(λ_ν) that balance the load best. They
   /// are sums of few forces on the cones of single nodes, added one by one where they
-  /// gain most, with the best amounts each time (non-negative least squares: C. L. Lawson
-  /// and R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23); given friction
+  /// gain most, with the best amounts each time (see find_amounts()); given friction
   /// enters as one force of all nodes at a time.
   ///
   /// A load that is left by less than 1e-8 of e is balanced.

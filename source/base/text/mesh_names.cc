@@ -6,6 +6,15 @@
 
 namespace stiction
 {
+  namespace
+  {
+    bool is_number(const std::string &name)
+    {
+      return !name.empty() && name.size() <= 9 &&
+             name.find_first_not_of("0123456789") == std::string::npos;
+    }
+  } // namespace
+
   MeshNames::MeshNames(std::string kind, std::set<Id> ids,
                        const std::map<std::string, Id> &names, std::string how_to_name)
     : kind_(std::move(kind))
@@ -23,15 +32,20 @@ namespace stiction
       {{"left", 0}, {"right", 1}, {"front", 2}, {"back", 3}, {"bottom", 4}, {"top", 5}});
   }
 
-  MeshNames::Id MeshNames::id(const std::string &name, const std::string &location) const
+  std::optional<MeshNames::Id> MeshNames::find(const std::string &name) const
   {
     const auto named = names_.find(name);
     if (named != names_.end())
       return named->second;
-    const bool is_number = !name.empty() && name.size() <= 9 &&
-                           name.find_first_not_of("0123456789") == std::string::npos;
-    if (is_number && ids_.count(static_cast<Id>(std::stoul(name))) != 0)
+    if (is_number(name) && ids_.count(static_cast<Id>(std::stoul(name))) != 0)
       return static_cast<Id>(std::stoul(name));
+    return {};
+  }
+
+  MeshNames::Id MeshNames::id(const std::string &name, const std::string &location) const
+  {
+    if (const auto found = find(name))
+      return *found;
 
     std::string known;
     for (const Id other : ids_)
@@ -48,8 +62,9 @@ namespace stiction
                        known + ".");
     throw InputError(
       location + ": the mesh has no " + kind_ + " " +
-      (is_number ? name : "'" + name + "'") + did_you_mean(name, names) + ", it has " +
-      known + (names_.empty() && !how_to_name_.empty() ? ": " + how_to_name_ : "") + ".");
+      (is_number(name) ? name : "'" + name + "'") + did_you_mean(name, names) +
+      ", it has " + known +
+      (names_.empty() && !how_to_name_.empty() ? ": " + how_to_name_ : "") + ".");
   }
 
   std::string MeshNames::describe(const Id id) const

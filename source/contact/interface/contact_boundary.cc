@@ -267,6 +267,14 @@ namespace stiction
     return std::count(partners_.begin(), partners_.end(), id) > 0;
   }
 
+  std::set<unsigned int> ContactBoundary::pieces(const Body &body) const
+  {
+    std::set<unsigned int> all = body.pieces_at(id_);
+    for (const auto partner : partners_)
+      all.merge(body.pieces_at(partner));
+    return all;
+  }
+
   bool ContactBoundary::is_tied() const { return friction_->law() == FrictionLaw::tied; }
 
   void ContactBoundary::take_side(const bool is_slave, const std::string &reason)

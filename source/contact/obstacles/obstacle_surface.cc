@@ -1,11 +1,11 @@
 #include <stiction/contact/obstacles/obstacle_surface.h>
 #include <stiction/contact/obstacles/stl_file.h>
+#include <stiction/qp/sets/nonnegative_amounts.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,9 @@ namespace stiction
     // Of the size of the surface: what is closer is on it but for rounding, or but for
     // the single precision of binary files.
     constexpr double rounding = 1e-10, same_place = 1e-6;
+
+    // Directions are chosen one by one, three of which are enough.
+    constexpr Eigen::Index most_steps = 30;
 
     // A cosine: what lies farther aside is not on the way.
     constexpr double on_the_way = 0.1;
@@ -70,50 +73,23 @@ namespace stiction
     }
 
     // Of the directions between some others, Σ_k c_k n_k with c_k ≥ 0, that closest to a
-    // given one: the non-negative least squares of Lawson and Hanson (1974), with three
-    // columns at most. Zero if it is across all of them or farther.
+    // given one. Zero if it is across all of them or farther.
     Eigen::Vector3d closest_between(const Eigen::Matrix3Xd &n,
                                     const Eigen::Vector3d &given)
     {
-      std::vector<Eigen::Index> used;
-      Eigen::VectorXd c;
+      Eigen::MatrixXd used(3, 0);
+      Eigen::VectorXd amounts(0);
       Eigen::Vector3d left = given;
-      const auto columns   = [&]() {
-        Eigen::Matrix3Xd chosen(3, used.size());
-        for (std::size_t i = 0; i < used.size(); ++i)
-          chosen.col(static_cast<Eigen::Index>(i)) = n.col(used[i]);
-        return chosen;
-      };
-      const auto remove_all = [&](const double least) {
-        for (Eigen::Index i = c.size() - 1; i >= 0; --i)
-          if (c(i) <= least)
-            {
-              used.erase(used.begin() + i);
-              c.segment(i, c.size() - 1 - i) = c.tail(c.size() - 1 - i).eval();
-              c.conservativeResize(c.size() - 1);
-            }
-      };
-      Eigen::Index next = 0;
-      for (Eigen::Index step = 0; step < 3 * n.cols() && used.size() < 3 &&
-                                  (n.transpose() * left).maxCoeff(&next) > rounding;
-           ++step)
+      Eigen::Index next    = 0;
+      while (used.cols() < most_steps && (amounts.array() > 0.).count() < 3 &&
+             (n.transpose() * left).maxCoeff(&next) > rounding)
         {
-          used.push_back(next);
-          c.conservativeResize(c.size() + 1);
-          c(c.size() - 1) = 0.;
-          while (!used.empty())
-            {
-              const Eigen::VectorXd best = columns().colPivHouseholderQr().solve(given);
-              double part                = 1.;
-              for (Eigen::Index i = 0; i < c.size(); ++i)
-                if (best(i) <= 0.)
-                  part = std::min(part, c(i) / (c(i) - best(i)));
-              c += part * (best - c);
-              if (part == 1.)
-                break;
-              remove_all(rounding);
-            }
-          left = given - columns() * c;
+          used.conservativeResize(Eigen::NoChange, used.cols() + 1);
+          used.rightCols<1>() = n.col(next);
+          amounts.conservativeResize(used.cols());
+          amounts.tail<1>().setZero();
+          qp::find_amounts(used, given, amounts);
+          left = given - used * amounts;
         }
       return given - left;
     }

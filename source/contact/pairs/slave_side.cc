@@ -40,6 +40,29 @@ namespace stiction
       return sum;
     }
 
+    // Whether both are flat, inclined to each other, and the slave ends before the master
+    // does where the gap closes: the face of a punch that is tilted.
+    bool stands_on_edge(const std::vector<SurfaceFace> &slave,
+                        const std::vector<SurfaceFace> &master)
+    {
+      if (!is_flat(slave) || !is_flat(master))
+        return false;
+      const Tensor<1, 3> n = slave.front().normal(), opposite = master.front().normal();
+      // along it the gap closes
+      Tensor<1, 3> t = (opposite * n) * n - opposite;
+      if (opposite * n > 0. || t.norm() < tilted)
+        return false;
+      t /= t.norm();
+      const auto end_of = [&](const std::vector<SurfaceFace> &faces) {
+        double end = std::numeric_limits<double>::lowest();
+        for (const SurfaceFace &face : faces)
+          for (unsigned int i = 0; i < face.n_nodes(); ++i)
+            end = std::max(end, t * face.node(i));
+        return end;
+      };
+      return end_of(slave) < end_of(master) - (1. - smaller) * slave.front().surface_size;
+    }
+
     // Of the size of cells before they were refined, so that a side stays the slave when
     // a mesh is refined in the middle of a history.
     struct Means
@@ -123,27 +146,6 @@ namespace stiction
     return covered(mortar, inner) > all_of_facets &&
            mortar.largest_gap() < mean_diameter(inner) &&
            covered(Mortar(elasticity, outer, inner), outer) < smaller;
-  }
-
-  bool stands_on_edge(const std::vector<SurfaceFace> &slave,
-                      const std::vector<SurfaceFace> &master)
-  {
-    if (!is_flat(slave) || !is_flat(master))
-      return false;
-    const Tensor<1, 3> n = slave.front().normal(), opposite = master.front().normal();
-    // along it the gap closes
-    Tensor<1, 3> t = (opposite * n) * n - opposite;
-    if (opposite * n > 0. || t.norm() < tilted)
-      return false;
-    t /= t.norm();
-    const auto end_of = [&](const std::vector<SurfaceFace> &faces) {
-      double end = std::numeric_limits<double>::lowest();
-      for (const SurfaceFace &face : faces)
-        for (unsigned int i = 0; i < face.n_nodes(); ++i)
-          end = std::max(end, t * face.node(i));
-      return end;
-    };
-    return end_of(slave) < end_of(master) - (1. - smaller) * slave.front().surface_size;
   }
 
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,

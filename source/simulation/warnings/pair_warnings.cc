@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <string>
 
 namespace stiction
@@ -44,10 +43,7 @@ namespace stiction
         if (surface.boundaries()[node.boundary].id() == pair.id() &&
             pair.keeps_mesh_gap())
           depth = std::max(depth, -node.mesh_gap);
-      std::set<unsigned int> pieces = body.pieces_at(pair.id());
-      for (const auto partner : pair.partners())
-        pieces.merge(body.pieces_at(partner));
-      for (const unsigned int piece : pieces)
+      for (const unsigned int piece : pair.pieces(body))
         for (unsigned int c = 0; c < 3; ++c)
           thickness = std::min(thickness, body.pieces()[piece].box.side_length(c));
       if (depth > much_overlap * thickness)
@@ -137,11 +133,8 @@ namespace stiction
     void add_facets(const ContactBoundary &pair, const PairFigures &figures,
                     const Body &body, const Certificate &certificate, Warnings &warnings)
     {
-      std::set<unsigned int> pieces = body.pieces_at(pair.id());
-      for (const auto partner : pair.partners())
-        pieces.merge(body.pieces_at(partner));
       double energy = 0.;
-      for (const unsigned int piece : pieces)
+      for (const unsigned int piece : pair.pieces(body))
         energy += certificate.strain_energy(piece);
       const double share = figures.climbed / energy;
       if (share > much_from_facets)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -38,6 +39,9 @@ namespace stiction
     ///   ParameterFile::locate(). Throws InputError if the mesh has no such
     ///   part.
     Id id(const std::string &name, const std::string &location) const;
+
+    /// The same, nothing if there is no such part.
+    std::optional<Id> find(const std::string &name) const;
 
     /// "4 (bottom)", or the number alone.
     std::string describe(Id id) const;

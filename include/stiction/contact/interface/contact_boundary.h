@@ -5,6 +5,7 @@
 #include <deal.II/base/types.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ namespace stiction
     const std::string &partner_name() const { return partner_name_; }
 
     bool has_partner(dealii::types::boundary_id id) const;
+
+    /// The places in Body::pieces() of the bodies that have it or one of the partners.
+    std::set<unsigned int> pieces(const Body &body) const;
 
     /// "automatic", "boundary" or "obstacle".
     const std::string &slave_side() const { return slave_side_; }

@@ -57,16 +57,10 @@ namespace stiction
                    const std::vector<SurfaceFace> &inner,
                    const std::vector<SurfaceFace> &outer);
 
-  /// Whether both are flat, inclined to each other by three degrees or more, and the
-  /// slave ends before the master does where the gap closes: the face of a punch that is
-  /// tilted.
-  bool stands_on_edge(const std::vector<SurfaceFace> &slave,
-                      const std::vector<SurfaceFace> &master);
-
-  /// The same but for a surface that ends within the other one: forces act at nodes of
-  /// the slave side, so that contact ends where it should if that is the side with the
-  /// edge. They act along its normals, though, so that it is not one that stands on an
-  /// edge on the other, unless it is much softer. Collective.
+  /// As choose_slave_side() but for a surface that ends within the other one: forces act
+  /// at nodes of the slave side, so that contact ends where it should if that is the side
+  /// with the edge. They act along its normals, though, so that it is not one that stands
+  /// on an edge on the other, unless it is much softer. Collective.
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,
                                  const std::vector<SurfaceFace> &second);

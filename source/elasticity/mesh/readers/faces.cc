@@ -156,18 +156,24 @@ namespace stiction
 
     using Pair = std::pair<types::boundary_id, types::boundary_id>;
     std::map<Pair, std::set<Key>> on_another;
-    std::map<types::boundary_id, std::set<Key>> inside, outside;
+    std::map<types::boundary_id, std::set<Key>> inside;
+    std::set<types::boundary_id> outside;
     std::map<Key, CellData<2>> once;
     for (CellData<2> &quad : boundary)
       {
-        const Key key         = sorted(quad.vertices);
-        const auto own        = std::exchange(quad.boundary_id, ids.at(key));
-        const bool is_outside = find(key)->second == no_cell;
-        (is_outside ? outside : inside)[own].insert(key);
-        if (!is_outside)
-          quad.boundary_id = numbers::internal_face_boundary_id;
-        else if (quad.boundary_id != own)
-          on_another[{own, quad.boundary_id}].insert(key);
+        const Key key  = sorted(quad.vertices);
+        const auto own = std::exchange(quad.boundary_id, ids.at(key));
+        if (find(key)->second != no_cell)
+          {
+            inside[own].insert(key);
+            quad.boundary_id = numbers::internal_face_boundary_id;
+          }
+        else
+          {
+            outside.insert(own);
+            if (quad.boundary_id != own)
+              on_another[{own, quad.boundary_id}].insert(key);
+          }
         once.emplace(key, quad);
       }
     boundary.clear();

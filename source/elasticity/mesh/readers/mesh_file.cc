@@ -2,6 +2,7 @@
 #include "mesh_builder.h"
 
 #include <stiction/base/errors.h>
+#include <stiction/base/text/mesh_names.h>
 #include <stiction/elasticity/mesh/readers/cut_into_hexahedra.h>
 #include <stiction/elasticity/mesh/readers/mesh_file.h>
 
@@ -92,14 +93,13 @@ namespace stiction
       faces.require_conforming();
       faces.require_manifold();
       faces.require_unfolded();
-      std::set<types::boundary_id> ids;
+      std::set<types::boundary_id> all, ids;
+      for (const CellData<2> &quad : mesh.faces.boundary_quads)
+        all.insert(quad.boundary_id);
+      const MeshNames names("boundary", all, mesh.boundary_names);
       for (const std::string &name : in_use)
-        if (const auto named = mesh.boundary_names.find(name);
-            named != mesh.boundary_names.end())
-          ids.insert(named->second);
-        else if (!name.empty() && name.size() <= 9 &&
-                 name.find_first_not_of("0123456789") == std::string::npos)
-          ids.insert(static_cast<types::boundary_id>(std::stoul(name)));
+        if (const auto id = names.find(name))
+          ids.insert(*id);
       for (std::string &what :
            faces.require_boundaries_fit(mesh.faces.boundary_quads, ids))
         mesh.left_out.push_back(std::move(what));
