@@ -21,6 +21,13 @@ namespace stiction
 {
   using namespace dealii;
 
+  namespace
+  {
+    // Of the sum of what single loads do: what is left of less is rounding, and a
+    // certificate does not see it.
+    constexpr double rounding_of_balance = 1e-10;
+  } // namespace
+
   LinearElasticity::LinearElasticity(const Body &body, const BodyParameters &parameters)
     : body_(body)
     , parameters_(parameters)
@@ -110,6 +117,20 @@ namespace stiction
           Eigen::Vector3d(force(node.dofs[0]), force(node.dofs[1]), force(node.dofs[2]));
     sum_over_ranks(work, body_.communicator());
     return work;
+  }
+
+  Eigen::VectorXd LinearElasticity::work_of_loads_along_free_motions() const
+  {
+    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(free_motions_->n());
+    for (const Body::Node &node : body_.locally_owned_nodes())
+      if (sizes.size() > 0 && !is_hanging(node.dofs[0]))
+        for (unsigned int c = 0; c < 3; ++c)
+          sizes +=
+            free_motions_->at(node.position, node.piece).row(c).transpose().cwiseAbs() *
+            std::abs(load_(node.dofs[c]));
+    sum_over_ranks(sizes, body_.communicator());
+    const Eigen::VectorXd work = work_along_free_motions(load_);
+    return (work.array().abs() > rounding_of_balance * sizes.array()).select(work, 0.);
   }
 
   void LinearElasticity::add_free_motion(const Eigen::VectorXd &amounts,

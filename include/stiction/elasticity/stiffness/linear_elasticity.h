@@ -95,6 +95,10 @@ namespace stiction
     /// Zᵀ f of free motions Z and nodal forces f, N. Collective.
     Eigen::VectorXd work_along_free_motions(const LA::Vector &force) const;
 
+    /// That of the loads, 0 where it is what rounding leaves of loads that balance one
+    /// another. Collective.
+    Eigen::VectorXd work_of_loads_along_free_motions() const;
+
     /// u += Σ α_j Z_j with free motions Z.
     void add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const;
 
