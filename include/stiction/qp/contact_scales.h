@@ -55,7 +55,8 @@ namespace stiction
   /// gaps.
   ///
   /// A nodal force is worth A_i p0 with p0 = S/|Γc|. A displacement is worth
-  /// u0 = uᵀKu/S, how far the forces S move the body, wherever its cells behind
+  /// u0 = uᵀKu/S, how far the forces S move the body, though no less than 1e-8 of
+  /// p0 √|Γc|/E (see below), wherever its cells behind
   /// the contact boundary are as soft as any. Where they are stiffer it is
   /// worth less: a soft part far from the contact face may move by any distance
   /// and says nothing of the gaps that matter to the contact forces. At node i
