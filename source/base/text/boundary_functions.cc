@@ -185,6 +185,13 @@ namespace stiction
     return depends ? text_of(", t = ", get_time()) : "";
   }
 
+  void ParsedFunction::require_no_time() const
+  {
+    if (!time_in_words().empty())
+      throw InputError(location_ + " = " + expression_ +
+                       ", must not depend on t: it holds for all times.");
+  }
+
   double ParsedFunction::value(const dealii::Point<3> &p,
                                const unsigned int component) const
   {

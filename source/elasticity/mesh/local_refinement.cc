@@ -25,6 +25,7 @@ namespace stiction
                                     source.locate(where));
     if (geometry.contact_refinement == 0)
       return;
+    is_refined.require_no_time();
     std::set<dealii::types::boundary_id> contact_boundaries;
     for (const std::string &name : split_at_bars(contact_boundary))
       contact_boundaries.insert(body.boundary_names().id(

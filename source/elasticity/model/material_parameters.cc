@@ -52,7 +52,7 @@ namespace stiction
                   "Mass densities other than the one above: 'material : "
                   "density', several separated by '|'. Unit: of mass per volume.");
     add_parameter("Material ids", material_ids,
-                  "Which material is where, as a formula in x, y, z, t: its "
+                  "Which material is where, as a formula in x, y, z: its "
                   "value at the centre of a coarse cell, an integer from 0 to "
                   "1000, is the material id of that cell, 'if(z < 0.5, 0, 1)' "
                   "makes two layers. Empty: the ids that the mesh has; all "

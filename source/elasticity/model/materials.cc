@@ -384,6 +384,7 @@ namespace stiction
     const std::string entry = "Material/Material ids";
     const ParsedFunction formula(parameters.material.material_ids, 1,
                                  parameters.source.locate(entry), parameters.time);
+    formula.require_no_time();
     // every rank knows the coarse mesh
     body.set_material_ids([&](const dealii::Point<3> &centre) {
       const double id = formula.value(centre);

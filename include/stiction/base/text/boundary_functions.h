@@ -56,6 +56,9 @@ namespace stiction
     /// ", t = 2" if it depends on t, for a sentence about one of its values.
     std::string time_in_words() const;
 
+    /// Throws InputError if it depends on t: it is evaluated once.
+    void require_no_time() const;
+
     /// As the user wrote it.
     const std::string &expression() const { return expression_; }
 
