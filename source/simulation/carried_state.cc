@@ -36,7 +36,7 @@ namespace stiction
     state.u.copy_locally_owned_data_from(u_);
     state.history.path   = dofs.restriction(path_).head(surface.n_nodes());
     state.history.nodes  = surface.first_dofs();
-    state.history.origin = surface.relative_displacement(state);
+    state.history.origin = surface.slip_origin(state);
     return state;
   }
 } // namespace stiction

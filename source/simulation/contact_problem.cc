@@ -78,7 +78,7 @@ namespace stiction
       make_grid();
       assemble_system();
       make_contact_surface();
-      print_applied(*log_, elasticity(), contact_surface());
+      describe_applied();
       describe_gaps();
       require_writable_output(parameters_.output, parameters_.source, communicator_);
       go_on(times);
@@ -100,52 +100,6 @@ namespace stiction
     return status_.converged;
   }
 
-  void ContactProblem::solve()
-  {
-    const auto phase = phases_.scope("contact_solve");
-    const dealii::Timer timer;
-    auto &[elasticity, surface, solver] = *discretization_;
-    if (!solver)
-      {
-        solver =
-          ContactSolver::create({parameters_, *elasticity, *surface, *log_, phases_});
-        counted_ = {};
-      }
-    open_output();
-    state_.lambda = surface->without_dragged(std::move(state_.lambda));
-    status_ =
-      solver->solve(state_, [&](const ContactStep &iteration) { observe(iteration); });
-    leave_in_place(*elasticity, *surface,
-                   ends_.empty() ? elasticity->zero_vector() : ends_.front().state.u,
-                   parameters_.contact_solver.tolerance, state_);
-    surface->add_friction_on_supports(state_, ends_.empty() ? Eigen::VectorXd()
-                                                            : ends_.front().state.lambda);
-    if (steps_)
-      add_effort(timer.wall_time());
-  }
-
-  void ContactProblem::certify()
-  {
-    const auto phase = phases_.scope("certificate");
-    certificate_ = std::make_unique<Certificate>(elasticity(), contact_surface(), state_);
-    status_.converged = certificate_->converged(parameters_.contact_solver.tolerance);
-    if (status_.converged && contact_surface().are_obstacles_too_deep(state_.distances))
-      status_ = {false,
-                 "an obstacle would have to move by more than the body is large to "
-                 "press with its force, lower 'Boundary conditions/Obstacle force' or "
-                 "hold the body better",
-                 status_.interrupted};
-    if (status_.converged || status_.interrupted)
-      return;
-    if (const std::string slide =
-          why_it_slides(elasticity(), contact_surface(), *certificate_, units_);
-        !slide.empty())
-      status_.reason = slide;
-    else if (status_.reason.empty())
-      status_.reason = "the certificate measures more than the iteration did, "
-                       "raise 'Contact solver/Tolerance'";
-  }
-
   void ContactProblem::measure_duality_gap()
   {
     if (!state_.lambda.allFinite() || (status_.interrupted && !status_.converged))
@@ -155,9 +109,8 @@ namespace stiction
     const auto phase = phases_.scope("certificate");
     try
       {
-        certificate_->set_duality_gap(
-          duality_gap(elasticity(), contact_surface(), state_,
-                      discretization_->solver->stiffness_solver()));
+        certificate_->set_duality_gap(duality_gap(elasticity(), contact_surface(), state_,
+                                                  solver().stiffness_solver()));
       }
     catch (const std::runtime_error &)
       {
@@ -182,7 +135,7 @@ namespace stiction
     require_writable_output(parameters_.output, parameters_.source, communicator_);
     if (parameters_.time.has_steps())
       log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
-    print_applied(*log_, elasticity(), contact_surface());
+    describe_applied();
     describe_gaps();
     print_overview(*log_, elasticity(), contact_surface(), units_);
     print_memory(*log_, parameters_,
@@ -233,6 +186,7 @@ namespace stiction
     const auto phase = phases_.scope("contact_surface");
     discretization_->surface =
       std::make_unique<ContactSurface>(elasticity(), parameters_.of_contact());
+    discretization_->surface->count_slip_from({});
     discretization_->elasticity->choose_anchors(contact_surface().first_dofs());
     require_load(parameters_, body_->boundary_names(), contact_surface());
     const std::string law = parameters_.friction.name();

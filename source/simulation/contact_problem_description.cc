@@ -8,11 +8,17 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/output/results/overview.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/parameters/unused_entries.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
 
 namespace stiction
 {
@@ -20,6 +26,36 @@ namespace stiction
   {
     // Times the size of the body: an obstacle in other units is farther away.
     constexpr double far_away = 10.;
+
+    // Between a normal and the mean of a boundary's: facets of a flat one have less.
+    constexpr double cosine_of_flat = 0.99;
+
+    // Of the size of the body: gaps that differ by less are the same.
+    constexpr double rounding_of_gaps = 1e-12;
+
+    // Whether the foundation follows a boundary that is not flat, at one distance.
+    bool is_mould(const ContactSurface &surface, const std::size_t boundary)
+    {
+      std::map<unsigned int, dealii::Tensor<1, 3>> means; // of parts between sharp edges
+      double least = std::numeric_limits<double>::max(), most = -least, cosine = 1.;
+      const auto for_nodes = [&](const auto &take) {
+        for (const ContactNode &node : surface.nodes())
+          if (node.boundary == boundary)
+            take(node);
+      };
+      for_nodes([&](const ContactNode &node) {
+        means[node.part] += node.area * node.normal;
+        least = std::min(least, node.gap);
+        most  = std::max(most, node.gap);
+      });
+      for_nodes([&](const ContactNode &node) {
+        const dealii::Tensor<1, 3> &mean = means[node.part];
+        cosine = std::min(cosine, node.normal * mean / std::max(mean.norm(), 1e-30));
+      });
+      return cosine < cosine_of_flat &&
+             most - least <=
+               rounding_of_gaps * surface.boundaries()[boundary].body_size();
+    }
   } // namespace
 
   void ContactProblem::describe_choices() const
@@ -72,6 +108,20 @@ namespace stiction
       }
     if (body_->n_hanging_nodes() > 0)
       log_->line(text_of("Hanging nodes: ", body_->n_hanging_nodes()));
+  }
+
+  void ContactProblem::describe_applied() const
+  {
+    const ContactSurface &surface = contact_surface();
+    print_applied(*log_, elasticity(), surface);
+    for (const std::string &entry : unused_entries(parameters_))
+      log_->line("  not used   " + entry);
+    for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
+      if (const ContactBoundary &boundary = surface.boundaries()[b];
+          boundary.obstacle() == nullptr && !boundary.is_pair() && is_mould(surface, b))
+        log_->line("  the foundation of '" + boundary.name() +
+                   "', which is curved, fits it everywhere as a mould does; a flat floor "
+                   "is 'Obstacle = plane : ...'");
   }
 
   void ContactProblem::describe_touching_bodies() const

@@ -5,6 +5,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/pair_figures.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -66,6 +67,8 @@ namespace stiction
       write_fields("");
     else if (!status_.converged && !ends_between_steps_)
       write_fields("_uncertified");
+    else if (!is_step_written_)
+      write_step();
     write_history(*history_, parameters_.output.directory, communicator_);
   }
 
@@ -88,14 +91,19 @@ namespace stiction
                     ? ", " + label("force on the body", units_.force) + " " +
                         format_vector("%.6g", step.force())
                     : ""));
-    if (step.number % parameters_.output.every != 0 && !times.is_finished())
-      return;
+    is_step_written_ = step.number % parameters_.output.every == 0 || times.is_finished();
+    if (is_step_written_)
+      write_step();
+  }
+
+  void ContactProblem::write_step()
+  {
     compute_reactions();
     write_fields(steps_->tag());
     if (parameters_.output.write_solution)
       steps_->add_file("solution", "pvtu");
     steps_->add_file("contact", "pvtu");
-    if (surface.has_obstacles())
+    if (contact_surface().has_obstacles())
       steps_->add_file("obstacle", "vtu");
   }
 
@@ -122,15 +130,15 @@ namespace stiction
   void ContactProblem::export_problem()
   {
     const std::string &directory = parameters_.output.export_directory;
-    if (directory.empty() || !discretization_->solver)
+    if (directory.empty())
       return;
+    const DualOperator &Q         = *solver().dual_operator();
     const auto phase              = phases_.scope("output");
     const ContactSurface &surface = contact_surface();
     const Eigen::MatrixXd G       = rigid_balance(elasticity(), surface).G;
     Eigen::VectorXd places(G.cols()); // of obstacles and body, as they are
     places << state_.distances, elasticity().free_motion_of(state_.u);
     do_on_first_rank(communicator_, [&]() {
-      const DualOperator &Q = *discretization_->solver->dual_operator();
       DualProblem problem;
       problem.Q          = *Q.matrix();
       problem.h          = Q.right_hand_side() - G.lazyProduct(places);
@@ -165,6 +173,15 @@ namespace stiction
         phases_.seconds("contact_solve") / phases_.seconds("elastic_solve");
     add_body(result, *body_, surface, state_, *certificate_, statuses, *reactions_,
              mesh_error_);
+    for (RunResult::ContactPart &part : result.boundaries)
+      if (const ContactBoundary &pair = surface.boundary(part.id);
+          pair.partners().size() > 1)
+        {
+          const auto forces = forces_of_partners(elasticity(), surface, pair, state_);
+          for (std::size_t p = 0; p < forces.size(); ++p)
+            part.of_opposite.emplace_back(
+              body_->boundary_names().name(pair.partners()[p]), forces[p]);
+        }
     result.warnings = warnings();
     return result;
   }

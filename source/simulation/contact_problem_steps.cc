@@ -37,10 +37,6 @@ namespace stiction
 {
   namespace
   {
-    // The coefficients of friction are taken anew from the last answer so often: a
-    // residual that falls by 0.8 each time is below 1e-9 by then.
-    constexpr unsigned int max_approximations = 100;
-
     // Seconds: who waits for less needs no forecast.
     constexpr double worth_a_forecast = 20.;
 
@@ -76,6 +72,8 @@ namespace stiction
     if (parameters_.output.print_progress)
       log_->line("The step is taken back: " +
                  explain(status_, *certificate_, parameters_.contact_solver.tolerance));
+    if (ends_.empty())
+      state_ = {{}, {}, {}, {}}; // it may be of other contact nodes
     return true;
   }
 
@@ -85,7 +83,7 @@ namespace stiction
       return;
     discretization_->set_time(parameters_.of_contact(),
                               ends_.empty() ? parameters_.time.start : ends_.front().time,
-                              {});
+                              {}, last_state());
     if (ends_.empty())
       balance_ = std::make_unique<EnergyBalance>(elasticity(), contact_surface());
     else
@@ -120,7 +118,7 @@ namespace stiction
   {
     const SlipHistory history =
       ends_.empty() ? SlipHistory() : ends_.front().state.history;
-    discretization_->set_time(parameters_.of_contact(), time, history);
+    discretization_->set_time(parameters_.of_contact(), time, history, last_state());
     const std::string reason =
       why_no_equilibrium(elasticity(), contact_surface(), units_);
     if (!reason.empty())
@@ -146,6 +144,7 @@ namespace stiction
       return;
     if (parameters_.output.print_progress)
       log_->line("The step is solved once more, without what was known of it.");
+    discretization_->set_time(parameters_.of_contact(), time, history);
     solve_from({{}, {}, state_.distances, {}});
   }
 
@@ -161,50 +160,6 @@ namespace stiction
     status_ = {};
     certify();
     status_.reason = reason;
-  }
-
-  void ContactProblem::solve_and_certify()
-  {
-    ContactSurface &surface = *discretization_->surface;
-    if (!surface.has_friction_of_state())
-      {
-        solve();
-        return certify();
-      }
-    double error = std::numeric_limits<double>::infinity(), contraction = 0.;
-    qp::ComponentwiseSecant secant;
-    Eigen::VectorXd path = slip_path(state_, surface);
-    for (unsigned int k = 1; k <= max_approximations; ++k)
-      {
-        surface.set_friction(state_.lambda, path, ContactSurface::FrictionForm::tangent);
-        if (discretization_->solver)
-          discretization_->solver->update();
-        solve();
-        const bool is_solved             = status_.converged;
-        const Eigen::VectorXd path_there = slip_path(state_, surface);
-        surface.set_friction(state_.lambda, path_there,
-                             ContactSurface::FrictionForm::value);
-        certify();
-        const double last = std::exchange(error, certificate_->worst_figure().second);
-        contraction       = error / last;
-        if (parameters_.output.print_progress)
-          log_->line(
-            format("Friction at the answer, approximation %u: residual %.2e", k, error) +
-            (k > 1 ? format(", contraction %.2g", contraction) : ""));
-        if (status_.converged || status_.interrupted || !is_solved)
-          return;
-        path = secant.next(path, path_there);
-        if (state_.history.path.size() > 0)
-          path = path.cwiseMax(state_.history.path);
-        else
-          path = path.cwiseMax(0.);
-      }
-    status_.reason =
-      format("friction that depends on pressure or slip does not settle (the last "
-             "approximation changed the residual by a factor of %.2g), let the formula "
-             "change more gently: where friction falls faster with slip than the body "
-             "springs back, the body jumps and there is no answer nearby",
-             contraction);
   }
 
   void ContactProblem::add_effort(const double seconds)
@@ -308,7 +263,12 @@ namespace stiction
   {
     std::optional<CarriedState> carried;
     if (!ends_.empty())
-      carried.emplace(ends_.front().state, elasticity(), contact_surface());
+      {
+        // on the contact nodes and in the frames of that end
+        discretization_->set_time(parameters_.of_contact(), ends_.front().time,
+                                  ends_.front().state.history, last_state());
+        carried.emplace(ends_.front().state, elasticity(), contact_surface());
+      }
     discretization_.reset();
     // where obstacles are is no matter of the mesh
     state_ = {{}, {}, state_.distances, {}};
@@ -325,7 +285,9 @@ namespace stiction
       {
         const double time = ends_.front().time;
         discretization_->set_time(parameters_.of_contact(), time, {});
-        State state  = carried->on(elasticity(), contact_surface());
+        State state = carried->on(elasticity(), contact_surface());
+        discretization_->set_time(parameters_.of_contact(), time, {}, &state);
+        state        = carried->on(elasticity(), contact_surface());
         state.scales = ends_.front().state.scales;
         ends_        = {{time, std::move(state)}};
       }

@@ -10,10 +10,10 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/qp/advice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/warnings/body_warnings.h>
 #include <stiction/simulation/warnings/pair_warnings.h>
 #include <stiction/simulation/warnings/warning.h>
 
@@ -28,11 +28,6 @@ namespace stiction
 {
   namespace
   {
-    // Of Green's strain ε + ½ (∇u)ᵀ∇u linear elasticity leaves out the second part,
-    // from here on 5 % of the first, which is as much as materials are known to, or
-    // half a percent of strain in a body that turns.
-    constexpr double large_deformation = 0.1;
-
     // Of the forces on a body: more is worth a word.
     constexpr double badly_balanced = 0.01;
 
@@ -53,9 +48,6 @@ namespace stiction
 
     // Radians by which normals may turn.
     constexpr double much_turned = 0.05;
-
-    // Of a coefficient of friction: a body that friction holds from turning.
-    constexpr double much_of_coefficient = 0.1;
 
     // Nodes that bear the force of a contact, of how many: they are too few to tell of
     // pressures.
@@ -147,43 +139,7 @@ namespace stiction
              format(", the normal by %.2g degrees, while bodies give ",
                     departure.turn * 180. / dealii::numbers::PI) +
              with_unit(format("%.2g", way), units.length) +
-             "; gaps and normals remain those of the undeformed body, so that forces may "
-             "be "
-             "wrong; move them less."});
-    }
-
-    void add_deformation(const Deformation &deformation, Warnings &warnings)
-    {
-      const auto &[strain, rotation] = deformation;
-      if (strain > large_deformation)
-        warnings.push_back(
-          {"strain", strain,
-           format("strains of up to %.2g: linear elasticity is for small "
-                  "ones and leaves out what is quadratic in them, some %.0f "
-                  "%% of the strain there.",
-                  strain, 50. * strain)});
-      if (rotation > large_deformation)
-        warnings.push_back(
-          {"rotation", rotation,
-           format("the body turns by up to %.2g degrees: linear elasticity is for small "
-                  "rotations, and makes a strain of %.2g of this one.",
-                  rotation * 180. / dealii::numbers::PI, 0.5 * rotation * rotation)});
-    }
-
-    // Forces have the moments that they have on a body that has not turned, and what is
-    // round rolls up beside where it lay.
-    //
-    // @param turn of a body that contact alone holds, radians.
-    void add_turn(const double turn, const double coefficient, Warnings &warnings)
-    {
-      if (coefficient > 0. && turn > much_of_coefficient * coefficient)
-        warnings.push_back(
-          {"turn", turn,
-           format("a body that contact alone holds turns by %.2g degrees, which is "
-                  "%.2g of the friction angle: contact forces stay where they act on "
-                  "bodies that have not turned, so that a round body may seem held "
-                  "beyond what friction bears.",
-                  turn * 180. / dealii::numbers::PI, turn / coefficient)});
+             "; 'Sliding = far' takes gaps and normals where they come to."});
     }
   } // namespace
 
@@ -211,9 +167,9 @@ namespace stiction
            "beside those of the others; lower 'Contact solver/Tolerance', or compute "
            "it by itself.",
            body_->pieces()[body].name.c_str(), 100. * lacking)});
-    const std::vector<double> frictionless = surface.frictionless_parts(state_),
+    const std::vector<double> frictionless = frictionless_parts(surface, state_),
                               depths       = surface.penetration_of_idle(state_),
-                              falls        = surface.falls_of_friction(state_);
+                              falls        = falls_of_friction(surface, state_);
     const double pressing = state_.lambda.head(surface.n_nodes()).cwiseMax(0.).sum();
     const double way      = pressing > 0. ? certificate_->energy_scale() / pressing : 0.;
     for (std::size_t b = 0; b < boundaries.size(); ++b)
@@ -235,7 +191,7 @@ namespace stiction
           add_warnings_of_pair(pair, surface, figures, *body_, *certificate_, units_,
                                warnings);
         }
-    add_deformation(largest_deformation(*body_, state_.u), warnings);
+    add_warnings_of_bodies(elasticity(), surface, state_, units_, warnings);
     const auto motions =
       elasticity().free_motions().motions(elasticity().free_motion_of(state_.u));
     for (const unsigned int piece : bodies_at_friction_limit(
@@ -245,10 +201,6 @@ namespace stiction
          "friction bears all that it can at body '" + body_->pieces()[piece].name +
            "', which slides as a whole: forces balance, but how far it slides, and what "
            "friction dissipates by that, is not determined."});
-    double turn = 0.;
-    for (const RigidMotion &motion : motions)
-      turn = std::max(turn, motion.rotation.norm());
-    add_turn(turn, surface.largest_coefficient(), warnings);
     return warnings;
   }
 
@@ -284,7 +236,7 @@ namespace stiction
       }
     else if (state_.lambda.size() > 0)
       {
-        const std::vector<double> frictionless = surface.frictionless_parts(state_);
+        const std::vector<double> frictionless = frictionless_parts(surface, state_);
         for (std::size_t b = 0; b < frictionless.size(); ++b)
           add_supports(surface.boundaries()[b], frictionless[b], now);
       }

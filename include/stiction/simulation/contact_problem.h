@@ -96,6 +96,8 @@ namespace stiction
     /// Makes the state the end of a step, and writes its results if there are several.
     void end_step(const TimeSteps &times);
     void record_step(const TimeSteps &times, const EnergyBalance::Step &energy);
+    /// The files of the last step for ParaView.
+    void write_step();
     /// Goes on from a checkpoint.
     void go_on(TimeSteps &times);
     /// Whether there are several steps, here or before.
@@ -109,11 +111,24 @@ namespace stiction
     /// From the end of the last step, in the direction of the last two if that
     /// fits the problem of this time better.
     State first_guess(double time) const;
-    /// Solves and certifies the problem of the present loads; friction that depends on
-    /// pressure or slip is followed until the certificate holds with its values at the
-    /// answer itself.
+    /// That at the end of the last step, nullptr before the first.
+    const State *last_state() const
+    {
+      return ends_.empty() ? nullptr : &ends_.front().state;
+    }
+    /// Solves and certifies the problem of the present loads; obstacles along which
+    /// bodies slide far are placed anew until the certificate holds with their gaps and
+    /// normals at the answer itself.
     void solve_and_certify();
+    /// Takes gaps and normals of these obstacles where body and obstacles are.
+    void place_obstacles();
+    /// The same with obstacles where they are placed; friction that depends on pressure
+    /// or slip is followed until the certificate holds with its values at the answer
+    /// itself.
+    void solve_with_friction();
     void solve();
+    /// What solves the problem on the present contact nodes, made where there is none.
+    ContactSolver &solver();
     /// Makes the end of the last step what was reached, where nothing stops the body.
     void refuse_step(const std::string &reason);
     /// Adds what the solver did, in so many seconds, to that of the step.
@@ -133,6 +148,10 @@ namespace stiction
 
     void describe_machine();
     void describe_body();
+
+    /// Says what is applied, what of the parameter file is not, and what foundations
+    /// under curved boundaries are.
+    void describe_applied() const;
 
     /// Warns of bodies that touch and do not feel one another.
     void describe_touching_bodies() const;
@@ -207,7 +226,8 @@ namespace stiction
 
     std::unique_ptr<nlohmann::json> summary_;
 
-    bool has_output_ = false; ///< whether open_output() was called
+    bool is_step_written_ = true;  ///< whether the last step has its files
+    bool has_output_      = false; ///< whether open_output() was called
     Phases phases_;
     /// Iterations of one elastic solve, if it was measured.
     unsigned int elastic_solve_iterations_ = 0;

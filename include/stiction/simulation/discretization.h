@@ -19,12 +19,18 @@ namespace stiction
     std::unique_ptr<ContactSolver> solver; ///< once something is solved
 
     /// Makes loads, supports, gaps, obstacles and friction those of another time.
-    /// Nothing is assembled or factorised, unless an obstacle's formula turns the
-    /// normals of contact nodes: then the solver goes and has to be made anew.
+    /// Nothing is assembled or factorised, unless an obstacle that moved makes others
+    /// contact nodes: then the solver goes and has to be made anew.
     /// Collective. Throws InputError as the constructors do.
     ///
     /// @param history from which slip is counted.
+    /// @param there see ContactSurface.
     void set_time(const ContactParameters &contact, double time,
-                  const SlipHistory &history);
+                  const SlipHistory &history, const State *there = nullptr);
+
+    /// Has gaps of obstacles along which bodies slide far linearised elsewhere, as
+    /// set_time() does. @return the surface that was.
+    ContactSurface place_obstacles(const ContactParameters &contact,
+                                   const SlipHistory &history, const State *there);
   };
 } // namespace stiction

@@ -20,6 +20,7 @@ namespace stiction
       {"Obstacle", "Boundary conditions", "Obstacle"},
       {"Slave side", "Boundary conditions", "Slave side"},
       {"Mesh gap", "Boundary conditions", "Mesh gap"},
+      {"Sliding", "Boundary conditions", "Sliding"},
       {"Initial gap", "Boundary conditions", "Initial gap"},
       {"Displacement", "Boundary conditions", "Obstacle displacement"},
       {"Rotation", "Boundary conditions", "Obstacle rotation"},

@@ -336,6 +336,8 @@ namespace stiction
             ContactNode place;
             place.position = on_surface[q].position;
             place.normal   = on_surface[q].normal;
+            if (boundary.slides_far())
+              place.moved = u[q] - moved;
             if (!boundary.place(place))
               continue;
             const double gap      = place.gap + place.normal * (moved - u[q]);

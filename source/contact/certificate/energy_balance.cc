@@ -40,20 +40,6 @@ namespace stiction
              at_rest * moved.linfty_norm();
     }
 
-    // The tangential part of Cartesian vectors at all nodes, in free directions.
-    Eigen::VectorXd tangential(const ContactSurface &surface, const Eigen::VectorXd &v)
-    {
-      Eigen::VectorXd part(v.size());
-      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        {
-          const ContactNode &node = surface.nodes()[i];
-          Eigen::Vector3d local   = node.displacement_to_local(at_node(v, i));
-          local(0)                = 0.;
-          set_at_node(part, i, node.displacement_to_cartesian(local));
-        }
-      return part;
-    }
-
     // One number a node along its normal.
     Eigen::VectorXd along_normals(const ContactSurface &surface, const Eigen::VectorXd &v)
     {
@@ -81,14 +67,10 @@ namespace stiction
                                const ContactSurface &surface)
   {
     const LA::Vector zero         = elasticity.zero_vector();
-    const Eigen::Index m          = surface.n_nodes();
-    const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(3 * m);
-    Eigen::VectorXd gaps(m); // obstacles are not displaced yet
-    for (Eigen::Index i = 0; i < m; ++i)
-      gaps(i) = surface.nodes()[i].gap;
-    const Eigen::VectorXd gap = along_normals(surface, gaps);
-    last_                     = {zero,    zero, zero, zero,    surface.first_dofs(),
-                                 nowhere, gap,  gap,  nowhere, nowhere};
+    const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(3 * surface.n_nodes());
+    const Eigen::VectorXd ways    = surface.ways_at_start();
+    last_                         = {zero,    zero, zero, zero,    surface.first_dofs(),
+                                     nowhere, ways, ways, nowhere, surface.approach_at_start()};
   }
 
   EnergyBalance::EnergyBalance(const LinearElasticity &elasticity,
@@ -120,14 +102,11 @@ namespace stiction
       if (elasticity.is_prescribed(dof))
         end.reaction(dof) = end.internal_force(dof) - applied(dof);
 
-    const Eigen::VectorXd U       = surface.obstacle_displacements(state.distances);
-    const Eigen::Index m          = surface.n_nodes();
-    const Eigen::VectorXd offsets = surface.motion().offset(state.distances).head(m);
-
-    end.offset   = along_normals(surface, offsets) + tangential(surface, U);
-    end.gap      = along_normals(surface, offsets - surface.B().apply(state.u).head(m));
-    end.relative = surface.relative_displacement(state);
-    end.sliding  = tangential(surface, end.relative);
+    end.offset =
+      surface.obstacle_displacements(state.distances) + surface.ways_at_start();
+    end.gap = along_normals(surface, surface.gap_and_slip(state).head(surface.n_nodes()));
+    end.sliding  = end.offset - surface.B().relative_displacement(state.u) - end.gap;
+    end.approach = surface.slip_origin(state) - surface.relative_displacement(state);
     return end;
   }
 
@@ -162,12 +141,12 @@ namespace stiction
         const Eigen::Vector3d force_before = at_node(before.force, k);
         const Eigen::Vector3d sum          = force_before + force;
         step.obstacles -=
-          0.5 * sum.dot(at_node(after.offset, i) - at_node(before.offset, k));
-        // of the sliding before, what is tangential to the normal of now
-        Eigen::Vector3d sliding = node.displacement_to_local(at_node(before.relative, k));
-        sliding(0)              = 0.;
-        const Eigen::Vector3d turned =
-          node.displacement_to_cartesian(sliding) - at_node(before.sliding, k);
+          0.5 * sum.dot(at_node(after.offset, i) - at_node(before.offset, k) -
+                        at_node(before.approach, k));
+        // of the way along the obstacle, what frames leave out as they turn
+        const Eigen::Vector3d turned = at_node(after.sliding, i) -
+                                       at_node(before.sliding, k) -
+                                       at_node(before.approach, k) + slip;
         step.time_stepping +=
           0.5 * (force_before - force).dot(slip) -
           0.5 * sum.dot(at_node(after.gap, i) - at_node(before.gap, k) + turned);

@@ -1,6 +1,8 @@
 #include <stiction/contact/certificate/friction_limit.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/free_motions.h>
@@ -8,6 +10,8 @@
 #include <stiction/qp/node_status.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stiction
@@ -22,6 +26,16 @@ namespace stiction
 
     // Of the largest force: a node with less holds nothing.
     constexpr double no_force = 1e-6;
+
+    // Of the largest displacement: less is no slip worth a word.
+    constexpr double least_slip = 1e-3;
+
+    // Of the largest slip of a pair: beside a plane of symmetry a mean of what lies
+    // opposite slips by less.
+    constexpr double part_of_pair = 0.3;
+
+    // Of the largest force of earlier steps: less friction is what a tolerance left.
+    constexpr double least_friction = 1e-6;
 
     // Of one body, over its pressed nodes, weighted with their forces.
     struct Ways
@@ -110,5 +124,78 @@ namespace stiction
                                         of.as_a_whole > as_a_whole * of.all)
         at_limit.insert(piece);
     return at_limit;
+  }
+
+  std::vector<double> frictionless_parts(const ContactSurface &surface,
+                                         const State &state)
+  {
+    const auto &boundaries = surface.boundaries();
+    // who has come back lacks friction as well
+    const Eigen::VectorXd of_all_steps = surface.relative_displacement(state),
+                          of_this_step = surface.slip_since_origin(state),
+                          bound        = surface.slip_bound().at(state.lambda);
+    std::vector<double> parts(boundaries.size(), 0.), all = parts;
+    std::vector<std::array<double, 3>> least(boundaries.size());
+    for (auto &of_components : least)
+      of_components.fill(least_slip * state.u.linfty_norm());
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      if (const ContactNode &node = surface.nodes()[i];
+          boundaries[node.boundary].is_pair())
+        {
+          const Tensor<1, 3> slip       = to_tensor(at_node(of_all_steps, i));
+          const Tensor<1, 3> tangential = slip - (slip * node.normal) * node.normal;
+          for (unsigned int c = 0; c < 3; ++c)
+            least[node.boundary][c] =
+              std::max(least[node.boundary][c], part_of_pair * std::abs(tangential[c]));
+        }
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      {
+        const ContactNode &node = surface.nodes()[i];
+        const double force      = std::max(state.lambda(i), 0.);
+        if (surface.slip_bound().is_tied(i))
+          continue;
+        all[node.boundary] += force;
+        bool lacks = false; // dragged nodes have scales
+        for (unsigned int c = 0; c < 3; ++c)
+          lacks = lacks || (node.prescribed[c] && node.scale[0] == 0. &&
+                            std::max(std::abs(at_node(of_all_steps, i)(c)),
+                                     std::abs(at_node(of_this_step, i)(c))) >
+                              least[node.boundary][c]);
+        if (bound(i) > 0. && lacks)
+          parts[node.boundary] += force;
+      }
+    for (std::size_t b = 0; b < parts.size(); ++b)
+      parts[b] = all[b] > 0. ? parts[b] / all[b] : 0.;
+    return parts;
+  }
+
+  std::vector<double> falls_of_friction(const ContactSurface &surface, const State &state)
+  {
+    const auto &boundaries      = surface.boundaries();
+    const Eigen::VectorXd r     = surface.gap_and_slip(state);
+    const Eigen::VectorXd &path = state.history.path;
+    std::vector<double> falls(boundaries.size(), 0.), all = falls;
+    for (Eigen::Index i = 0; i < path.size(); ++i)
+      {
+        const ContactNode &node      = surface.nodes()[i];
+        const FrictionData &friction = boundaries[node.boundary].friction();
+        if (state.lambda(i) <= 0. || !friction.depends_on_rubbing())
+          continue;
+        const double pressure = state.lambda(i) / node.area;
+        const double slip     = node
+                              .displacement_to_cartesian({0., r(i + surface.n_nodes()),
+                                                          r(i + 2 * surface.n_nodes())})
+                              .norm();
+        const double before =
+                       friction.value(node, {pressure, std::max(path(i) - slip, 0.)}),
+                     now = friction.value(node, {pressure, path(i)});
+        const double weight =
+          friction.law() == FrictionLaw::coulomb ? state.lambda(i) : node.area;
+        all[node.boundary] += weight * before;
+        falls[node.boundary] += weight * std::max(before - now, 0.);
+      }
+    for (std::size_t b = 0; b < falls.size(); ++b)
+      falls[b] = all[b] > least_friction * state.scales.force ? falls[b] / all[b] : 0.;
+    return falls;
   }
 } // namespace stiction

@@ -1,4 +1,3 @@
-#include <stiction/base/errors.h>
 #include <stiction/contact/certificate/obstacle_departure.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -27,23 +26,14 @@ namespace stiction
         if (force <= 0. || surface.boundaries()[node.boundary].id() != boundary.id())
           continue;
         // what has turned moved along itself
-        const Tensor<1, 3> way = to_tensor(at_node(moved, i)) - node.turning;
-        ContactNode there      = node;
-        there.position -= way;
-        try
-          {
-            boundary.place(there);
-          }
-        catch (const InputError &)
-          {
-            there.gap = -boundary.body_size(); // that far inside, or farther
-          }
-        const double linear = node.gap + node.normal * way +
-                              boundary.initial_gap(there.position) -
-                              boundary.initial_gap(node.position);
-        departure.distance += force * std::abs(there.gap - linear);
+        ContactNode there = node;
+        there.moved       = node.turning - to_tensor(at_node(moved, i));
+        boundary.place_if_possible(there);
+        const double distance = there.gap - there.normal * there.moved,
+                     linear   = node.gap - node.normal * there.moved;
+        departure.distance += force * std::abs(distance - linear);
         departure.turn += force * (there.normal - node.normal).norm();
-        departure.slip += force * way.norm();
+        departure.slip += force * (there.moved - node.moved).norm();
         departure.spacing += force * std::sqrt(node.area);
         all += force;
       }

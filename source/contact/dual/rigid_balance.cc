@@ -247,7 +247,7 @@ namespace stiction
                                Eigen::VectorXd(p + n)};
     balance.G.leftCols(p) = obstacles.directions();
     balance.e.head(p)     = -obstacles.forces();
-    balance.e.tail(n)     = -elasticity.work_along_free_motions(elasticity.load());
+    balance.e.tail(n)     = -elasticity.work_of_loads_along_free_motions();
     for (Eigen::Index j = 0; j < n; ++j)
       {
         LA::Vector u = elasticity.zero_vector();

@@ -30,7 +30,14 @@ namespace stiction
     if (form == "by solves")
       return std::make_unique<SchurComplement>(elasticity, surface, solver);
 
-    // C is the block of K⁻¹ at the unknowns of the contact nodes and those opposite
+    return assembled(compliance(elasticity, surface, solver), elasticity, surface,
+                     solver);
+  }
+
+  Eigen::MatrixXd SchurComplement::compliance(const LinearElasticity &elasticity,
+                                              const ContactSurface &surface,
+                                              StiffnessSolver &solver)
+  {
     const DofSubset traces = surface.B().all_dofs();
     Eigen::MatrixXd C      = solver.compliance(traces);
     const auto &dofs       = traces.dofs();
@@ -41,7 +48,14 @@ namespace stiction
           C.row(place - dofs.begin()).setZero();
           C.col(place - dofs.begin()).setZero();
         }
-    Eigen::MatrixXd Q = surface.B().compliance(std::move(C));
+    return C;
+  }
+
+  std::unique_ptr<DualOperator> SchurComplement::assembled(
+    Eigen::MatrixXd compliance, const LinearElasticity &elasticity,
+    const ContactSurface &surface, StiffnessSolver &solver)
+  {
+    Eigen::MatrixXd Q = surface.B().compliance(std::move(compliance));
     Q.diagonal() += held_compliance(elasticity, surface);
     return std::make_unique<DenseDualOperator>(
       std::move(Q), right_hand_side_of(elasticity, surface, solver));

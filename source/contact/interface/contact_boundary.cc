@@ -30,6 +30,7 @@ namespace stiction
     const std::string slave_entry        = "Boundary conditions/Slave side";
     const std::string gap_entry          = "Boundary conditions/Initial gap";
     const std::string mesh_gap_entry     = "Boundary conditions/Mesh gap";
+    const std::string sliding_entry      = "Boundary conditions/Sliding";
     const std::string force_entry        = "Boundary conditions/Obstacle force";
 
     // Below this cosine between the outward normal and the direction towards
@@ -89,8 +90,8 @@ namespace stiction
   struct ContactBoundary::Entries
   {
     FrictionLaw law;
-    std::string name, obstacle, slave_side, mesh_gap, gap, displacement, rotation, force,
-      coefficient, slip_stress, first_direction;
+    std::string name, obstacle, slave_side, mesh_gap, sliding, gap, displacement,
+      rotation, force, coefficient, slip_stress, first_direction;
   };
 
   ContactBoundary::ContactBoundary(ContactBoundary &&) noexcept = default;
@@ -122,6 +123,7 @@ namespace stiction
     take(&Entries::obstacle, obstacle_entry, pairs.obstacle);
     take(&Entries::slave_side, slave_entry, pairs.slave_side);
     take(&Entries::mesh_gap, mesh_gap_entry, pairs.mesh_gap);
+    take(&Entries::sliding, sliding_entry, pairs.sliding);
     take(&Entries::gap, gap_entry, pairs.initial_gap);
     take(&Entries::displacement, displacement_entry, pairs.obstacle_displacement);
     take(&Entries::rotation, rotation_entry, pairs.obstacle_rotation);
@@ -161,6 +163,7 @@ namespace stiction
                                    const Body &body, const double time)
     : slave_side_(entries.slave_side)
     , mesh_gap_(entries.mesh_gap)
+    , sliding_(entries.sliding)
     , id_(body.boundary_names().id(entries.name, source.locate(boundary_entry)))
     , size_(body.diameter())
     , source_(std::make_shared<const ParameterFile>(std::move(source)))
@@ -180,6 +183,7 @@ namespace stiction
     set_rotation(
       read_numbers(entries.rotation, 7, source_->locate(rotation_entry), time));
     describe(entries);
+    require_one_of(sliding_entry, sliding_, {"little", "far"});
     const auto partners = paired_boundaries(entries.obstacle);
     if (is_tied())
       require_tied_pair(!partners.empty(), entries.gap);
@@ -194,6 +198,24 @@ namespace stiction
     });
     obstacle_ = Obstacle::read(obstacle, source_->locate(obstacle_entry), size_, time,
                                body.communicator());
+    if (slides_far() && axis_.norm() > 0. &&
+        !are_zero(entries.rotation.substr(entries.rotation.rfind(';') + 1)))
+      throw InputError(source_->describe(sliding_entry) +
+                       ", must be little for the obstacle of boundary '" + name_ +
+                       "', which turns.");
+    if (slides_far() && !obstacle_)
+      throw InputError(source_->describe(sliding_entry) +
+                       ", must be little for the foundation of boundary '" + name_ +
+                       "', which has no shape but that of the boundary; say what it is, "
+                       "such as 'Obstacle = plane : ...'.");
+  }
+
+  void ContactBoundary::require_one_of(const std::string &entry, const std::string &value,
+                                       const std::vector<std::string> &allowed) const
+  {
+    if (std::count(allowed.begin(), allowed.end(), value) == 0)
+      throw InputError(source_->describe(entry) + ", '" + value + "' must be one of " +
+                       listed(allowed) + did_you_mean(value, allowed) + ".");
   }
 
   void ContactBoundary::describe(const Entries &entries)
@@ -243,17 +265,15 @@ namespace stiction
       throw InputError(source_->describe(slave_entry) + ", of boundary '" + name_ +
                        "', which has several opposite to it, must be automatic or "
                        "boundary; make a pair of each of them.");
-    const auto require_one_of = [&](const std::string &entry, const std::string &value,
-                                    const std::vector<std::string> &allowed) {
-      if (std::count(allowed.begin(), allowed.end(), value) == 0)
-        throw InputError(source_->describe(entry) + ", '" + value + "' must be one of " +
-                         listed(allowed) + did_you_mean(value, allowed) + ".");
-    };
     require_one_of(slave_entry, slave_side_, {"automatic", "boundary", "obstacle"});
     require_one_of(mesh_gap_entry, mesh_gap_, {"kept", "removed"});
     const std::string reason =
       ", must be zero for the pair of boundary '" + name_ +
       "', whose sides move with their bodies, as loads and supports have it.";
+    if (slides_far())
+      throw InputError(source_->describe(sliding_entry) +
+                       ", must be little for the pair of boundary '" + name_ +
+                       "': what lies opposite is found where bodies are made.");
     if (displacement_.norm() > 0.)
       throw InputError(source_->describe(displacement_entry) + reason);
     if (angle_ != 0.)
@@ -323,27 +343,41 @@ namespace stiction
     const auto refuse = [&](const std::string &reason) {
       throw InputError(source_->describe(obstacle_entry) + ", " + reason + ".");
     };
-    const Obstacle::Value value = obstacle_->facing(node.position, node.normal);
-    const double slope          = value.gradient.norm();
+    const Obstacle::Value value =
+      obstacle_->facing(node.position + node.moved, node.normal);
+    const double slope = value.gradient.norm();
     // a formula's differences leave rounding where there is no slope
     if (!(slope > 0.) || slope * size_ < 1e-8 * std::abs(value.psi))
       refuse("has no normal for the contact node at (" + text_of(node.position) +
              "), the gradient of the distance must not vanish there");
 
-    node.gap += value.psi / slope;
-    if (node.gap < -size_)
+    const double distance = node.gap + value.psi / slope;
+    if (distance < -size_)
       refuse("is deeper in the body at (" + text_of(node.position) +
              ") than the body is large, must be outside but for a small "
              "interference");
     const Tensor<1, 3> towards_obstacle = value.gradient / -slope;
     const bool is_facing                = towards_obstacle * node.normal >= facing_cosine;
     node.normal                         = towards_obstacle;
+    node.gap                            = distance + node.normal * node.moved;
     return is_facing;
+  }
+
+  void ContactBoundary::place_if_possible(ContactNode &node) const
+  {
+    try
+      {
+        place(node);
+      }
+    catch (const InputError &)
+      {
+        node.gap = -size_; // that far inside, or farther
+      }
   }
 
   void ContactBoundary::require_outside(const ContactNode &node) const
   {
-    if (node.gap < -rounding * size_)
+    if (node.gap - node.normal * node.moved < -rounding * size_)
       throw InputError(source_->describe(obstacle_entry) +
                        ", contains the contact node at (" + text_of(node.position) +
                        "), which faces away from its surface there, must face the "

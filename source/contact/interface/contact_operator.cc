@@ -48,6 +48,11 @@ namespace stiction
       return v;
     }
 
+    bool are_same(const ContactFrame &a, const ContactFrame &b)
+    {
+      return a.normal == b.normal && a.axes() == b.axes() && a.scale == b.scale;
+    }
+
     // Whether two sparse matrices have the same entries, bit by bit.
     bool are_equal(const Eigen::SparseMatrix<double, Eigen::RowMajor> &a,
                    const Eigen::SparseMatrix<double, Eigen::RowMajor> &b)
@@ -78,15 +83,31 @@ namespace stiction
     return DofSubset(std::move(all));
   }
 
-  bool ContactOperator::operator==(const ContactOperator &other) const
+  bool ContactOperator::has_nodes_of(const ContactOperator &other) const
   {
     return dofs_.dofs() == other.dofs_.dofs() &&
            other_.dofs.dofs() == other.other_.dofs.dofs() &&
-           are_equal(other_.A, other.other_.A) &&
+           are_equal(other_.A, other.other_.A);
+  }
+
+  bool ContactOperator::operator==(const ContactOperator &other) const
+  {
+    return has_nodes_of(other) &&
+           std::equal(frames_.begin(), frames_.end(), other.frames_.begin(), are_same);
+  }
+
+  bool ContactOperator::is_turned(const ContactOperator &other) const
+  {
+    return has_nodes_of(other) &&
            std::equal(frames_.begin(), frames_.end(), other.frames_.begin(),
-                      [](const ContactFrame &a, const ContactFrame &b) {
-                        return a.normal == b.normal && a.axes() == b.axes() &&
-                               a.scale == b.scale;
+                      [this](const ContactFrame &a, const ContactFrame &b) {
+                        // held directions are part of the basis in which others are
+                        // opposite
+                        return are_same(a, b) ||
+                               (a.prescribed == b.prescribed &&
+                                !(a.is_held() && has_other_side()) &&
+                                (a.scale[0] == 0.) == (b.scale[0] == 0.) &&
+                                (a.scale[1] == 0.) == (b.scale[1] == 0.));
                       });
   }
 

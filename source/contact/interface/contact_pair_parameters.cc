@@ -40,9 +40,8 @@ namespace stiction
       "contact boundaries, or one for each, separated by '|' in the same "
       "order. In place of these lists there may be a section a contact boundary, "
       "'subsection Contact pair NAME' with the entries Boundary, Obstacle, Slave side, "
-      "Mesh gap, Initial gap, Displacement, Rotation, Force, Law, Coefficient, Slip "
-      "stress, First "
-      "direction.");
+      "Mesh gap, Sliding, Initial gap, Displacement, Rotation, Force, Law, Coefficient, "
+      "Slip stress, First direction.");
     add_parameter(
       "Obstacle", obstacle,
       "What the contact boundary may touch. boundary : NAME, another boundary "
@@ -68,7 +67,8 @@ namespace stiction
       "the distance "
       "from the obstacle (or the formula), a node has the normal -grad "
       "psi/|grad psi| and the gap psi/|grad psi| where it is before "
-      "deformation, which are kept: contact is linearised. Nodes whose "
+      "deformation, which are kept unless 'Sliding = far': "
+      "contact is linearised. Nodes whose "
       "outward normal is more than 84 degrees away from that normal face "
       "away from the obstacle and cannot touch it; they must not be inside. "
       "An obstacle that is moved by formulas in t drags nothing along; for "
@@ -94,6 +94,15 @@ namespace stiction
                   "surfaces, which facets keep apart or let overlap by more than the "
                   "bodies give way, and for overlaps that the drawing has and the bodies "
                   "have not. A fit with interference is then a negative 'Initial gap'.");
+    add_parameter(
+      "Sliding", sliding,
+      "Where gaps and normals of an obstacle with a shape are taken. little: "
+      "where body and obstacle are before anything moves; a warning says if they came to "
+      "where a curved one is another. far: where both come to, found by placing the "
+      "obstacle at the answer until the certificate holds there: for obstacles that are "
+      "dragged along a body or begin away from it, by any distance, and bodies that "
+      "slide along curved obstacles. The body itself remains linear: its strains and "
+      "turns must be small.");
     add_parameter("Initial gap", initial_gap,
                   "Distance from the undeformed contact boundary to the "
                   "foundation along the outward normal, a formula in x, y, z, t; "
@@ -101,14 +110,15 @@ namespace stiction
                   "large one makes a ball smaller: to begin farther away move the "
                   "obstacle. "
                   "Negative: initial interference. Unit: of length.");
-    add_parameter("Obstacle displacement", obstacle_displacement,
-                  "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' "
-                  "place it, 'Ux; Uy; Uz', formulas in t: gaps grow by n.U with the "
-                  "normals n of that place, so that a curved one must begin where it "
-                  "touches, or nearly so; slip is "
-                  "that of the body relative to the moved surface, which drags the body "
-                  "along by friction. Small, like the displacements of the body: normals "
-                  "stay. Unit: of length.");
+    add_parameter(
+      "Obstacle displacement", obstacle_displacement,
+      "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' place it, "
+      "'Ux; Uy; Uz', formulas in t: gaps grow by n.U with the normals n of that place, "
+      "so that a curved one must begin where it touches, or nearly so, and move by "
+      "little, "
+      "unless 'Sliding = far'; slip is that of the body relative to the moved surface, "
+      "which drags the body along by friction, though not what an obstacle does to come "
+      "to touch by the shortest way. Unit: of length.");
     add_parameter("Obstacle rotation", obstacle_rotation,
                   "By how much the surface of the obstacle has turned, 'px; py; pz; ax; "
                   "ay; az; angle', formulas in t: a point p of the axis, which moves "
@@ -124,7 +134,8 @@ namespace stiction
     add_parameter("Obstacle force", obstacle_force,
                   "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
                   "The obstacle is then free to move along this vector, from where the "
-                  "other entries place it (a curved one where it touches, or nearly so), "
+                  "other entries place it (a curved one where it touches, or nearly so, "
+                  "unless 'Sliding = far'), "
                   "and moves until it acts on the body with this "
                   "force along it; it does not tilt, and is held in the directions "
                   "across. Of a body cut by planes of symmetry it is the part of the "

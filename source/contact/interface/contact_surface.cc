@@ -28,18 +28,8 @@ namespace stiction
       return (product(at.pressure + h) - product(at.pressure - h)) / (2. * h);
     }
 
-    // Of the largest displacement: less is no slip worth a word.
-    constexpr double least_slip = 1e-3;
-
-    // ... and less is none: what is prescribed as zero is so but for rounding.
+    // Of the largest displacement: what is prescribed as zero is so but for rounding.
     constexpr double rounding_of_slip = 1e-10;
-
-    // Of the largest slip of a pair: beside a plane of symmetry a mean of what lies
-    // opposite slips by less.
-    constexpr double part_of_pair = 0.3;
-
-    // Of the largest force of earlier steps: less friction is what a tolerance left.
-    constexpr double least_friction = 1e-6;
 
     // The place of a boundary in the list, the list's size if it is not there.
     std::size_t index_of(const std::vector<ContactBoundary> &boundaries,
@@ -79,6 +69,13 @@ namespace stiction
     return !std::all_of(
       boundaries_.begin(), boundaries_.end(),
       [](const ContactBoundary &boundary) { return boundary.is_pair(); });
+  }
+
+  bool ContactSurface::slides_far() const
+  {
+    return std::any_of(
+      boundaries_.begin(), boundaries_.end(),
+      [](const ContactBoundary &boundary) { return boundary.slides_far(); });
   }
 
   bool ContactSurface::is_other_side(const types::boundary_id id) const
@@ -148,26 +145,63 @@ namespace stiction
       {
         const double force = boundary.force().norm();
         if (boundary.id() == id)
-          return force > 0. ? boundary.displacement() +
-                                distances(column) / force * boundary.force()
-                            : boundary.displacement();
+          return force > 0. && distances.size() > 0
+                   ? boundary.displacement() +
+                       distances(column) / force * boundary.force()
+                   : boundary.displacement();
         column += force > 0. ? 1 : 0;
       }
     return {};
   }
 
-  void ContactSurface::count_slip_from(const Eigen::VectorXd &origin)
+  Eigen::VectorXd ContactSurface::approaches(const Eigen::VectorXd &gaps,
+                                             const Eigen::VectorXd &ways,
+                                             const Eigen::VectorXd &lambda) const
+  {
+    std::vector<Eigen::Index> nearest(boundaries_.size(), -1);
+    std::vector<bool> is_open(boundaries_.size());
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      is_open[b] = boundaries_[b].obstacle() != nullptr;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const unsigned int b = nodes_[i].boundary;
+        if (gaps(i) <= 0. || (lambda.size() > 0 && lambda(i) > 0.))
+          is_open[b] = false;
+        if (nearest[b] < 0 || gaps(i) < gaps(nearest[b]))
+          nearest[b] = i;
+      }
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (const unsigned int b = nodes_[i].boundary; is_open[b])
+        set_at_node(all, i, -at_node(ways, nearest[b]));
+    return all;
+  }
+
+  Eigen::VectorXd ContactSurface::slip_origin(const State &state) const
+  {
+    const Eigen::VectorXd gaps = gap_and_slip(state).head(n_nodes());
+    Eigen::VectorXd ways(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(ways, i, nodes_[i].force_to_cartesian({gaps(i), 0., 0.}));
+    return relative_displacement(state) + approaches(gaps, ways, state.lambda);
+  }
+
+  void ContactSurface::count_slip_from(Eigen::VectorXd origin)
   {
     if (origin.size() == 0)
-      return;
-    origin_                = origin;
+      {
+        origin = approach_at_start();
+        if (origin.isZero(0.))
+          return;
+      }
+    origin_                = std::move(origin);
     Eigen::VectorXd offset = motion_.offset_at_start();
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         if (slip_bound_.is_tied(i))
           continue; // it has not slipped
         const Eigen::Vector3d local =
-          B_.frames()[i].displacement_to_local(at_node(origin, i));
+          B_.frames()[i].displacement_to_local(at_node(origin_, i));
         for (unsigned int c = 1; c < 3; ++c)
           offset(i + c * n_nodes()) -= local(c);
       }
@@ -275,74 +309,6 @@ namespace stiction
                             dst);
   }
 
-  std::vector<double> ContactSurface::frictionless_parts(const State &state) const
-  {
-    // who has come back lacks friction as well
-    const Eigen::VectorXd of_all_steps = relative_displacement(state),
-                          of_this_step = slip_since_origin(state),
-                          bound        = slip_bound_.at(state.lambda);
-    std::vector<double> parts(boundaries_.size(), 0.), all = parts;
-    std::vector<std::array<double, 3>> least(boundaries_.size());
-    for (auto &of_components : least)
-      of_components.fill(least_slip * state.u.linfty_norm());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (const ContactNode &node = nodes_[i]; boundaries_[node.boundary].is_pair())
-        {
-          const Tensor<1, 3> slip       = to_tensor(at_node(of_all_steps, i));
-          const Tensor<1, 3> tangential = slip - (slip * node.normal) * node.normal;
-          for (unsigned int c = 0; c < 3; ++c)
-            least[node.boundary][c] =
-              std::max(least[node.boundary][c], part_of_pair * std::abs(tangential[c]));
-        }
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      {
-        const ContactNode &node = nodes_[i];
-        const double force      = std::max(state.lambda(i), 0.);
-        if (slip_bound_.is_tied(i))
-          continue;
-        all[node.boundary] += force;
-        bool lacks = false; // dragged nodes have scales
-        for (unsigned int c = 0; c < 3; ++c)
-          lacks = lacks || (node.prescribed[c] && node.scale[0] == 0. &&
-                            std::max(std::abs(at_node(of_all_steps, i)(c)),
-                                     std::abs(at_node(of_this_step, i)(c))) >
-                              least[node.boundary][c]);
-        if (bound(i) > 0. && lacks)
-          parts[node.boundary] += force;
-      }
-    for (std::size_t b = 0; b < parts.size(); ++b)
-      parts[b] = all[b] > 0. ? parts[b] / all[b] : 0.;
-    return parts;
-  }
-
-  std::vector<double> ContactSurface::falls_of_friction(const State &state) const
-  {
-    const Eigen::VectorXd r     = gap_and_slip(state);
-    const Eigen::VectorXd &path = state.history.path;
-    std::vector<double> falls(boundaries_.size(), 0.), all = falls;
-    for (Eigen::Index i = 0; i < path.size(); ++i)
-      {
-        const ContactNode &node      = nodes_[i];
-        const FrictionData &friction = boundaries_[node.boundary].friction();
-        if (state.lambda(i) <= 0. || !friction.depends_on_rubbing())
-          continue;
-        const double pressure = state.lambda(i) / node.area;
-        const double slip =
-          node.displacement_to_cartesian({0., r(i + n_nodes()), r(i + 2 * n_nodes())})
-            .norm();
-        const double before =
-                       friction.value(node, {pressure, std::max(path(i) - slip, 0.)}),
-                     now = friction.value(node, {pressure, path(i)});
-        const double weight =
-          friction.law() == FrictionLaw::coulomb ? state.lambda(i) : node.area;
-        all[node.boundary] += weight * before;
-        falls[node.boundary] += weight * std::max(before - now, 0.);
-      }
-    for (std::size_t b = 0; b < falls.size(); ++b)
-      falls[b] = all[b] > least_friction * state.scales.force ? falls[b] / all[b] : 0.;
-    return falls;
-  }
-
   Eigen::VectorXd ContactSurface::slip_since_origin(const State &state) const
   {
     Eigen::VectorXd slip = relative_displacement(state);
@@ -370,11 +336,35 @@ namespace stiction
     return all;
   }
 
+  Eigen::VectorXd ContactSurface::ways_at_start() const
+  {
+    Eigen::VectorXd ways(3 * n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      {
+        const Tensor<1, 3> &way = nodes_[i].way_at_start;
+        set_at_node(ways, i, {way[0], way[1], way[2]});
+      }
+    return ways;
+  }
+
+  Eigen::VectorXd ContactSurface::approach_at_start() const
+  {
+    Eigen::VectorXd gaps(n_nodes());
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      gaps(i) = nodes_[i].gap_at_start;
+    return approaches(gaps, ways_at_start(), {});
+  }
+
   bool ContactSurface::are_obstacles_too_deep(const Eigen::VectorXd &distances) const
   {
-    return n_nodes() > 0 && motion_.n_pressed() > 0 &&
-           motion_.offset(distances).head(n_nodes()).minCoeff() <
-             -boundaries_.front().body_size();
+    if (motion_.n_pressed() == 0)
+      return false;
+    const Eigen::VectorXd offset = motion_.offset(distances);
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      if (const ContactBoundary &boundary = boundaries_[nodes_[i].boundary];
+          !boundary.slides_far() && offset(i) < -boundary.body_size())
+        return true;
+    return false;
   }
 
   std::vector<std::pair<Eigen::Index, double>> ContactSurface::bearers_at(

@@ -66,6 +66,7 @@ namespace stiction
         node.own_part = node.area / area;
         node.area     = area;
         node.gap *= node.own_part;
+        node.way_at_start *= node.own_part;
         node.arm *= node.own_part;
         node.turning *= node.own_part;
         node.center *= node.own_part;
@@ -73,6 +74,7 @@ namespace stiction
           {
             const ContactNode &lender = lenders_[loan.col()];
             node.gap += loan.value() * lender.gap;
+            node.way_at_start += loan.value() * lender.way_at_start;
             node.arm += loan.value() * lender.arm;
             node.turning += loan.value() * lender.turning;
             node.center += loan.value() * lender.center;

@@ -45,7 +45,8 @@ namespace stiction
   } // namespace
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
-                                 const ContactParameters &parameters)
+                                 const ContactParameters &parameters,
+                                 const State *const there)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
   {
     join_pairs(elasticity);
@@ -54,11 +55,13 @@ namespace stiction
     require_nodes(contact_boundary_entry,
                   "the displacement is prescribed at every node of this "
                   "boundary, must be a boundary with free nodes");
+    move_nodes(there);
     place_obstacles();
     require_nodes("Boundary conditions/Obstacle",
                   "no free node of the contact boundary faces it, its "
                   "surface must lie opposite to the boundary, its normal "
-                  "towards the body");
+                  "towards the body",
+                  ", and nearer than the smaller of both is large");
     lend_areas(elasticity);
     evaluate_data();
     number_nodes(elasticity);
@@ -74,8 +77,29 @@ namespace stiction
       (set_tangents(node) ? nodes_ : idle_).push_back(node);
   }
 
-  void ContactSurface::require_nodes(const std::string &entry,
-                                     const std::string &reason) const
+  void ContactSurface::move_nodes(const State *const there)
+  {
+    if (!slides_far())
+      return;
+    const auto move = [&](std::vector<ContactNode> &nodes) {
+      Eigen::VectorXd u =
+        Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(nodes.size()));
+      if (there != nullptr)
+        u = DofSubset::of_nodes(first_dofs_of(nodes)).restriction(there->u);
+      const Eigen::VectorXd distances =
+        there != nullptr ? there->distances : Eigen::VectorXd();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (const ContactBoundary &boundary = boundaries_[nodes[i].boundary];
+            boundary.slides_far())
+          nodes[i].moved = to_tensor(at_node(u, static_cast<Eigen::Index>(i))) -
+                           obstacle_displacement(boundary.id(), distances);
+    };
+    move(nodes_);
+    move(idle_);
+  }
+
+  void ContactSurface::require_nodes(const std::string &entry, const std::string &reason,
+                                     const std::string &of_pair) const
   {
     std::vector<unsigned int> n(boundaries_.size(), 0);
     for (const ContactNode &node : nodes_)
@@ -96,17 +120,26 @@ namespace stiction
       (n.size() == 1 && !(boundary.is_pair() && entry == contact_boundary_entry)
          ? ""
          : ", boundary '" + boundary.name() + "'") +
-      ", " + reason + ".");
+      ", " + reason + (boundary.is_pair() ? of_pair : "") + ".");
   }
 
   bool ContactSurface::place(ContactNode &node) const
   {
     const ContactBoundary &boundary = boundaries_[node.boundary];
-    if (boundary.is_pair())
-      return place_in_pair(node);
-    if (!boundary.place(node))
-      return false;
-    node.arm     = boundary.arm(node.position + node.gap * node.normal, node.normal);
+    ContactNode at_start            = node;
+    at_start.moved                  = {};
+    const bool faces = boundary.is_pair() ? place_in_pair(node) : boundary.place(node);
+    if (node.moved.norm() == 0. || boundary.obstacle() == nullptr)
+      at_start = node;
+    else
+      boundary.place_if_possible(at_start);
+    node.gap_at_start = at_start.gap;
+    node.way_at_start = at_start.gap * at_start.normal;
+    if (boundary.is_pair() || !faces)
+      return faces;
+    // the axis moves along with the obstacle
+    const Tensor<1, 3> across = node.moved - (node.normal * node.moved) * node.normal;
+    node.arm = boundary.arm(node.position + across + node.gap * node.normal, node.normal);
     node.turning = boundary.angle() * node.arm;
     return true;
   }
@@ -252,7 +285,7 @@ namespace stiction
         Eigen::Vector3d e               = seen_from(frame, boundary.displacement());
         e(0) += node.gap;
         e.tail<2>() += seen_from(frame, node.turning).tail<2>();
-        if (e(0) < -boundary.body_size())
+        if (e(0) < -boundary.body_size() && !boundary.slides_far())
           throw InputError(
             boundary.source().describe(boundary.displacement().norm() > 0.
                                          ? "Boundary conditions/Obstacle displacement"

@@ -300,6 +300,7 @@ namespace stiction
     node.cover           = mortar.areas(i) / node.area;
     node.area            = mortar.areas(i);
     node.mesh_gap        = mortar.gaps(i);
+    node.facets          = mortar.facets;
     node.opposite_normal = to_tensor(mortar.normals.row(i).transpose());
     node.youngs_modulus  = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
     node.gap             = boundary.initial_gap(node.position) +

@@ -23,6 +23,17 @@ namespace stiction
     return here;
   }
 
+  Eigen::VectorXd on_frames(const Eigen::VectorXd &lambda, const ContactSurface &before,
+                            const ContactSurface &now)
+  {
+    const Eigen::VectorXd forces = before.forces(lambda);
+    Eigen::VectorXd there        = Eigen::VectorXd::Zero(3 * now.n_nodes());
+    for (Eigen::Index k = 0; k < before.n_nodes(); ++k)
+      if (const Eigen::Index i = now.node_of(before.nodes()[k].first_dof); i >= 0)
+        set_at_node(there, i, now.nodes()[i].force_to_local(at_node(forces, k)));
+    return there;
+  }
+
   Eigen::VectorXd slip_path(const State &state, const ContactSurface &surface)
   {
     const Eigen::Index m = surface.n_nodes();
@@ -43,7 +54,6 @@ namespace stiction
 
   SlipHistory history_after(const State &state, const ContactSurface &surface)
   {
-    return {surface.first_dofs(), surface.relative_displacement(state),
-            slip_path(state, surface)};
+    return {surface.first_dofs(), surface.slip_origin(state), slip_path(state, surface)};
   }
 } // namespace stiction

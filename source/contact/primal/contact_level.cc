@@ -90,11 +90,8 @@ namespace stiction
 
     stiffness_of_cells_ = {finer.stiffness_of_cells_.youngs_moduli(on_finer_),
                            finer.stiffness_of_cells_.softest};
-    std::vector<ContactFrame> frames;
-    for (const Eigen::Index i : on_finer_)
-      frames.push_back(finer.B_.frames()[i]);
     B_ = ContactOperator(DofSubset::of_nodes(dof_hierarchy.first_dofs(level)),
-                         std::move(frames));
+                         frames_of_finer_level());
     find_inner_nodes();
     find_free_motions();
     update();
@@ -118,8 +115,8 @@ namespace stiction
         LA::Vector u = mesh().zero_vector<double>();
         add_free_motion(Eigen::VectorXd::Unit(n, j), u);
         balance_.G.col(p + j) = -B_.apply_to_motion(u);
-        balance_.e(p + j)     = -(u * load_);
       }
+    balance_.e.tail(n) = -elasticity_.work_of_loads_along_free_motions();
     if (n == 0)
       return;
     const Eigen::MatrixXd motions = balance_.G.rightCols(n);
@@ -169,12 +166,23 @@ namespace stiction
     for (const auto dof : load_.locally_owned_elements())
       if (elasticity_.is_prescribed(dof))
         prescribed_.push_back(elasticity_.prescribed_value(dof));
+    B_          = ContactOperator(surface_->B().dofs(), surface_->B().frames());
     motion_     = surface_->motion();
     slip_bound_ = surface_->slip_bound();
   }
 
+  std::vector<ContactFrame> ContactLevel::frames_of_finer_level() const
+  {
+    std::vector<ContactFrame> frames;
+    for (const Eigen::Index i : on_finer_)
+      frames.push_back(finer_->B_.frames()[i]);
+    return frames;
+  }
+
   void ContactLevel::take_conditions_of_finer_level()
   {
+    B_ = ContactOperator(B_.dofs(), frames_of_finer_level());
+
     LA::Vector load = finer_->load_;
     finer_->basis_.forces_to_absolute(load);
     transfer_->restrict_to(load_, load);

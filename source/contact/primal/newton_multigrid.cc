@@ -21,6 +21,11 @@ namespace stiction
     // levels find.
     constexpr double warm_residual = 0.1;
 
+    // Of the loads. A body that contact alone holds and that friction may hold without
+    // them, as a wedge, may also be where nothing touches it, and coarse levels know
+    // nothing of where it was: it begins there if contact bore as much as this.
+    constexpr double much_borne = 0.5;
+
     // What a coarse level found with a larger one is worth less than nothing.
     constexpr double worthless = 1.;
 
@@ -118,6 +123,7 @@ namespace stiction
                                    const ContactSurface &surface,
                                    const bool levels_in_use, LevelNewton::Options options)
     : options_(std::move(options))
+    , is_held_by_contact_(elasticity.free_motions().n() > 0)
     , hierarchy_(elasticity.body(), elasticity.mesh(), levels_in_use)
     , dof_hierarchy_(hierarchy_, surface.first_dofs())
     , multigrid_(elasticity, hierarchy_, dof_hierarchy_,
@@ -221,7 +227,10 @@ namespace stiction
     const ContactLevel &problem = *problems_.back();
     const double residual =
       ContactResidual(problem, *state_, problem.slip_bound()).value();
-    return residual <= warm_residual ? finest_level() : coarsest;
+    const bool is_wedged =
+      is_held_by_contact_ && known.lambda.size() > 0 &&
+      known.lambda.head(problem.n_nodes()).sum() > much_borne * problem.load_sum();
+    return residual <= warm_residual || is_wedged ? finest_level() : coarsest;
   }
 
   Eigen::VectorXd NewtonMultigrid::begin(const unsigned int level, const State &known)

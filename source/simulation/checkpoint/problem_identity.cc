@@ -21,11 +21,14 @@ namespace stiction
 
     bool is_of_problem(const std::string &entry)
     {
-      static const std::set<std::string> single = {
-        "Boundary conditions/Contact boundary", "Boundary conditions/Obstacle",
-        "Boundary conditions/Slave side", "Friction/Law", "Refinement/Adaptive steps"};
+      static const std::set<std::string> single = {"Boundary conditions/Contact boundary",
+                                                   "Boundary conditions/Obstacle",
+                                                   "Boundary conditions/Slave side",
+                                                   "Boundary conditions/Sliding",
+                                                   "Friction/Law",
+                                                   "Refinement/Adaptive steps"};
       static const std::set<std::string> of_pair = {"Boundary", "Obstacle", "Slave side",
-                                                    "Law"};
+                                                    "Sliding", "Law"};
       const bool is_pair                         = entry.rfind("Contact pair ", 0) == 0;
       return entry.rfind("Geometry/", 0) == 0 ||
              entry.rfind(PlacedBody::section_name + " ", 0) == 0 ||

@@ -1,6 +1,8 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/log.h>
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/mesh_names.h>
+#include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/simulation/parameters/missing_entries.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -136,6 +138,17 @@ namespace stiction
     if (parameters.boundary.has_load() || parameters.contact.has_load() ||
         (surface.motion().offset_at_start().head(surface.n_nodes()).array() < 0.).any())
       return;
+    for (const ContactNode &node : surface.nodes())
+      if (const ContactBoundary &pair = surface.boundaries()[node.boundary];
+          pair.is_pair() && pair.keeps_mesh_gap() && node.own_part == 1. &&
+          node.gap < node.mesh_gap)
+        throw InputError(pair.source().describe("Boundary conditions/Initial gap") +
+                         ", closes no gap between '" + pair.name() + "' and '" +
+                         pair.partner_name() +
+                         format("', which their meshes have, up to %.3g, must be larger; "
+                                "'Mesh gap = removed' takes away what facets keep round "
+                                "surfaces apart.",
+                                node.mesh_gap));
     MissingEntries missing;
     add_load(missing, boundaries, examples_in(parameters.output.units));
     missing.refuse_if_any(parameters, boundaries);

@@ -98,13 +98,29 @@ namespace stiction
                    stiffness_solver_type());
     Q_ = SchurComplement::create(parameters.dual_operator.form, setting_.elasticity,
                                  setting_.surface, *stiffness_solver_);
+    B_ = setting_.surface.B();
   }
 
   void DualContactSolver::update()
   {
     forget_method(); // a run that goes on from a checkpoint knows nothing of it
-    Q_->set_right_hand_side(SchurComplement::right_hand_side_of(
-      setting_.elasticity, setting_.surface, *stiffness_solver_));
+    const LinearElasticity &elasticity = setting_.elasticity;
+    const ContactSurface &surface      = setting_.surface;
+    if (Q_->matrix() == nullptr || B_ == surface.B())
+      {
+        Q_->set_right_hand_side(
+          SchurComplement::right_hand_side_of(elasticity, surface, *stiffness_solver_));
+        return;
+      }
+    // the frames have turned, and will again
+    if (compliance_.size() == 0)
+      compliance_ = SchurComplement::compliance(elasticity, surface, *stiffness_solver_);
+    earlier_multiplications_ += present_operator().n_multiplications();
+    augmented_.reset();
+    deflated_.reset();
+    Q_.reset();
+    Q_ = SchurComplement::assembled(compliance_, elasticity, surface, *stiffness_solver_);
+    B_ = surface.B();
   }
 
   SolveStatus DualContactSolver::solve(State &state, const Observer &observer)
@@ -139,6 +155,11 @@ namespace stiction
                       : "") +
         other_method(tried_),
       observer, lambda);
+  }
+
+  const DualOperator &DualContactSolver::present_operator() const
+  {
+    return augmented_ ? *augmented_ : *Q_;
   }
 
   void DualContactSolver::forget_method()
@@ -361,7 +382,7 @@ namespace stiction
     DualMethodStatistics all = earlier_;
     if (method_) // there is none in a step to which nobody handed over
       all += method_->statistics();
-    add_method(result.solver, all, augmented_ ? *augmented_ : *Q_);
+    add_method(result.solver, all, present_operator());
     result.solver.dual_multiplications +=
       static_cast<unsigned long>(std::ceil(earlier_multiplications_));
     result.solver.stiffness_solves            = stiffness_solver_->n_solves();

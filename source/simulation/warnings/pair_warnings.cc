@@ -31,6 +31,12 @@ namespace stiction
     // Of the strain energy of the bodies of a pair.
     constexpr double much_from_facets = 0.02;
 
+    // Of the interference of a fit.
+    constexpr double much_of_interference = 0.5;
+
+    // Of what facets can do: surfaces that differ by more do not fit.
+    constexpr double much_misfit = 3.;
+
     // Of what bodies are thick.
     constexpr double much_overlap = 0.15;
 
@@ -130,6 +136,44 @@ namespace stiction
                 : "round it off, or make the flat one the one boundary.")});
     }
 
+    // What is to overlap, beside facets that are as deep.
+    void add_fit(const ContactBoundary &pair, const ContactSurface &surface,
+                 const Units &units, Warnings &warnings)
+    {
+      double interference = 0., facets = 0.;
+      for (const ContactNode &node : surface.nodes())
+        if (surface.boundaries()[node.boundary].id() == pair.id() && node.own_part == 1.)
+          {
+            interference = std::max(interference, node.mesh_gap - node.gap);
+            facets       = node.facets;
+          }
+      if (pair.keeps_mesh_gap() && interference > 0. &&
+          facets > much_of_interference * interference)
+        warnings.push_back(
+          {"fit of " + pair.name(), facets,
+           "facets keep '" + pair.name() + "' and '" + pair.partner_name() +
+             "' apart by up to " + with_unit(format("%.2g", facets), units.length) +
+             format(" or let them overlap by it, which is %.2g times what 'Initial gap' "
+                    "lets them overlap, and pressures follow them; 'Mesh gap = removed' "
+                    "takes that away.",
+                    facets / interference)});
+    }
+
+    // Who has the distance of meshes removed means that of facets, or of drawings.
+    void add_misfit(const ContactBoundary &pair, const PairFigures &figures,
+                    Warnings &warnings)
+    {
+      if (!pair.keeps_mesh_gap() && figures.misfit > much_misfit)
+        warnings.push_back(
+          {"misfit of " + pair.name(), figures.misfit,
+           format(
+             "'%s' and '%s' do not fit: what 'Mesh gap = removed' takes away between "
+             "them differs by %.2g times what facets make of surfaces that do, so "
+             "that they touch where they would not, with much too large an area; say "
+             "'Mesh gap = kept'.",
+             pair.name().c_str(), pair.partner_name().c_str(), figures.misfit)});
+    }
+
     void add_facets(const ContactBoundary &pair, const PairFigures &figures,
                     const Body &body, const Certificate &certificate, Warnings &warnings)
     {
@@ -156,10 +200,12 @@ namespace stiction
                             Warnings &warnings)
   {
     add_overlap(pair, surface, body, units, warnings);
+    add_fit(pair, surface, units, warnings);
     add_edge(pair, figures, warnings);
     add_slide(pair, figures, units, warnings);
     add_gap(pair, figures, units, warnings);
     add_tilt(pair, figures, warnings);
+    add_misfit(pair, figures, warnings);
     add_facets(pair, figures, body, certificate, warnings);
   }
 } // namespace stiction

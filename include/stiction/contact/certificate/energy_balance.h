@@ -41,7 +41,9 @@ namespace stiction
   ///
   /// The frames of contact nodes may turn from end to end: the terms are computed in
   /// Cartesian components, in which what the turning changes of the slip counts to X,
-  /// and so does the work at nodes that are contact nodes at one end alone.
+  /// and so does the work at nodes that are contact nodes at one end alone. Of obstacles
+  /// that are displaced or pressed on, e counts their displacement and the way to them
+  /// where they began, however they are linearised.
   ///
   /// On a new mesh the interpolated u₀ is in no equilibrium, and near ν = 0.5 its
   /// internal forces are much too large. ΔE is then that of the energies, E₀ on the mesh
@@ -96,11 +98,12 @@ namespace stiction
     {
       LA::Vector u, internal_force, load, reaction;
       std::vector<dealii::types::global_dof_index> nodes; ///< by first unknowns
-      Eigen::VectorXd force    = {};                      ///< Bᵀλ, on the obstacle
-      Eigen::VectorXd offset   = {};                      ///< e in the free directions
-      Eigen::VectorXd gap      = {};                      ///< r_ν n
-      Eigen::VectorXd relative = {};                      ///< U − u, see SlipHistory
-      Eigen::VectorXd sliding  = {};                      ///< its tangential part
+      Eigen::VectorXd force   = {};                       ///< Bᵀλ, on the obstacle
+      Eigen::VectorXd offset  = {};                       ///< e = U + way_at_start
+      Eigen::VectorXd gap     = {};                       ///< r_ν n
+      Eigen::VectorXd sliding = {};                       ///< e − u without it
+      /// What obstacles that bear nothing do to come to touch: no work.
+      Eigen::VectorXd approach = {};
     };
 
     static End end_of(const LinearElasticity &elasticity, const ContactSurface &surface,

@@ -23,4 +23,17 @@ namespace stiction
     const LinearElasticity &elasticity, const ContactSurface &surface,
     const std::vector<RigidMotion> &motions, const State &state,
     const std::vector<NodeStatus> &statuses);
+
+  /// The part of the normal force of each contact boundary that nodes bear which
+  /// supports hold in a direction, in which no friction acts, and along which they have
+  /// slipped. Dragged nodes are none of them. Collective.
+  std::vector<double> frictionless_parts(const ContactSurface &surface,
+                                         const State &state);
+
+  /// By how much friction fell as nodes slipped since the origin, as a part of what it
+  /// could bear there, of each contact boundary. Collective.
+  ///
+  /// @param state at the end of a step, with the path up to there in its history.
+  std::vector<double> falls_of_friction(const ContactSurface &surface,
+                                        const State &state);
 } // namespace stiction

@@ -29,6 +29,18 @@ namespace stiction
                                                 const ContactSurface &surface,
                                                 StiffnessSolver &solver);
 
+    /// The block of K⁻¹ at ContactOperator::all_dofs(), without anchors: what an
+    /// assembled Q is made of, whatever the frames. Collective.
+    static Eigen::MatrixXd compliance(const LinearElasticity &elasticity,
+                                      const ContactSurface &surface,
+                                      StiffnessSolver &solver);
+
+    /// Q of that as a dense matrix. Collective.
+    static std::unique_ptr<DualOperator> assembled(Eigen::MatrixXd compliance,
+                                                   const LinearElasticity &elasticity,
+                                                   const ContactSurface &surface,
+                                                   StiffnessSolver &solver);
+
     /// h of the present loads and obstacles: one solve. Collective.
     static Eigen::VectorXd right_hand_side_of(const LinearElasticity &elasticity,
                                               const ContactSurface &surface,

@@ -94,6 +94,10 @@ namespace stiction
     /// they are meshed.
     bool is_tied() const;
 
+    /// Whether gaps and normals are those where body and obstacle come to, not those
+    /// where the body is made.
+    bool slides_far() const { return sliding_ == "far"; }
+
     /// Whether the distance of the meshes of a pair is part of the gap.
     bool keeps_mesh_gap() const { return mesh_gap_ == "kept"; }
 
@@ -109,8 +113,8 @@ namespace stiction
     double body_size() const { return size_; }
 
     /// Gives a node of this boundary, whose normal is the outward one, its gap
-    /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ at its place: the
-    /// linearisation of ψ(x + u) ≥ 0.
+    /// and the normal towards the obstacle n = −∇ψ/‖∇ψ‖ where it has moved: the
+    /// linearisation of ψ(x + u − U) ≥ 0.
     ///
     /// @return whether the node can touch the obstacle: a node whose outward
     ///   normal has a cosine below 0.1 with n faces away from it.
@@ -118,6 +122,10 @@ namespace stiction
     /// Throws InputError if ∇ψ = 0, and if the obstacle is deeper in the body than
     /// the body is large.
     bool place(ContactNode &node) const;
+
+    /// place(), with the gap of a node that is too deep in the obstacle, or where this
+    /// has no normal.
+    void place_if_possible(ContactNode &node) const;
 
     /// Throws InputError if a node that was placed, and faces away, is inside the
     /// obstacle.
@@ -142,6 +150,10 @@ namespace stiction
     /// Throws InputError unless there is another side, and no gap.
     void require_tied_pair(bool has_partners, const std::string &gap) const;
 
+    /// Throws InputError if an entry has another value.
+    void require_one_of(const std::string &entry, const std::string &value,
+                        const std::vector<std::string> &allowed) const;
+
     /// Makes it one side of a pair. Throws InputError if the mesh has no such other
     /// boundaries, or if the pair is said to move.
     void pair_with(const std::vector<std::string> &others, const Body &body);
@@ -149,7 +161,8 @@ namespace stiction
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_;
+    std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_,
+      sliding_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
     std::vector<dealii::types::boundary_id> partners_;
 

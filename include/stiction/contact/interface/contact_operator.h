@@ -44,6 +44,10 @@ namespace stiction
     /// Whether it is the same map, bit by bit.
     bool operator==(const ContactOperator &other) const;
 
+    /// Whether it is that map but for the frames of nodes, which are held in the same
+    /// directions: what lies opposite, and in which basis, is the same.
+    bool is_turned(const ContactOperator &other) const;
+
     /// Those of the contact nodes.
     const DofSubset &dofs() const { return dofs_; }
 
@@ -98,6 +102,9 @@ namespace stiction
     Eigen::VectorXd held() const;
 
   private:
+    /// Whether nodes and what lies opposite are the same.
+    bool has_nodes_of(const ContactOperator &other) const;
+
     /// Bᵀ λ at the contact nodes where unknowns are free.
     Eigen::VectorXd free_forces(const Eigen::VectorXd &lambda) const;
 

@@ -33,6 +33,7 @@ namespace stiction
     std::string obstacle              = "foundation";
     std::string slave_side            = "automatic";
     std::string mesh_gap              = "kept";
+    std::string sliding               = "little";
     std::string initial_gap           = "0";
     std::string obstacle_displacement = "0; 0; 0";
     std::string obstacle_rotation     = "0; 0; 0; 0; 0; 1; 0";

@@ -41,6 +41,12 @@ namespace stiction
     dealii::Point<3> position; ///< undeformed, m
     dealii::Point<3> center;   ///< of the places that its force acts at, m
     double gap = 0.;           ///< d along n, m; negative: interference
+    /// u − U, by how much the node has moved from its place relative to that of the
+    /// obstacle, where gap and normal are taken, m: r_ν = d − n·(u − U) is the distance
+    /// there.
+    dealii::Tensor<1, 3> moved;
+    double gap_at_start = 0.;          ///< d where nothing has moved, m
+    dealii::Tensor<1, 3> way_at_start; ///< d n there
     /// How far the surface of an obstacle that turns moves past it a radian, m, and
     /// has moved: the point that it faces. The torque of a force is arm·F.
     dealii::Tensor<1, 3> arm, turning;
@@ -52,6 +58,7 @@ namespace stiction
     /// half a node is beyond the edge of what lies opposite, or next to a corner of it.
     double cover    = 1.;
     double mesh_gap = 0.; ///< of a pair, between the meshes along the normal, m
+    double facets   = 0.; ///< of a pair, see Mortar::facets, m
     /// Of a pair, at the rim of a part, unit, out of the other side; elsewhere zero.
     dealii::Tensor<1, 3> opposite_normal;
     /// The largest of the cells behind it, Pa; of a pair that of the softer body.
@@ -88,8 +95,11 @@ namespace stiction
     /// itself, has no node that can touch its obstacle, or if what is said of
     /// it (obstacle, gap, displacement, rotation, force, coefficient, slip stress) cannot
     /// be read or has a value that is not allowed.
+    ///
+    /// @param there where the body and pressed obstacles are about which gaps of
+    ///   boundaries that slide far are linearised; none: where they are made.
     ContactSurface(const LinearElasticity &elasticity,
-                   const ContactParameters &parameters);
+                   const ContactParameters &parameters, const State *there = nullptr);
 
     ContactSurface(ContactSurface &&) noexcept;
     ContactSurface &operator=(ContactSurface &&) noexcept;
@@ -118,8 +128,15 @@ namespace stiction
     const ObstacleMotion &motion() const { return motion_; }
 
     /// Counts slip from where body and obstacles were at the end of a step: takes
-    /// SlipHistory::origin off the tangential offsets. Once, after the constructor.
-    void count_slip_from(const Eigen::VectorXd &origin);
+    /// SlipHistory::origin off the tangential offsets; empty: from where obstacles come
+    /// to touch the body as it is made. Once, after the constructor.
+    void count_slip_from(Eigen::VectorXd origin);
+
+    /// From where the slip of the next step is counted: relative_displacement(), and of
+    /// an obstacle that bears nothing the shortest way on which it comes to touch. That
+    /// is no slip, though nodes beside the first that is touched see it along themselves
+    /// where surfaces are curved. Collective.
+    Eigen::VectorXd slip_origin(const State &state) const;
 
     /// Whether friction depends on pressure or slip, so that set_friction() has to
     /// follow the state.
@@ -166,19 +183,20 @@ namespace stiction
     /// dst += factor Bᵀ λ, with what acts in held directions. Collective.
     void add_forces(double factor, const Eigen::VectorXd &lambda, LA::Vector &dst) const;
 
-    /// The part of the normal force of each contact boundary that nodes bear which
-    /// supports hold in a direction, in which no friction acts, and along which they have
-    /// slipped. Dragged nodes are none of them. Collective.
-    std::vector<double> frictionless_parts(const State &state) const;
-
-    /// By how much friction fell as nodes slipped since the origin, as a part of what it
-    /// could bear there, of each contact boundary. Collective.
-    ///
-    /// @param state at the end of a step, with the path up to there in its history.
-    std::vector<double> falls_of_friction(const State &state) const;
+    /// U − u of the contact nodes since slip is counted, length 3m by Cartesian
+    /// components, m. Collective.
+    Eigen::VectorXd slip_since_origin(const State &state) const;
 
     /// U − u of the contact nodes, see SlipHistory. Collective.
     Eigen::VectorXd relative_displacement(const State &state) const;
+
+    /// From the contact nodes to what they face where nothing has moved, length 3m by
+    /// Cartesian components, m.
+    Eigen::VectorXd ways_at_start() const;
+
+    /// What obstacles do to come to touch the body where nothing has moved, by the
+    /// shortest way, length 3m, m; see slip_origin().
+    Eigen::VectorXd approach_at_start() const;
 
     /// How far the obstacle of a contact boundary is from where its own entry
     /// places it, m, with pressed obstacles at distances δ.
@@ -209,6 +227,9 @@ namespace stiction
 
     /// Whether there is something rigid to touch: not all are contact pairs.
     bool has_obstacles() const;
+
+    /// Whether gaps and normals of some boundary are those at the answer.
+    bool slides_far() const;
 
     /// Whether a boundary of the mesh is the master of a contact pair.
     bool is_other_side(dealii::types::boundary_id id) const;
@@ -275,8 +296,14 @@ namespace stiction
 
     void collect_nodes(const LinearElasticity &elasticity);
 
-    /// Throws InputError with the reason unless every boundary has nodes.
-    void require_nodes(const std::string &entry, const std::string &reason) const;
+    /// Gives nodes the places relative to their obstacles about which gaps are
+    /// linearised. Collective.
+    void move_nodes(const State *there);
+
+    /// Throws InputError with the reason, of a pair with more of it, unless every
+    /// boundary has nodes.
+    void require_nodes(const std::string &entry, const std::string &reason,
+                       const std::string &of_pair = "") const;
 
     /// Normals and gaps, and out with the nodes that face away.
     void place_obstacles();
@@ -308,8 +335,12 @@ namespace stiction
                                           const std::vector<ContactNode> &nodes) const;
     void find_weights_of_other_side();
 
-    /// U − u since the end of the last step, by blocks (x; y; z).
-    Eigen::VectorXd slip_since_origin(const State &state) const;
+    /// The ways on which obstacles come to touch, by blocks (x; y; z): those of their
+    /// nearest nodes, nothing where a gap is closed or a force positive.
+    ///
+    /// @param gaps length m. @param ways to the obstacles, 3m. @param lambda or empty.
+    Eigen::VectorXd approaches(const Eigen::VectorXd &gaps, const Eigen::VectorXd &ways,
+                               const Eigen::VectorXd &lambda) const;
 
     /// Gives dragged nodes the scales of free ones, after B was made.
     void find_dragged_nodes();

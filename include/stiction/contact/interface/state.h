@@ -20,8 +20,8 @@ namespace stiction
     /// The contact nodes it is about, by their first unknowns.
     std::vector<dealii::types::global_dof_index> nodes;
     /// U − u of the contact nodes at the end of the last step, U being the
-    /// displacement of their obstacles: the slip of a step is counted from there.
-    /// Length 3m by Cartesian components, m.
+    /// displacement of their obstacles: the slip of a step is counted from there, see
+    /// ContactSurface::slip_origin(). Length 3m by Cartesian components, m.
     Eigen::VectorXd origin;
     /// The length of the way on which each contact node has slipped, counted in
     /// steps after which it was closed, length m, m.
@@ -56,6 +56,10 @@ namespace stiction
   /// formula may make others contact nodes than in the step before: those have none,
   /// and count slip from the undeformed body.
   SlipHistory on_nodes(const SlipHistory &history, const ContactSurface &surface);
+
+  /// Contact forces on other frames of the contact nodes, which may be others as well, N.
+  Eigen::VectorXd on_frames(const Eigen::VectorXd &lambda, const ContactSurface &before,
+                            const ContactSurface &now);
 
   /// How far each contact node has slipped with the step that ends with this state, in
   /// which one that is open then does not slip, m, length m. Collective.

@@ -55,7 +55,7 @@ namespace stiction
                  const DofSubsetHierarchy &dof_hierarchy, unsigned int level);
     ~ContactLevel();
 
-    /// Takes loads, supports, gaps and friction afresh from the arguments of the
+    /// Takes loads, supports, gaps, frames and friction afresh from the arguments of the
     /// constructor, or from the finer level. Collective.
     void update();
 
@@ -72,6 +72,9 @@ namespace stiction
     }
 
     const LA::Vector &load() const { return load_; }
+
+    /// Σ‖f_j‖ over the nodes, N.
+    double load_sum() const { return load_sum_; }
 
     const qp::SlipBound &slip_bound() const { return slip_bound_; }
 
@@ -170,6 +173,7 @@ namespace stiction
     void add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const;
     void take_conditions_of_body();
     void take_conditions_of_finer_level();
+    std::vector<ContactFrame> frames_of_finer_level() const;
     /// Σ‖v_j‖ over the owned nodes of all ranks, of the components whose bits are set;
     /// without such a list of all. Collective.
     static double sum_of_norms(const LA::Vector &v,

@@ -34,8 +34,8 @@ namespace stiction
     NewtonMultigrid(const LinearElasticity &elasticity, const ContactSurface &surface,
                     bool levels_in_use, LevelNewton::Options options = {});
 
-    /// Takes loads, supports, gaps and friction afresh from elasticity and surface;
-    /// contact nodes and frames must be the same. Collective.
+    /// Takes loads, supports, gaps, frames and friction afresh from elasticity and
+    /// surface; B must be what it was, or is_turned(). Collective.
     void update();
 
     /// Called after every step on any level. If it throws Interrupted, on all
@@ -82,6 +82,7 @@ namespace stiction
     Eigen::VectorXd refine(unsigned int level);
 
     const LevelNewton::Options options_;
+    const bool is_held_by_contact_; ///< a body, alone
     MeshHierarchy hierarchy_;
     DofSubsetHierarchy dof_hierarchy_;
     Multigrid multigrid_;

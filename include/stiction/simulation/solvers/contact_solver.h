@@ -51,8 +51,8 @@ namespace stiction
     /// @return how it ended, as far as the solver knows; the certificate decides.
     virtual SolveStatus solve(State &state, const Observer &observer) = 0;
 
-    /// Takes loads, supports, gaps and friction afresh; contact nodes and frames must
-    /// be the same. Factorises nothing. Collective.
+    /// Takes loads, supports, gaps, frames and friction afresh; B must be what it was, or
+    /// is_turned(). Factorises nothing. Collective.
     virtual void update() = 0;
 
     /// K⁻¹, to some digits, until the next solve(). Collective.

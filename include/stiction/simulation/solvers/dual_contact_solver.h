@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/contact/certificate/body_verifier.h>
+#include <stiction/contact/interface/contact_operator.h>
 #include <stiction/qp/rigid_place.h>
 #include <stiction/qp/solvers/solver_run.h>
 #include <stiction/simulation/solvers/contact_solver.h>
@@ -70,6 +71,9 @@ namespace stiction
                            double tolerance, const Observer &observer,
                            Eigen::VectorXd &lambda);
 
+    /// What methods work on: Q, or what augments it.
+    const DualOperator &present_operator() const;
+
     /// Has the next solve make the method anew; what this one did still counts.
     void forget_method();
 
@@ -77,6 +81,8 @@ namespace stiction
     Eigen::VectorXd yielding(const DualOperator &Q, const Eigen::MatrixXd &lambda) const;
 
     std::unique_ptr<DualOperator> Q_;
+    ContactOperator B_;          ///< of Q
+    Eigen::MatrixXd compliance_; ///< of which Q is made, once frames turned
     std::unique_ptr<DeflatedOperator> deflated_; ///< of a body with free motions
     std::unique_ptr<AugmentedOperator> augmented_;
     const std::set<std::string> tried_;

@@ -1,0 +1,96 @@
+// A keystone between two planes at 20 degrees, with friction beyond that angle, is
+// pressed in and its load taken away, which friction holds back: what remains does not
+// depend on the method, and not on the number of steps but for what these leave over. A
+// method that forgets where the stone was finds it touching nothing, which is in
+// equilibrium as well.
+
+#include "tests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+using namespace stiction;
+
+namespace
+{
+  // One cell: 2 wide below, wider above by the angle.
+  void write_mesh()
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
+        std::ofstream mesh("keystone.msh");
+        mesh.precision(17);
+        mesh << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n2 1 \"l\"\n2 2 "
+                "\"r\"\n2 3 \"top\"\n$EndPhysicalNames\n$Nodes\n8\n";
+        for (int i = 0; i < 8; ++i)
+          {
+            const double z    = i / 4;
+            const double half = 1. + z * std::tan(dealii::numbers::PI / 9.);
+            mesh << i + 1 << ' ' << (i % 2 == 0 ? -half : half) << ' ' << i / 2 % 2 << ' '
+                 << z << '\n';
+          }
+        mesh
+          << "$EndNodes\n$Elements\n4\n1 3 2 1 1 1 3 7 5\n2 3 2 2 2 2 4 8 6\n3 3 2 3 3 "
+             "5 6 8 7\n4 5 2 9 9 1 2 4 3 5 6 8 7\n$EndElements\n";
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+  const std::string problem = R"(
+subsection Geometry
+  set Mesh file         = keystone.msh
+  set Global refinement = 2
+end
+subsection Material
+  set Young's modulus = 1e9
+  set Poisson ratio   = 0
+end
+subsection Boundary conditions
+  set Traction = top : 0; 0; -1000*(1 - max(t - 1, 0))
+end
+subsection Contact pair L
+  set Boundary    = l
+  set Obstacle    = plane : -1; 0; 0; 0.9396926207859083; 0; 0.34202014332566877
+  set Law         = coulomb
+  set Coefficient = 0.5
+end
+subsection Contact pair R
+  set Boundary    = r
+  set Obstacle    = plane : 1; 0; 0; -0.9396926207859083; 0; 0.34202014332566877
+  set Law         = coulomb
+  set Coefficient = 0.5
+end
+subsection Time
+  set End = 2
+end
+)";
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  write_mesh();
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::ofstream("keystone.prm") << problem;
+  MPI_Barrier(MPI_COMM_WORLD);
+
+  for (const std::string steps : {"1, 2", "1, 1.5, 2", "1, 1.25, 1.5, 1.75, 2"})
+    {
+      double least = 1e300, most = 0.;
+      bool certified = true;
+      for (const std::string method : {"newton", "newton multigrid", "automatic"})
+        {
+          const Run run("keystone.prm",
+                        {"Time/Steps=" + steps, "Contact solver/Method=" + method});
+          const double N = run.summary()["contact"]["normal_force"];
+          certified      = certified && run.converged;
+          least          = std::min(least, N);
+          most           = std::max(most, N);
+        }
+      out() << "steps to t = " << steps << ": certified " << yes(certified)
+            << ", the same by all methods to 1e-5 " << yes(most - least < 1e-5 * most)
+            << ", held with some 2 kN " << yes(std::abs(least / 2000. - 1.) < 0.05)
+            << std::endl;
+    }
+}
