@@ -3,12 +3,15 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/pairs/climbed_facets.h>
+#include <stiction/contact/pairs/surface_face.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <vector>
 
 namespace stiction
@@ -17,6 +20,13 @@ namespace stiction
   {
     // A node with less is beyond the edge of what lies opposite, but for rounding.
     constexpr double covered = 0.499;
+
+    // Of the distance of nodes: facets that are less deep are flat.
+    constexpr double rounding = 1e-3;
+
+    // Of how much the distances of the meshes differ: gaps that leave out less are
+    // theirs.
+    constexpr double much_left_out = 0.5;
 
     // Of the product of a force and its arm: nodes along an axis have no moment about it.
     constexpr double least_moment = 0.01;
@@ -30,7 +40,8 @@ namespace stiction
       Eigen::MatrixX3d positions, normals, opposite, slip;
       Eigen::VectorXd pressing; // λ_ν
       Eigen::MatrixX3d friction;
-      Eigen::VectorXd areas, covers, gaps;
+      Eigen::VectorXd areas, covers, gaps, left_out; // of the distances of the meshes
+      double facets = 0.;                            // m
 
       PressedNodes(const ContactSurface &surface, const ContactBoundary &pair,
                    const State &state)
@@ -46,7 +57,7 @@ namespace stiction
         for (Eigen::MatrixX3d *const rows :
              {&positions, &normals, &opposite, &slip, &friction})
           rows->resize(n, 3);
-        for (Eigen::VectorXd *const values : {&covers, &gaps})
+        for (Eigen::VectorXd *const values : {&covers, &gaps, &left_out})
           values->resize(n);
         const Eigen::VectorXd moved  = surface.relative_displacement(state);
         const Eigen::VectorXd forces = surface.forces(state.lambda);
@@ -63,6 +74,8 @@ namespace stiction
             friction.row(k) = at_node(forces, pressed[k]);
             covers(k)       = node.cover;
             gaps(k)         = node.mesh_gap;
+            left_out(k)     = node.mesh_gap - node.gap;
+            facets          = node.facets;
           }
         friction = along_surface(friction);
       }
@@ -144,8 +157,41 @@ namespace stiction
     add_gap(pressed, figures);
     add_way(pressed, figures);
     add_tilt(pressed, figures);
+    const auto spread = [](const Eigen::VectorXd &values) {
+      return values.maxCoeff() - values.minCoeff();
+    };
+    // 'Initial gap' may have the gaps of round bodies, but for facets
+    if (spread(pressed.left_out) > much_left_out * spread(pressed.gaps))
+      figures.misfit =
+        spread(pressed.left_out) / std::max(pressed.facets, rounding * figures.spacing);
     figures.climbed = climbed_facets(pressed.positions, pressed.normals, pressed.slip,
                                      pressed.areas, pressed.pressing);
     return figures;
+  }
+
+  std::vector<dealii::Tensor<1, 3>> forces_of_partners(const LinearElasticity &elasticity,
+                                                       const ContactSurface &surface,
+                                                       const ContactBoundary &pair,
+                                                       const State &state)
+  {
+    std::map<dealii::types::global_dof_index, std::size_t> partner_of;
+    for (std::size_t p = 0; p < pair.partners().size(); ++p)
+      for (const SurfaceFace &face : surface_faces(elasticity, {pair.partners()[p]}))
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
+          partner_of.emplace(face.dofs[i], p);
+
+    const Eigen::Index m   = surface.n_nodes();
+    Eigen::VectorXd forces = surface.forces(state.lambda);
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (surface.boundaries()[surface.nodes()[i].boundary].id() != pair.id())
+        set_at_node(forces, i, Eigen::Vector3d::Zero());
+    const ContactOperator::OtherSide &other = surface.B().other_side();
+    const Eigen::VectorXd opposite          = other.A.transpose() * forces;
+    std::vector<dealii::Tensor<1, 3>> sums(pair.partners().size());
+    for (Eigen::Index j = 0; j < other.dofs.size() / 3; ++j)
+      if (const auto partner = partner_of.find(other.dofs.dofs()[j]);
+          partner != partner_of.end())
+        sums[partner->second] -= to_tensor(at_node(opposite, j));
+    return sums;
   }
 } // namespace stiction

@@ -309,6 +309,7 @@ namespace stiction
     const double reach =
       std::min(slave_faces.front().surface_size, master_faces.front().surface_size);
     thickness = std::min(slave_faces.front().thickness, master_faces.front().thickness);
+    facets    = depth_of_facets(slave_faces) + depth_of_facets(master_faces);
     const auto shares = integrate(elasticity, slave_faces, master_faces, reach, thickness,
                                   deepest_left_out);
     for (const Share &share : shares)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 namespace stiction
@@ -119,6 +120,30 @@ namespace stiction
           value[i + n * j]    = x[i] * y[j];
           gradient[i + n * j] = {{dx[i] * y[j], x[i] * dy[j]}};
         }
+  }
+
+  double depth_of_facets(const std::vector<SurfaceFace> &faces)
+  {
+    std::map<types::global_dof_index, Tensor<1, 3>> at_nodes;
+    for (const SurfaceFace &face : faces)
+      for (const auto dof : face.corner_dofs())
+        at_nodes[dof] += face.area() * face.normal();
+    double depth = 0.;
+    for (const SurfaceFace &face : faces)
+      {
+        double least = 1., most = 0.; // half of the angle to the next face, by its sine
+        for (const auto dof : face.corner_dofs())
+          {
+            const Tensor<1, 3> mean = at_nodes.at(dof) / at_nodes.at(dof).norm();
+            const double half       = cross_product_3d(mean, face.normal()).norm();
+            least                   = std::min(least, half);
+            most                    = std::max(most, half);
+          }
+        // a part of a large facet has edges of that on one side alone
+        const double size = least > 0.5 * most ? face.diameter() : face.coarse_diameter;
+        depth             = std::max(depth, most * size / 4.);
+      }
+    return depth;
   }
 
   double mean_diameter(const std::vector<SurfaceFace> &faces)

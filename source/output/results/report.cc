@@ -127,6 +127,8 @@ namespace stiction
                     "  " + label(is_pair ? "force on its body" : "force on the body",
                                  units.force),
                     force.text_of(boundary.force_on_body));
+          for (const auto &[name, of_one] : boundary.of_opposite)
+            print_row(log, "    of " + name, force.text_of(of_one));
           print_row(log, "  " + label("tangential", units.force),
                     force.text_of(boundary.tangential_force));
           print_row(log, "  " + label("moment", units.moment),
@@ -140,7 +142,11 @@ namespace stiction
       const auto &contact = result.contact;
       log.line();
       log.line("Contact");
-      print_row(log, "nodes", normal_counts(contact));
+      print_row(log, "nodes",
+                normal_counts(contact) +
+                  (contact.closed + contact.tied + contact.undecided_normal > 0
+                     ? ""
+                     : ": nothing touches"));
       if (const std::string friction = tangential_counts(contact); !friction.empty())
         print_row(log, "nodes with friction", friction);
       if (!result.has_body)

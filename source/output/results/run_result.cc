@@ -77,9 +77,12 @@ namespace stiction
                   {"id", part.id},
                   {"nodes", part.nodes},
                   {"opposite", part.opposite},
+                  {"of_opposite", json::array()},
                   {"obstacle_displacement", part.obstacle_displacement},
                   {"obstacle_rotation", part.obstacle_rotation},
                   {"torque", part.torque}});
+    for (const auto &[name, force] : part.of_opposite)
+      entry["of_opposite"].push_back({{"name", name}, {"force_on_body", force}});
   }
 
   static void to_json(json &entry, const RunResult::Solver::Level &level)

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
 namespace stiction
 {
   class ContactBoundary;
   class ContactSurface;
+  class LinearElasticity;
   struct State;
 
   /// What tells of a pair how far an answer is to be trusted that is right on its mesh.
@@ -30,6 +35,10 @@ namespace stiction
     /// the normals m_i opposite.
     double tilt = 0.;
 
+    /// By how much the distances of the meshes at pressed nodes, less their gaps, differ,
+    /// over what facets of surfaces that fit make them differ by.
+    double misfit = 0.;
+
     /// The energy from facets, J, see climbed_facets().
     double climbed = 0.;
   };
@@ -40,4 +49,11 @@ namespace stiction
   ///   has no figures.
   PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
                            const State &state, double force_scale);
+
+  /// The forces that each of the boundaries opposite exerts on the body of a pair, N. A
+  /// node on an edge between two of them counts to the first. Collective.
+  std::vector<dealii::Tensor<1, 3>> forces_of_partners(const LinearElasticity &elasticity,
+                                                       const ContactSurface &surface,
+                                                       const ContactBoundary &pair,
+                                                       const State &state);
 } // namespace stiction

@@ -51,6 +51,10 @@ namespace stiction
     double thickness        = 0.;
     double deepest_left_out = 0.; ///< the deepest such overlap, m
 
+    /// By how much facets may keep surfaces apart that fit: the depth_of_facets() of
+    /// both, m.
+    double facets = 0.;
+
     /// Finds them. Collective.
     Mortar(const LinearElasticity &elasticity,
            const std::vector<SurfaceFace> &slave_faces,

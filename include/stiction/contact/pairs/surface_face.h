@@ -60,6 +60,11 @@ namespace stiction
     std::array<std::array<double, 2>, 9> gradient;
   };
 
+  /// How far the faces of a round surface are below it at most, m: of one with the angle
+  /// θ to the next face and the size h, before refinement if that left it flat, it is
+  /// θh/8.
+  double depth_of_facets(const std::vector<SurfaceFace> &faces);
+
   /// The mean of their diameters, m.
   double mean_diameter(const std::vector<SurfaceFace> &faces);
 

@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -92,6 +93,8 @@ namespace stiction
       std::string name;
       std::string opposite; ///< of a pair, the boundary that bears the opposite force; ""
       unsigned int id = 0, nodes = 0;
+      /// Of several that are opposite, the part of force_on_body that each exerts.
+      std::vector<std::pair<std::string, dealii::Tensor<1, 3>>> of_opposite;
       dealii::Tensor<1, 3> obstacle_displacement, obstacle_rotation;
       double torque = 0.; ///< of friction on the body about the axis of the obstacle
     };
