@@ -70,6 +70,9 @@ PICTURES = {
     "the rim slips; small cells with hanging nodes where it touches.",
     "roller": "A roller pressed on rubber and turned: it drags the rubber along, "
     "the middle sticks, the rim slips.",
+    "latch": "A leaf that a rigid roller lifts as it passes under its end, which it "
+    "touches along a line; the forces rise while the corner climbs the roller, and more "
+    "slowly as this goes on under the leaf.",
     "ball_press_drag_return": "A ball pressed on rubber, dragged, brought back "
     "beyond where it was and dragged again: the half of its contact that symmetry "
     "leaves, the middle sticks and the ring around it slips.",
