@@ -24,6 +24,9 @@ namespace stiction
     // Of the distance of nodes: facets that are less deep are flat.
     constexpr double rounding = 1e-3;
 
+    // Of the largest force at a node: those with less are left open by rounding.
+    constexpr double least_share = 1e-3;
+
     // Of how much the distances of the meshes differ: gaps that leave out less are
     // theirs.
     constexpr double much_left_out = 0.5;
@@ -157,8 +160,11 @@ namespace stiction
     add_gap(pressed, figures);
     add_way(pressed, figures);
     add_tilt(pressed, figures);
-    const auto spread = [](const Eigen::VectorXd &values) {
-      return values.maxCoeff() - values.minCoeff();
+    const double most = pressed.pressing.maxCoeff();
+    const auto spread = [&](const Eigen::VectorXd &values) {
+      const auto bears = pressed.pressing.array() > least_share * most;
+      return bears.select(values.array(), values.minCoeff()).maxCoeff() -
+             bears.select(values.array(), values.maxCoeff()).minCoeff();
     };
     // 'Initial gap' may have the gaps of round bodies, but for facets
     if (spread(pressed.left_out) > much_left_out * spread(pressed.gaps))
