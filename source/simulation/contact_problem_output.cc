@@ -130,8 +130,8 @@ namespace stiction
   void ContactProblem::export_problem()
   {
     const std::string &directory = parameters_.output.export_directory;
-    if (directory.empty())
-      return;
+    if (directory.empty() || (!discretization_->solver && !status_.converged))
+      return; // a step that was refused has nothing to export
     const DualOperator &Q         = *solver().dual_operator();
     const auto phase              = phases_.scope("output");
     const ContactSurface &surface = contact_surface();

@@ -6,7 +6,6 @@
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/output/results/run_result.h>
 #include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>

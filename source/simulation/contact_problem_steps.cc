@@ -13,7 +13,6 @@
 #include <stiction/output/results/convergence_history.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/carried_state.h>
 #include <stiction/simulation/checkpoint/checkpoint.h>
@@ -26,7 +25,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -144,7 +142,8 @@ namespace stiction
       return;
     if (parameters_.output.print_progress)
       log_->line("The step is solved once more, without what was known of it.");
-    discretization_->set_time(parameters_.of_contact(), time, history);
+    if (contact_surface().slides_far())
+      discretization_->place_obstacles(parameters_.of_contact(), history, nullptr);
     solve_from({{}, {}, state_.distances, {}});
   }
 
@@ -265,6 +264,7 @@ namespace stiction
     if (!ends_.empty())
       {
         // on the contact nodes and in the frames of that end
+        discretization_->solver.reset();
         discretization_->set_time(parameters_.of_contact(), ends_.front().time,
                                   ends_.front().state.history, last_state());
         carried.emplace(ends_.front().state, elasticity(), contact_surface());
@@ -286,8 +286,11 @@ namespace stiction
         const double time = ends_.front().time;
         discretization_->set_time(parameters_.of_contact(), time, {});
         State state = carried->on(elasticity(), contact_surface());
-        discretization_->set_time(parameters_.of_contact(), time, {}, &state);
-        state        = carried->on(elasticity(), contact_surface());
+        if (contact_surface().slides_far())
+          {
+            discretization_->place_obstacles(parameters_.of_contact(), {}, &state);
+            state = carried->on(elasticity(), contact_surface());
+          }
         state.scales = ends_.front().state.scales;
         ends_        = {{time, std::move(state)}};
       }

@@ -198,7 +198,7 @@ namespace stiction
     });
     obstacle_ = Obstacle::read(obstacle, source_->locate(obstacle_entry), size_, time,
                                body.communicator());
-    if (slides_far() && axis_.norm() > 0. &&
+    if (slides_far() &&
         !are_zero(entries.rotation.substr(entries.rotation.rfind(';') + 1)))
       throw InputError(source_->describe(sliding_entry) +
                        ", must be little for the obstacle of boundary '" + name_ +

@@ -115,8 +115,8 @@ namespace stiction
       "How far the obstacle is moved from where 'Obstacle' and 'Initial gap' place it, "
       "'Ux; Uy; Uz', formulas in t: gaps grow by n.U with the normals n of that place, "
       "so that a curved one must begin where it touches, or nearly so, and move by "
-      "little, "
-      "unless 'Sliding = far'; slip is that of the body relative to the moved surface, "
+      "little, unless 'Sliding = far'; slip is that of the body relative to the moved "
+      "surface, "
       "which drags the body along by friction, though not what an obstacle does to come "
       "to touch by the shortest way. Unit: of length.");
     add_parameter("Obstacle rotation", obstacle_rotation,

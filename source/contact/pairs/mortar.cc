@@ -45,14 +45,12 @@ namespace stiction
       std::array<double, 3> normal; // of the master, × area
     };
 
-    BoundingBox<3> box_around(const std::vector<Point<3>> &points) { return {points}; }
-
     BoundingBox<3> box_of(const SurfaceFace &face)
     {
       std::vector<Point<3>> points;
       for (unsigned int i = 0; i < face.n_nodes(); ++i)
         points.push_back(face.node(i));
-      return box_around(points);
+      return {points};
     }
 
     // What the face can see along its normal.
@@ -62,7 +60,7 @@ namespace stiction
       for (unsigned int i = 0; i < face.n_nodes(); ++i)
         for (const double way : {-reach, reach})
           points.push_back(face.node(i) + way * face.normal());
-      return box_around(points);
+      return {points};
     }
 
     // A point of a slave face that has another face opposite.
