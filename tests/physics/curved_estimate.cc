@@ -95,9 +95,12 @@ namespace
         mesh);
   }
 
-  void compare(const std::string &name, const std::vector<Settings> &meshes)
+  // @param order the estimate falls by 2^order with the cells halved
+  void compare(const std::string &name, const std::vector<Settings> &meshes,
+               const unsigned int order)
   {
-    double last = 0.;
+    const double falls = std::pow(0.5, order);
+    double last        = 0.;
     for (const Settings &mesh : meshes)
       {
         const Run run    = shell(mesh);
@@ -106,8 +109,8 @@ namespace
               << ", estimate between 0.7 and 1.5 of the error "
               << yes(eta > 0.7 * e && eta < 1.5 * e);
         if (last > 0.)
-          out() << ", falls to between 0.4 and 0.6 of the last "
-                << yes(eta > 0.4 * last && eta < 0.6 * last);
+          out() << ", falls to " << falls << " of the last "
+                << yes(eta > 0.8 * falls * last && eta < 1.2 * falls * last);
         out() << std::endl;
         last = eta;
       }
@@ -117,12 +120,18 @@ namespace
 int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  compare("shell", {{"Geometry/Global refinement=2"}, {"Geometry/Global refinement=3"}});
+  compare("shell", {{"Geometry/Global refinement=2"}, {"Geometry/Global refinement=3"}},
+          1);
+  compare("shell of degree 2",
+          {{"Geometry/Element degree=2", "Geometry/Global refinement=1"},
+           {"Geometry/Element degree=2", "Geometry/Global refinement=2"}},
+          2);
   compare("with hanging nodes",
           {{"Geometry/Contact refinement where=z", "Geometry/Contact refinement=1",
             "Geometry/Global refinement=2"},
            {"Geometry/Contact refinement where=z", "Geometry/Contact refinement=1",
-            "Geometry/Global refinement=3"}});
+            "Geometry/Global refinement=3"}},
+          1);
 
   double last = 1.;
   for (const unsigned int steps : {0, 1, 2})

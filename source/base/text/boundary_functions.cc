@@ -101,6 +101,14 @@ namespace stiction
         }
       return marked;
     }
+
+    bool are_formulas(const std::string &text, const unsigned int n_components)
+    {
+      const auto parts = dealii::Utilities::split_string_list(text, ';');
+      return parts.size() == n_components &&
+             std::none_of(parts.begin(), parts.end(),
+                          [](const std::string &part) { return trim(part).empty(); });
+    }
   } // namespace
 
   ParsedFunction::ParsedFunction(const std::string &expression,
@@ -113,17 +121,14 @@ namespace stiction
     , parser_(std::make_unique<dealii::FunctionParser<3>>(n_components))
     , quantities_(quantities)
   {
-    const auto parts = dealii::Utilities::split_string_list(expression_, ';');
-    bool complete    = parts.size() == n_components;
-    for (const std::string &part : parts)
-      complete = complete && !trim(part).empty();
-    if (!complete)
+    if (!are_formulas(expression_, n_components))
       throw InputError(location_ + " = " + expression_ + ", must be " +
                        (n_components == 1
                           ? std::string("one formula")
                           : std::to_string(n_components) + " formulas separated by ';'") +
                        ".");
 
+    const auto parts = dealii::Utilities::split_string_list(expression_, ';');
     for (const std::string &part : parts)
       if (!trap(part).empty())
         throw InputError(location_ + " = " + expression_ + ", " + trap(part) + ".");
@@ -285,6 +290,10 @@ namespace stiction
                                     const std::string &location, const std::string &part,
                                     const double time)
   {
+    if (!are_formulas(formulas, 3))
+      throw InputError(location + " = " + formulas +
+                       ", must be 3 formulas separated by ';', or 'free' in place of one "
+                       "that is not prescribed.");
     dealii::ComponentMask components(3, true);
     const std::string marked = mark_free(formulas, components);
     if (components.n_selected_components() == 0)
