@@ -73,6 +73,9 @@ PICTURES = {
     "latch": "A leaf that a rigid roller lifts as it passes under its end, which it "
     "touches along a line; the forces rise while the corner climbs the roller, and more "
     "slowly as this goes on under the leaf.",
+    "rolling": "A wheel that rolls along a strip of rubber and drives it back: its front "
+    "sticks, its back slips; the force along the strip comes to what Carter says while the "
+    "wheel rolls by some widths of its contact.",
     "ball_press_drag_return": "A ball pressed on rubber, dragged, brought back "
     "beyond where it was and dragged again: the half of its contact that symmetry "
     "leaves, the middle sticks and the ring around it slips.",

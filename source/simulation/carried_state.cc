@@ -37,6 +37,7 @@ namespace stiction
     state.history.path   = dofs.restriction(path_).head(surface.n_nodes());
     state.history.nodes  = surface.first_dofs();
     state.history.origin = surface.slip_origin(state);
+    state.history.angles = surface.angles();
     return state;
   }
 } // namespace stiction

@@ -186,7 +186,6 @@ namespace stiction
     const auto phase = phases_.scope("contact_surface");
     discretization_->surface =
       std::make_unique<ContactSurface>(elasticity(), parameters_.of_contact());
-    discretization_->surface->count_slip_from({});
     discretization_->elasticity->choose_anchors(contact_surface().first_dofs());
     require_load(parameters_, body_->boundary_names(), contact_surface());
     const std::string law = parameters_.friction.name();

@@ -18,8 +18,7 @@ namespace stiction
                                                  const SlipHistory &history,
                                                  const State *const there)
   {
-    ContactSurface before(*elasticity, contact, there);
-    before.count_slip_from(on_nodes(history, before).origin);
+    ContactSurface before(*elasticity, contact, history, there);
     std::swap(before, *surface);
     if (!surface->B().is_turned(before.B()))
       solver.reset();

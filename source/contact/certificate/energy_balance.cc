@@ -137,14 +137,15 @@ namespace stiction
             step.time_stepping += force.dot(0.5 * at_node(moved, i)) - force.dot(slip);
             continue;
           }
+        const Eigen::Vector3d turning      = to_vector(node.turning);
         const Eigen::Index k               = place->second;
         const Eigen::Vector3d force_before = at_node(before.force, k);
         const Eigen::Vector3d sum          = force_before + force;
         step.obstacles -=
-          0.5 * sum.dot(at_node(after.offset, i) - at_node(before.offset, k) -
+          0.5 * sum.dot(at_node(after.offset, i) + turning - at_node(before.offset, k) -
                         at_node(before.approach, k));
         // of the way along the obstacle, what frames leave out as they turn
-        const Eigen::Vector3d turned = at_node(after.sliding, i) -
+        const Eigen::Vector3d turned = at_node(after.sliding, i) + turning -
                                        at_node(before.sliding, k) -
                                        at_node(before.approach, k) + slip;
         step.time_stepping +=

@@ -100,7 +100,7 @@ namespace stiction
         const double force      = state.lambda(i);
         if (force <= least)
           continue;
-        Tensor<1, 3> rigid, way = to_tensor(at_node(relative, i));
+        Tensor<1, 3> rigid, way = to_tensor(at_node(relative, i)) + node.turning;
         if (of_node.are_known)
           rigid = way_as_a_whole(of_node, motions, node.position);
         const auto friction = statuses[i].tangential;

@@ -25,9 +25,8 @@ namespace stiction
         const double force      = state.lambda(i);
         if (force <= 0. || surface.boundaries()[node.boundary].id() != boundary.id())
           continue;
-        // what has turned moved along itself
         ContactNode there = node;
-        there.moved       = node.turning - to_tensor(at_node(moved, i));
+        there.moved       = -to_tensor(at_node(moved, i));
         boundary.place_if_possible(there);
         const double distance = there.gap - there.normal * there.moved,
                      linear   = node.gap - node.normal * there.moved;

@@ -198,11 +198,6 @@ namespace stiction
     });
     obstacle_ = Obstacle::read(obstacle, source_->locate(obstacle_entry), size_, time,
                                body.communicator());
-    if (slides_far() &&
-        !are_zero(entries.rotation.substr(entries.rotation.rfind(';') + 1)))
-      throw InputError(source_->describe(sliding_entry) +
-                       ", must be little for the obstacle of boundary '" + name_ +
-                       "', which turns.");
     if (slides_far() && !obstacle_)
       throw InputError(source_->describe(sliding_entry) +
                        ", must be little for the foundation of boundary '" + name_ +

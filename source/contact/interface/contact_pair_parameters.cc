@@ -100,7 +100,8 @@ namespace stiction
       "where body and obstacle are before anything moves; a warning says if they came to "
       "where a curved one is another. far: where both come to, found by placing the "
       "obstacle at the answer until the certificate holds there: for obstacles that are "
-      "dragged along a body or begin away from it, by any distance, and bodies that "
+      "dragged or roll along a body or begin away from it, by any distance, and bodies "
+      "that "
       "slide along curved obstacles. The body itself remains linear: its strains and "
       "turns must be small.");
     add_parameter("Initial gap", initial_gap,
@@ -119,18 +120,19 @@ namespace stiction
       "surface, "
       "which drags the body along by friction, though not what an obstacle does to come "
       "to touch by the shortest way. Unit: of length.");
-    add_parameter("Obstacle rotation", obstacle_rotation,
-                  "By how much the surface of the obstacle has turned, 'px; py; pz; ax; "
-                  "ay; az; angle', formulas in t: a point p of the axis, which moves "
-                  "along with the obstacle, its direction a, and the angle in radians, "
-                  "counterclockwise as seen from where a points to. The obstacle must be "
-                  "a body of revolution about this axis (a roller, a sphere about any "
-                  "axis through its centre, a plane or a flat foundation about its "
-                  "normal): the shape stays, and at the place x its surface moves along "
-                  "itself by U = angle a x (x - p), also after many turns, and drags the "
-                  "body along by friction. All contact nodes count, those too that are "
-                  "far away: where n.U is more than a tenth of U the axis is refused. "
-                  "Unit: of length, and radians.");
+    add_parameter(
+      "Obstacle rotation", obstacle_rotation,
+      "By how much the surface of the obstacle has turned, 'px; py; pz; ax; "
+      "ay; az; angle', formulas in t: a point p of the axis, which moves "
+      "along with the obstacle, its direction a, and the angle in radians, "
+      "counterclockwise as seen from where a points to. The obstacle must be "
+      "a body of revolution about this axis (a roller, a sphere about any "
+      "axis through its centre, a plane or a flat foundation about its "
+      "normal): the shape stays, and in a step in which the angle grows by d "
+      "its surface moves along itself at the place x by d a x (x - p), and "
+      "drags the body along by friction. All contact nodes count, those too that are "
+      "far away: where n.U is more than a tenth of U the axis is refused. "
+      "Unit: of length, and radians.");
     add_parameter("Obstacle force", obstacle_force,
                   "The force that presses the obstacle on, 'Px; Py; Pz', formulas in t. "
                   "The obstacle is then free to move along this vector, from where the "

@@ -119,6 +119,14 @@ namespace stiction
     return depth;
   }
 
+  std::vector<double> ContactSurface::angles() const
+  {
+    std::vector<double> angles;
+    for (const ContactBoundary &boundary : boundaries_)
+      angles.push_back(boundary.angle());
+    return angles;
+  }
+
   std::vector<double> ContactSurface::penetration_of_idle(const State &state) const
   {
     std::vector<double> depths(boundaries_.size(), 0.);
@@ -314,6 +322,8 @@ namespace stiction
     Eigen::VectorXd slip = relative_displacement(state);
     if (origin_.size() > 0)
       slip -= origin_;
+    for (Eigen::Index i = 0; i < n_nodes(); ++i)
+      set_at_node(slip, i, at_node(slip, i) + to_vector(nodes_[i].turning));
     return slip;
   }
 
@@ -327,12 +337,9 @@ namespace stiction
   {
     Eigen::VectorXd all(3 * n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      {
-        const Tensor<1, 3> U =
-          obstacle_displacement(boundaries_[nodes_[i].boundary].id(), distances) +
-          nodes_[i].turning;
-        set_at_node(all, i, {U[0], U[1], U[2]});
-      }
+      set_at_node(all, i,
+                  to_vector(obstacle_displacement(boundaries_[nodes_[i].boundary].id(),
+                                                  distances)));
     return all;
   }
 
@@ -340,10 +347,7 @@ namespace stiction
   {
     Eigen::VectorXd ways(3 * n_nodes());
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      {
-        const Tensor<1, 3> &way = nodes_[i].way_at_start;
-        set_at_node(ways, i, {way[0], way[1], way[2]});
-      }
+      set_at_node(ways, i, to_vector(nodes_[i].way_at_start));
     return ways;
   }
 

@@ -46,9 +46,11 @@ namespace stiction
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const ContactParameters &parameters,
-                                 const State *const there)
+                                 const SlipHistory &history, const State *const there)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
+    , angles_before_(history.angles)
   {
+    angles_before_.resize(boundaries_.size());
     join_pairs(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
@@ -67,6 +69,7 @@ namespace stiction
     number_nodes(elasticity);
     find_dragged_nodes();
     displace_obstacles();
+    count_slip_from(on_nodes(history, *this).origin);
   }
 
   void ContactSurface::collect_nodes(const LinearElasticity &elasticity)
@@ -140,7 +143,7 @@ namespace stiction
     // the axis moves along with the obstacle
     const Tensor<1, 3> across = node.moved - (node.normal * node.moved) * node.normal;
     node.arm = boundary.arm(node.position + across + node.gap * node.normal, node.normal);
-    node.turning = boundary.angle() * node.arm;
+    node.turning = (boundary.angle() - angles_before_[node.boundary]) * node.arm;
     return true;
   }
 
@@ -275,7 +278,7 @@ namespace stiction
       Eigen::MatrixXd::Zero(3 * n_nodes(), static_cast<Eigen::Index>(forces.size()));
     std::vector<double> largest_approach(boundaries_.size(), 0.);
     const auto seen_from = [](const ContactFrame &frame, const Tensor<1, 3> &U) {
-      return frame.displacement_to_local({U[0], U[1], U[2]});
+      return frame.displacement_to_local(to_vector(U));
     };
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {

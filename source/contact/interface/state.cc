@@ -12,7 +12,7 @@ namespace stiction
       return history;
     const Eigen::Index m = surface.n_nodes();
     SlipHistory here{surface.first_dofs(), Eigen::VectorXd::Zero(3 * m),
-                     Eigen::VectorXd::Zero(m)};
+                     Eigen::VectorXd::Zero(m), history.angles};
     for (std::size_t k = 0; k < history.nodes.size(); ++k)
       if (const Eigen::Index i = surface.node_of(history.nodes[k]); i >= 0)
         {
@@ -54,6 +54,7 @@ namespace stiction
 
   SlipHistory history_after(const State &state, const ContactSurface &surface)
   {
-    return {surface.first_dofs(), surface.slip_origin(state), slip_path(state, surface)};
+    return {surface.first_dofs(), surface.slip_origin(state), slip_path(state, surface),
+            surface.angles()};
   }
 } // namespace stiction

@@ -113,6 +113,7 @@ namespace stiction
           {{"time", time},
            {"force_scale", state.scales.force},
            {"energy_scale", state.scales.energy},
+           {"angles", state.history.angles},
            {"distances",
             std::vector<double>(state.distances.begin(), state.distances.end())}});
       }
@@ -191,7 +192,8 @@ namespace stiction
     const auto distances = end.at("distances").get<std::vector<double>>();
     read.state.distances = Eigen::Map<const Eigen::VectorXd>(
       distances.data(), static_cast<Eigen::Index>(distances.size()));
-    read.state.scales = {end.at("force_scale"), end.at("energy_scale")};
+    read.state.history.angles = end.at("angles").get<std::vector<double>>();
+    read.state.scales         = {end.at("force_scale"), end.at("energy_scale")};
     return read;
   }
 } // namespace stiction

@@ -43,7 +43,8 @@ namespace stiction
   /// Cartesian components, in which what the turning changes of the slip counts to X,
   /// and so does the work at nodes that are contact nodes at one end alone. Of obstacles
   /// that are displaced or pressed on, e counts their displacement and the way to them
-  /// where they began, however they are linearised.
+  /// where they began, however they are linearised; of those that turn Δe counts the
+  /// angle of the step with the arm at its end.
   ///
   /// On a new mesh the interpolated u₀ is in no equilibrium, and near ν = 0.5 its
   /// internal forces are much too large. ΔE is then that of the energies, E₀ on the mesh
@@ -99,9 +100,9 @@ namespace stiction
       LA::Vector u, internal_force, load, reaction;
       std::vector<dealii::types::global_dof_index> nodes; ///< by first unknowns
       Eigen::VectorXd force   = {};                       ///< Bᵀλ, on the obstacle
-      Eigen::VectorXd offset  = {};                       ///< e = U + way_at_start
-      Eigen::VectorXd gap     = {};                       ///< r_ν n
-      Eigen::VectorXd sliding = {};                       ///< e − u without it
+      Eigen::VectorXd offset  = {}; ///< e = U + way_at_start, not turned
+      Eigen::VectorXd gap     = {}; ///< r_ν n
+      Eigen::VectorXd sliding = {}; ///< e − u without it
       /// What obstacles that bear nothing do to come to touch: no work.
       Eigen::VectorXd approach = {};
     };

@@ -10,6 +10,11 @@
 namespace stiction
 {
   /// As deal.II's points and normals are.
+  inline Eigen::Vector3d to_vector(const dealii::Tensor<1, 3> &v)
+  {
+    return {v[0], v[1], v[2]};
+  }
+
   inline dealii::Tensor<1, 3> to_tensor(const Eigen::Vector3d &v)
   {
     return dealii::Tensor<1, 3>({v(0), v(1), v(2)});

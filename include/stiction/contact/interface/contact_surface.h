@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/contact/interface/contact_operator.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
 #include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
@@ -27,7 +28,6 @@ namespace stiction
   class LinearElasticity;
   struct Mortar;
   class ParameterFile;
-  struct State;
 
   /// One node of a contact boundary that may touch its obstacle.
   ///
@@ -47,8 +47,9 @@ namespace stiction
     dealii::Tensor<1, 3> moved;
     double gap_at_start = 0.;          ///< d where nothing has moved, m
     dealii::Tensor<1, 3> way_at_start; ///< d n there
-    /// How far the surface of an obstacle that turns moves past it a radian, m, and
-    /// has moved: the point that it faces. The torque of a force is arm·F.
+    /// How far the surface of an obstacle that turns moves past it a radian, m, and has
+    /// moved since the end of the last step: the point that it faces. The torque of a
+    /// force is arm·F.
     dealii::Tensor<1, 3> arm, turning;
     /// A = ∫ φ over the contact boundary, m²; φ has what the shape functions of
     /// hanging nodes add to it, A what nodes beside it lend,
@@ -96,10 +97,13 @@ namespace stiction
     /// it (obstacle, gap, displacement, rotation, force, coefficient, slip stress) cannot
     /// be read or has a value that is not allowed.
     ///
+    /// @param history from which slip is counted; empty: from where obstacles come to
+    ///   touch the body as it is made.
     /// @param there where the body and pressed obstacles are about which gaps of
     ///   boundaries that slide far are linearised; none: where they are made.
     ContactSurface(const LinearElasticity &elasticity,
-                   const ContactParameters &parameters, const State *there = nullptr);
+                   const ContactParameters &parameters, const SlipHistory &history = {},
+                   const State *there = nullptr);
 
     ContactSurface(ContactSurface &&) noexcept;
     ContactSurface &operator=(ContactSurface &&) noexcept;
@@ -119,6 +123,9 @@ namespace stiction
     /// The contact boundaries, in the order of the parameter file.
     const std::vector<ContactBoundary> &boundaries() const { return boundaries_; }
 
+    /// By how much their obstacles have turned, radians.
+    std::vector<double> angles() const;
+
     /// Initial gaps d_i in m, length m, with the obstacles where the parameter file
     /// places them.
     Eigen::VectorXd gaps() const { return motion_.offset_at_start().head(n_nodes()); }
@@ -126,11 +133,6 @@ namespace stiction
     /// What the displacements of the obstacles are to the contact nodes. Those that
     /// a force presses on are in the order of their boundaries.
     const ObstacleMotion &motion() const { return motion_; }
-
-    /// Counts slip from where body and obstacles were at the end of a step: takes
-    /// SlipHistory::origin off the tangential offsets; empty: from where obstacles come
-    /// to touch the body as it is made. Once, after the constructor.
-    void count_slip_from(Eigen::VectorXd origin);
 
     /// From where the slip of the next step is counted: relative_displacement(), and of
     /// an obstacle that bears nothing the shortest way on which it comes to touch. That
@@ -157,7 +159,8 @@ namespace stiction
                       FrictionForm form);
 
     /// U of the contact nodes, how far the obstacles are from where their entries place
-    /// them, with pressed ones at distances δ; length 3m by Cartesian components, m.
+    /// them, but for what they turned, with pressed ones at distances δ; length 3m by
+    /// Cartesian components, m.
     Eigen::VectorXd obstacle_displacements(const Eigen::VectorXd &distances) const;
 
     /// r: gaps d − n·u and slips since the end of the last step, in contact variables, m.
@@ -183,8 +186,8 @@ namespace stiction
     /// dst += factor Bᵀ λ, with what acts in held directions. Collective.
     void add_forces(double factor, const Eigen::VectorXd &lambda, LA::Vector &dst) const;
 
-    /// U − u of the contact nodes since slip is counted, length 3m by Cartesian
-    /// components, m. Collective.
+    /// U − u of the contact nodes since slip is counted, with what obstacles turned
+    /// since, length 3m by Cartesian components, m. Collective.
     Eigen::VectorXd slip_since_origin(const State &state) const;
 
     /// U − u of the contact nodes, see SlipHistory. Collective.
@@ -310,6 +313,9 @@ namespace stiction
 
     void evaluate_data();
 
+    /// Takes the slip of the steps before off the tangential offsets.
+    void count_slip_from(Eigen::VectorXd origin);
+
     /// Finds what lies opposite to a node. @return whether something does.
     bool place(ContactNode &node) const;
 
@@ -349,6 +355,7 @@ namespace stiction
     void displace_obstacles();
 
     std::vector<ContactBoundary> boundaries_;
+    std::vector<double> angles_before_; ///< of the obstacles
     std::vector<std::vector<Mortar>>
       mortars_; ///< of the parts of each, none of those with obstacles
     SmoothParts parts_;

@@ -20,12 +20,15 @@ namespace stiction
     /// The contact nodes it is about, by their first unknowns.
     std::vector<dealii::types::global_dof_index> nodes;
     /// U − u of the contact nodes at the end of the last step, U being the
-    /// displacement of their obstacles: the slip of a step is counted from there, see
-    /// ContactSurface::slip_origin(). Length 3m by Cartesian components, m.
+    /// displacement of their obstacles but for what they turned: the slip of a step is
+    /// counted from there, see ContactSurface::slip_origin(). Length 3m by Cartesian
+    /// components, m.
     Eigen::VectorXd origin;
     /// The length of the way on which each contact node has slipped, counted in
     /// steps after which it was closed, length m, m.
     Eigen::VectorXd path;
+    /// By how much the obstacles of all boundaries had turned, radians.
+    std::vector<double> angles;
   };
 
   /// All that a computation has found: from it and the data of the problem
