@@ -1,5 +1,6 @@
+#include "face_share.h"
+
 #include <stiction/base/all_gather.h>
-#include <stiction/contact/pairs/face_overlap.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/elasticity/mesh/body.h>
@@ -9,13 +10,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <Eigen/LU>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <map>
 #include <set>
 
 namespace stiction
@@ -27,23 +25,11 @@ namespace stiction
     using Dof          = types::global_dof_index;
     using SparseMatrix = Eigen::SparseMatrix<double>;
 
-    // Of the area of a face: what is covered of it carries no dual functions if it is
-    // less.
-    constexpr double no_cover = 1e-10;
-
     // Of the diameter of a face: the gap varies by less along it.
     constexpr double steepest = 10.;
 
     // Entries of the weights that come of long chains of hanging nodes: less is rounding.
     constexpr double no_weight = 1e-15;
-
-    // What one slave face adds: sent to all ranks as it is.
-    struct Share
-    {
-      Dof slave, master; // invalid: to D and to the gap
-      double value, overlap, gap, smallest, largest, modulus;
-      std::array<double, 3> normal; // of the master, × area
-    };
 
     BoundingBox<3> box_of(const SurfaceFace &face)
     {
@@ -62,13 +48,6 @@ namespace stiction
           points.push_back(face.node(i) + way * face.normal());
       return {points};
     }
-
-    // A point of a slave face that has another face opposite.
-    struct CoveredPoint
-    {
-      OverlapPoint at;
-      const SurfaceFace *master;
-    };
 
     // The master faces, found by where they are.
     class MasterSurface
@@ -146,72 +125,6 @@ namespace stiction
       const decltype(pack_rtree_of_indices(boxes_)) tree_;
     };
 
-    // D, M and the gaps of one face.
-    void add_face(const SurfaceFace &slave, const std::vector<CoveredPoint> &points,
-                  std::vector<Share> &shares)
-    {
-      const Eigen::Index n    = slave.n_nodes();
-      Eigen::MatrixXd m       = Eigen::MatrixXd::Zero(n, n),
-                      normals = Eigen::MatrixXd::Zero(n, 3);
-      Eigen::VectorXd d       = Eigen::VectorXd::Zero(n);
-      double smallest = std::numeric_limits<double>::max(), largest = -smallest,
-             modulus = 0.;
-      for (const CoveredPoint &point : points)
-        {
-          smallest = std::min(smallest, point.at.gap);
-          largest  = std::max(largest, point.at.gap);
-          if (point.at.weight == 0.)
-            continue;
-          const FaceShape shape(slave.degree, point.at.first);
-          const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
-          m += point.at.weight * phi * phi.transpose();
-          d += point.at.weight * phi;
-          const Tensor<1, 3> normal = point.master->normal();
-          normals += point.at.weight * phi.cwiseAbs() *
-                     Eigen::RowVector3d(normal[0], normal[1], normal[2]);
-          modulus = std::max(modulus, point.master->youngs_modulus);
-        }
-      if (d.sum() < no_cover * slave.diameter() * slave.diameter())
-        return;
-      const Eigen::MatrixXd to_dual = d.asDiagonal() * m.fullPivLu().inverse();
-      Eigen::VectorXd gap           = Eigen::VectorXd::Zero(n);
-      std::map<Dof, Eigen::MatrixX2d> M; // and the overlaps
-      for (const CoveredPoint &point : points)
-        {
-          if (point.at.weight == 0.)
-            continue;
-          const FaceShape shape(slave.degree, point.at.first);
-          const FaceShape other(point.master->degree, point.at.second);
-          const Eigen::Map<const Eigen::VectorXd> phi(shape.value.data(), n);
-          const Eigen::VectorXd psi = point.at.weight * to_dual * phi;
-          gap += point.at.gap * psi;
-          for (unsigned int j = 0; j < point.master->n_nodes(); ++j)
-            {
-              auto &columns =
-                M.try_emplace(point.master->dofs[j], Eigen::MatrixX2d::Zero(n, 2))
-                  .first->second;
-              columns.col(0) += other.value[j] * psi;
-              columns.col(1) +=
-                point.at.weight * std::abs(other.value[j]) * phi.cwiseAbs();
-            }
-        }
-      for (Eigen::Index i = 0; i < n; ++i)
-        {
-          shares.push_back({slave.dofs[i],
-                            numbers::invalid_dof_index,
-                            d(i),
-                            0.,
-                            gap(i),
-                            smallest,
-                            largest,
-                            modulus,
-                            {{normals(i, 0), normals(i, 1), normals(i, 2)}}});
-          for (const auto &[master, columns] : M)
-            shares.push_back(
-              {slave.dofs[i], master, columns(i, 0), columns(i, 1), 0., 0., 0., 0., {}});
-        }
-    }
-
     // Numbers from 0 for the nodes that do not hang, and how all follow from them.
     class Numbering
     {
@@ -275,11 +188,11 @@ namespace stiction
       std::map<Dof, Eigen::Index> number_;
     };
 
-    std::vector<Share> integrate(const LinearElasticity &elasticity,
-                                 const std::vector<SurfaceFace> &slave_faces,
-                                 const std::vector<SurfaceFace> &master_faces,
-                                 const double reach, const double deepest,
-                                 double &left_out)
+    std::vector<FaceShare> integrate(const LinearElasticity &elasticity,
+                                     const std::vector<SurfaceFace> &slave_faces,
+                                     const std::vector<SurfaceFace> &master_faces,
+                                     const double reach, const double deepest,
+                                     double &left_out)
     {
       const MasterSurface masters(master_faces);
 
@@ -288,10 +201,12 @@ namespace stiction
       const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
       const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
       const std::size_t n        = slave_faces.size();
-      std::vector<Share> shares;
+      std::vector<FaceShare> shares;
       for (std::size_t f = n * rank / n_ranks; f < n * (rank + 1) / n_ranks; ++f)
-        add_face(slave_faces[f],
-                 masters.opposite(slave_faces[f], reach, deepest, left_out), shares);
+        for (const FaceShare &share :
+             shares_of(slave_faces[f],
+                       masters.opposite(slave_faces[f], reach, deepest, left_out)))
+          shares.push_back(share);
       left_out = Utilities::MPI::max(left_out, communicator);
       return all_gather(shares, communicator);
     }
@@ -310,7 +225,7 @@ namespace stiction
     facets    = depth_of_facets(slave_faces) + depth_of_facets(master_faces);
     const auto shares = integrate(elasticity, slave_faces, master_faces, reach, thickness,
                                   deepest_left_out);
-    for (const Share &share : shares)
+    for (const FaceShare &share : shares)
       if (share.master == numbers::invalid_dof_index)
         slave_nodes.insert(share.slave);
       else
@@ -326,7 +241,7 @@ namespace stiction
                     smallest = Eigen::VectorXd::Constant(n, 1e300), largest = -smallest;
     Eigen::MatrixX3d opposite = Eigen::MatrixX3d::Zero(n, 3);
     std::vector<Eigen::Triplet<double>> entries, common;
-    for (const Share &share : shares)
+    for (const FaceShare &share : shares)
       {
         const auto i = number(on_slave, share.slave);
         if (share.master != numbers::invalid_dof_index)

@@ -189,7 +189,8 @@ namespace stiction
             face.inside = in_array(cell->center());
             face.youngs_modulus =
               elasticity.materials().of(cell->material_id()).youngs_modulus;
-            const auto &box = body.pieces()[body.piece_of(cell)].box;
+            face.piece      = body.piece_of(cell);
+            const auto &box = body.pieces()[face.piece].box;
             face.thickness =
               std::min({box.side_length(0), box.side_length(1), box.side_length(2)});
             for (unsigned int k = 0; k < on_face[f].size(); ++k)

@@ -19,10 +19,11 @@ namespace stiction
   ///     D_ii = ∫ φ_i,   M_ij = ∫ ψ_i φ_j,   W = D⁻¹ M,
   ///
   /// with ψ_i dual to the shape functions φ_i on the part of each slave face that is
-  /// covered. All integrals of a face are sums over the same points, so that W keeps
-  /// constants, and linear functions where the surfaces are the same plane, whatever the
-  /// quadrature: forces λ on the slave and −Wᵀλ on the master add to none. For their
-  /// moments see with_rigid_turns().
+  /// covered, of several bodies opposite on the part of each: ∫ ψ_i ≥ 0 there, so that no
+  /// force that presses on all of them pulls one. All integrals of a face are sums over
+  /// the same points, so that W keeps constants, and linear functions where the surfaces
+  /// are the same plane, whatever the quadrature: forces λ on the slave and −Wᵀλ on the
+  /// master add to none. For their moments see with_rigid_turns().
   ///
   /// Where nodes hang on others by u = C û, D is CᵀDC and M is CᵀMC.
   struct Mortar

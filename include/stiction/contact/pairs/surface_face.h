@@ -21,6 +21,7 @@ namespace stiction
     std::array<std::array<double, 3>, 9> nodes; ///< where they are, m
     std::array<double, 3> inside;               ///< the centre of the cell, m
     double youngs_modulus;                      ///< of the cell, Pa
+    unsigned int piece;                         ///< of the mesh, see Body::pieces()
     double coarse_diameter;                     ///< of the face before refinement, m
     double surface_size; ///< the diagonal of the box around all of the surface, m
     double thickness;    ///< the smallest side of the boxes around its bodies, m
