@@ -204,6 +204,11 @@ def contact_force(run, contact):
     what, values = "force", contact["force_on_body"]
     if max(map(abs, values)) < ROUNDING * contact["normal_force"]:  # those of a fit
         what, values = "moment", contact["moment"]
+        # the root of the area is a length; bodies that are only squeezed have neither
+        if max(map(abs, values)) < (ROUNDING * contact["normal_force"]
+                                    * math.sqrt(contact["area"])):
+            return "contact presses with " + quantity(run.units["force"],
+                                                      contact["normal_force"])
     return f"contact {what} on {where} " + quantity(run.units[what], *values)
 
 

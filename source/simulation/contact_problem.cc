@@ -248,9 +248,11 @@ namespace stiction
 
   void ContactProblem::estimate_mesh()
   {
+    constexpr double released = 1e-12; // of the energy of a history: less is rounding
     if (refinement_)
       mesh_error_ = refinement_->mesh_error();
-    else if (parameters_.refinement.estimate_error && status_.converged)
+    else if (parameters_.refinement.estimate_error && status_.converged &&
+             2. * certificate_->strain_energy() >= released * state_.scales.energy)
       {
         const auto phase = phases_.scope("error_estimate");
         try

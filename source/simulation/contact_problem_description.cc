@@ -140,7 +140,7 @@ namespace stiction
   void ContactProblem::describe_gaps()
   {
     const Eigen::VectorXd gaps = contact_surface().gaps();
-    const double rounding      = 1e-12 * body_->diameter();
+    const double rounding      = 1e-9 * body_->diameter();
     const auto n               = (gaps.array() < -rounding).count();
     if (n > 0)
       log_->line(text_of("  ", n,

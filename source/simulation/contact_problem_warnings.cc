@@ -14,6 +14,7 @@
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/warnings/body_warnings.h>
+#include <stiction/simulation/warnings/facet_warnings.h>
 #include <stiction/simulation/warnings/pair_warnings.h>
 #include <stiction/simulation/warnings/warning.h>
 
@@ -53,7 +54,8 @@ namespace stiction
     // pressures.
     constexpr unsigned int few = 4, many = 32;
 
-    // Of the force of a boundary: a node with less bears nothing.
+    // Of the force of a boundary: a node with less bears nothing. And of the largest
+    // force of a history: so does a boundary.
     constexpr double no_force = 1e-6;
 
     void add_few(const ContactSurface &surface, const std::size_t boundary,
@@ -172,17 +174,23 @@ namespace stiction
                               falls        = falls_of_friction(surface, state_);
     const double pressing = state_.lambda.head(surface.n_nodes()).cwiseMax(0.).sum();
     const double way      = pressing > 0. ? certificate_->energy_scale() / pressing : 0.;
+    Eigen::VectorXd borne = Eigen::VectorXd::Zero(boundaries.size());
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      borne(surface.nodes()[i].boundary) += std::max(0., state_.lambda(i));
     for (std::size_t b = 0; b < boundaries.size(); ++b)
       {
+        if (depths[b] > deep * largest)
+          add_idle(boundaries[b], depths[b], units_, warnings);
+        if (borne(b) <= no_force * std::max(force, state_.scales.force))
+          continue; // rounding tells nothing
         if (!boundaries[b].is_tied())
           add_few(surface, b, state_, warnings);
         add_supports(boundaries[b], frictionless[b], warnings);
-        if (depths[b] > deep * largest)
-          add_idle(boundaries[b], depths[b], units_, warnings);
         add_fall(boundaries[b], falls[b], steps_ != nullptr, warnings);
         add_departure(boundaries[b], obstacle_departure(surface, boundaries[b], state_),
                       way, units_, warnings);
       }
+    add_warnings_of_facets(*body_, surface, state_, way, units_, warnings);
     for (const ContactBoundary &pair : boundaries)
       if (pair.is_pair() && !pair.is_tied())
         {

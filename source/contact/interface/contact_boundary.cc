@@ -373,11 +373,16 @@ namespace stiction
   void ContactBoundary::require_outside(const ContactNode &node) const
   {
     if (node.gap - node.normal * node.moved < -rounding * size_)
-      throw InputError(source_->describe(obstacle_entry) +
-                       ", contains the contact node at (" + text_of(node.position) +
-                       "), which faces away from its surface there, must face the "
-                       "boundary '" +
-                       name_ + "' wherever it is inside the body.");
+      throw InputError(
+        source_->describe(obstacle_entry) + ", contains the contact node at (" +
+        text_of(node.position) +
+        "), which faces away from its surface there, must face the "
+        "boundary '" +
+        name_ + "' wherever it is inside the body" +
+        (obstacle_->triangles() != nullptr
+           ? ", with triangles that go round counterclockwise as seen from "
+             "outside."
+           : "."));
   }
 
   double ContactBoundary::initial_gap(const Point<3> &p) const { return gap_->value(p); }

@@ -295,8 +295,9 @@ namespace stiction
             add_zero_set(MovedObstacle(boundary, displacement),
                          neighbourhood(surface, state, b), boundary.id(), faces);
         }
-      write_file(directory + "/obstacle" + tag + ".vtu",
-                 [&](std::ostream &file) { write_faces(file, faces); });
+      if (!faces.empty()) // a formula with a jump has no surface
+        write_file(directory + "/obstacle" + tag + ".vtu",
+                   [&](std::ostream &file) { write_faces(file, faces); });
     });
   }
 } // namespace stiction
