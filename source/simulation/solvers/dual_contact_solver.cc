@@ -12,12 +12,14 @@
 #include <stiction/contact/obstacles/place_search.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/elasticity/solvers/stiffness_solver.h>
+#include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
 #include <stiction/qp/operators/augmented_operator.h>
 #include <stiction/qp/operators/deflated_operator.h>
 #include <stiction/qp/operators/spectral_norm.h>
 #include <stiction/qp/sensitivity.h>
+#include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/solvers/dual_contact_solver.h>
 
@@ -93,12 +95,16 @@ namespace stiction
   void DualContactSolver::set_up_dual_operator()
   {
     const auto phase             = setting_.phases.scope("dual_operator");
+    B_                           = setting_.surface.B();
     const Parameters &parameters = setting_.parameters;
-    print_progress("Dual operator: " + parameters.dual_operator.form + ", " +
-                   stiffness_solver_type());
-    Q_ = SchurComplement::create(parameters.dual_operator.form, setting_.elasticity,
-                                 setting_.surface, *stiffness_solver_);
-    B_ = setting_.surface.B();
+    const bool has_memory =
+      tried_.empty() ||
+      has_memory_to_hand_over(parameters, static_cast<double>(B_.all_dofs().size()),
+                              setting_.elasticity.body().communicator());
+    const std::string form = has_memory ? parameters.dual_operator.form : "by solves";
+    print_progress("Dual operator: " + form + ", " + stiffness_solver_type());
+    Q_ = SchurComplement::create(form, setting_.elasticity, setting_.surface,
+                                 *stiffness_solver_);
   }
 
   void DualContactSolver::update()

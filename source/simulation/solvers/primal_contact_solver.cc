@@ -8,7 +8,6 @@
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
-#include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/solvers/dual_contact_solver.h>
 #include <stiction/simulation/solvers/primal_contact_solver.h>
@@ -148,12 +147,7 @@ namespace stiction
 
   bool PrimalContactSolver::can_hand_over() const
   {
-    return setting_.elasticity.mesh().n_dofs() <= max_handed_over &&
-           (setting_.parameters.dual_operator.form != "assembled" ||
-            has_memory_to_hand_over(
-              setting_.parameters,
-              static_cast<double>(setting_.surface.B().all_dofs().size()),
-              setting_.elasticity.mesh().communicator()));
+    return setting_.elasticity.mesh().n_dofs() <= max_handed_over;
   }
 
   void PrimalContactSolver::update()
