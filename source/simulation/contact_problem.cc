@@ -133,8 +133,6 @@ namespace stiction
     assemble_system();
     make_contact_surface();
     require_writable_output(parameters_.output, parameters_.source, communicator_);
-    if (parameters_.time.has_steps())
-      log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
     describe_applied();
     describe_gaps();
     print_overview(*log_, elasticity(), contact_surface(), units_);

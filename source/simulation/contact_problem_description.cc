@@ -113,6 +113,8 @@ namespace stiction
   void ContactProblem::describe_applied() const
   {
     const ContactSurface &surface = contact_surface();
+    if (parameters_.time.has_steps())
+      log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
     print_applied(*log_, elasticity(), surface);
     for (const std::string &entry : unused_entries(parameters_))
       log_->line("  not used   " + entry);
