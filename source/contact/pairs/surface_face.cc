@@ -154,79 +154,115 @@ namespace stiction
     return size;
   }
 
+  namespace
+  {
+    // Makes the faces of one rank.
+    class FaceMaker
+    {
+    public:
+      explicit FaceMaker(const LinearElasticity &elasticity)
+        : body_(elasticity.body())
+        , materials_(elasticity.materials())
+        , base_(body_.dof_handler().get_fe().base_element(0))
+        , values_(body_.mapping(), base_, base_.get_unit_support_points(),
+                  update_quadrature_points)
+        , dofs_(body_.dof_handler().get_fe().n_dofs_per_cell())
+      {
+        for (unsigned int f = 0; f < 6; ++f)
+          on_face_[f] = nodes_on_face(base_, f);
+      }
+
+      SurfaceFace face(const DoFHandler<3>::active_cell_iterator &cell,
+                       const unsigned int f)
+      {
+        values_.reinit(static_cast<Triangulation<3>::cell_iterator>(cell));
+        cell->get_dof_indices(dofs_);
+        SurfaceFace face{};
+        face.degree          = base_.degree;
+        face.coarse_diameter = coarse_diameter(cell, f);
+        face.inside          = in_array(cell->center());
+        face.youngs_modulus  = materials_.of(cell->material_id()).youngs_modulus;
+        face.piece           = body_.piece_of(cell);
+        const auto &box      = body_.pieces()[face.piece].box;
+        face.thickness =
+          std::min({box.side_length(0), box.side_length(1), box.side_length(2)});
+        for (unsigned int k = 0; k < on_face_[f].size(); ++k)
+          {
+            face.dofs[k]  = dofs_[3 * on_face_[f][k]];
+            face.nodes[k] = in_array(values_.quadrature_point(on_face_[f][k]));
+          }
+        face.is_round =
+          rises(face,
+                body_.mapping().transform_unit_to_real_cell(cell, unit_centre(f))) ||
+          rises(face, cell->face(f)->center(true));
+        return face;
+      }
+
+    private:
+      static double coarse_diameter(Triangulation<3>::cell_iterator cell,
+                                    const unsigned int f)
+      {
+        while (cell->level() > 0)
+          cell = cell->parent();
+        const auto corner = [&](const unsigned int v) {
+          return cell->face(f)->vertex(v);
+        };
+        return std::max(corner(0).distance(corner(3)), corner(1).distance(corner(2)));
+      }
+
+      // Whether this is the centre of a round one.
+      static bool rises(const SurfaceFace &face, const Point<3> &centre)
+      {
+        const auto c = face.corners();
+        return std::abs((centre - face.centre()) * face.normal()) >
+               0.5 * least_rise *
+                 std::min((c[0] + (c[1] - c[2]) - c[3]).norm(),
+                          (c[0] + (c[3] - c[1]) - c[2]).norm());
+      }
+
+      const Body &body_;
+      const Materials &materials_;
+      const FiniteElement<3> &base_;
+      FEValues<3> values_;
+      std::vector<types::global_dof_index> dofs_;
+      std::array<std::vector<unsigned int>, 6> on_face_;
+    };
+
+    // What they are as a whole.
+    void set_sizes(std::vector<SurfaceFace> &faces)
+    {
+      if (faces.empty())
+        return;
+      std::vector<Point<3>> points;
+      double thickness = faces.front().thickness;
+      for (const SurfaceFace &face : faces)
+        {
+          thickness = std::min(thickness, face.thickness);
+          for (unsigned int i = 0; i < face.n_nodes(); ++i)
+            points.push_back(face.node(i));
+        }
+      for (SurfaceFace &face : faces)
+        {
+          face.surface_size = diameter(BoundingBox<3>(points));
+          face.thickness    = thickness;
+        }
+    }
+  } // namespace
+
   std::vector<SurfaceFace> surface_faces(const LinearElasticity &elasticity,
                                          const std::vector<types::boundary_id> &ids)
   {
-    const Body &body             = elasticity.body();
-    const FiniteElement<3> &fe   = body.dof_handler().get_fe();
-    const FiniteElement<3> &base = fe.base_element(0);
-    FEValues<3> values(body.mapping(), base, base.get_unit_support_points(),
-                       update_quadrature_points);
-    std::array<std::vector<unsigned int>, 6> on_face;
-    for (unsigned int f = 0; f < 6; ++f)
-      on_face[f] = nodes_on_face(base, f);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    const Body &body = elasticity.body();
+    FaceMaker maker(elasticity);
     std::vector<SurfaceFace> faces;
     for (const auto &cell : body.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->face(f)->at_boundary() ||
-                std::count(ids.begin(), ids.end(), cell->face(f)->boundary_id()) == 0)
-              continue;
-            values.reinit(static_cast<Triangulation<3>::cell_iterator>(cell));
-            cell->get_dof_indices(dofs);
-            SurfaceFace face{};
-            face.degree                            = base.degree;
-            Triangulation<3>::cell_iterator coarse = cell;
-            while (coarse->level() > 0)
-              coarse = coarse->parent();
-            const auto corner = [&](const unsigned int v) {
-              return coarse->face(f)->vertex(v);
-            };
-            face.coarse_diameter =
-              std::max(corner(0).distance(corner(3)), corner(1).distance(corner(2)));
-            face.inside = in_array(cell->center());
-            face.youngs_modulus =
-              elasticity.materials().of(cell->material_id()).youngs_modulus;
-            face.piece      = body.piece_of(cell);
-            const auto &box = body.pieces()[face.piece].box;
-            face.thickness =
-              std::min({box.side_length(0), box.side_length(1), box.side_length(2)});
-            for (unsigned int k = 0; k < on_face[f].size(); ++k)
-              {
-                face.dofs[k]  = dofs[3 * on_face[f][k]];
-                face.nodes[k] = in_array(values.quadrature_point(on_face[f][k]));
-              }
-            const auto c     = face.corners();
-            const auto rises = [&](const Point<3> &centre) {
-              return std::abs((centre - face.centre()) * face.normal()) >
-                     0.5 * least_rise *
-                       std::min((c[0] + (c[1] - c[2]) - c[3]).norm(),
-                                (c[0] + (c[3] - c[1]) - c[2]).norm());
-            };
-            face.is_round =
-              rises(body.mapping().transform_unit_to_real_cell(cell, unit_centre(f))) ||
-              rises(cell->face(f)->center(true));
-            faces.push_back(face);
-          }
+          if (cell->face(f)->at_boundary() &&
+              std::count(ids.begin(), ids.end(), cell->face(f)->boundary_id()) > 0)
+            faces.push_back(maker.face(cell, f));
     faces = all_gather(faces, body.communicator());
-    if (faces.empty())
-      return faces;
-    std::vector<Point<3>> points;
-    double thickness = faces.front().thickness;
-    for (const SurfaceFace &face : faces)
-      {
-        thickness = std::min(thickness, face.thickness);
-        for (unsigned int i = 0; i < face.n_nodes(); ++i)
-          points.push_back(face.node(i));
-      }
-    const auto ends = BoundingBox<3>(points).get_boundary_points();
-    for (SurfaceFace &face : faces)
-      {
-        face.surface_size = ends.first.distance(ends.second);
-        face.thickness    = thickness;
-      }
+    set_sizes(faces);
     // in an order that does not depend on the partition
     std::sort(faces.begin(), faces.end(), [](const SurfaceFace &a, const SurfaceFace &b) {
       return std::tie(a.inside, a.nodes) < std::tie(b.inside, b.nodes);
