@@ -123,7 +123,7 @@ namespace stiction
                 return std::iscntrl(c) != 0 && c != '\t' && c != '\r';
               }))
             throw InputError(where + ": is no statement but has bytes that are "
-                                     "no text, must be a text file.");
+                                     "no text, must be a text file in UTF-8.");
           if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
             line.erase(0, 3); // the mark some editors put before UTF-8
           line = trim(line.substr(0, line.find('#')));
