@@ -43,10 +43,9 @@ namespace stiction
     // One number a node along its normal.
     Eigen::VectorXd along_normals(const ContactSurface &surface, const Eigen::VectorXd &v)
     {
-      Eigen::VectorXd vectors(3 * v.size());
-      for (Eigen::Index i = 0; i < v.size(); ++i)
-        set_at_node(vectors, i, surface.nodes()[i].force_to_cartesian({v(i), 0., 0.}));
-      return vectors;
+      return by_nodes(v.size(), [&](const Eigen::Index i) {
+        return surface.nodes()[i].force_to_cartesian({v(i), 0., 0.});
+      });
     }
   } // namespace
 

@@ -20,32 +20,27 @@ namespace stiction
     Eigen::VectorXd at_all_nodes(const std::vector<ContactFrame> &frames,
                                  const Eigen::VectorXd &v, const Map &map)
     {
-      Eigen::VectorXd image(v.size());
-      for (std::size_t i = 0; i < frames.size(); ++i)
-        {
-          const auto k = static_cast<Eigen::Index>(i);
-          set_at_node(image, k, (frames[i].*map)(at_node(v, k)));
-        }
-      return image;
+      return by_nodes(v.size() / 3, [&](const Eigen::Index i) {
+        return (frames[i].*map)(at_node(v, i));
+      });
     }
 
     // Of forces on contact nodes, or displacements, by blocks, what is their own.
-    Eigen::VectorXd own_parts(const std::vector<ContactFrame> &frames, Eigen::VectorXd v)
+    Eigen::VectorXd own_parts(const std::vector<ContactFrame> &frames,
+                              const Eigen::VectorXd &v)
     {
-      const auto m = static_cast<Eigen::Index>(frames.size());
-      for (Eigen::Index i = 0; i < m; ++i)
-        set_at_node(v, i, frames[i].own_part * at_node(v, i));
-      return v;
+      return by_nodes(v.size() / 3, [&](const Eigen::Index i) -> Eigen::Vector3d {
+        return frames[i].own_part * at_node(v, i);
+      });
     }
 
     // All, of what is their own.
     Eigen::VectorXd from_own_parts(const std::vector<ContactFrame> &frames,
-                                   Eigen::VectorXd v)
+                                   const Eigen::VectorXd &v)
     {
-      const auto m = static_cast<Eigen::Index>(frames.size());
-      for (Eigen::Index i = 0; i < m; ++i)
-        set_at_node(v, i, at_node(v, i) / frames[i].own_part);
-      return v;
+      return by_nodes(v.size() / 3, [&](const Eigen::Index i) -> Eigen::Vector3d {
+        return at_node(v, i) / frames[i].own_part;
+      });
     }
 
     bool are_same(const ContactFrame &a, const ContactFrame &b)
@@ -251,9 +246,8 @@ namespace stiction
 
   Eigen::VectorXd ContactOperator::held() const
   {
-    Eigen::VectorXd held(3 * n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(held, i, (frames_[i].scales().array() == 0.).matrix().cast<double>());
-    return held;
+    return by_nodes(n_nodes(), [&](const Eigen::Index i) -> Eigen::Vector3d {
+      return (frames_[i].scales().array() == 0.).matrix().cast<double>();
+    });
   }
 } // namespace stiction

@@ -188,9 +188,9 @@ namespace stiction
   Eigen::VectorXd ContactSurface::slip_origin(const State &state) const
   {
     const Eigen::VectorXd gaps = gap_and_slip(state).head(n_nodes());
-    Eigen::VectorXd ways(3 * n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(ways, i, nodes_[i].force_to_cartesian({gaps(i), 0., 0.}));
+    const Eigen::VectorXd ways = by_nodes(n_nodes(), [&](const Eigen::Index i) {
+      return nodes_[i].force_to_cartesian({gaps(i), 0., 0.});
+    });
     return relative_displacement(state) + approaches(gaps, ways, state.lambda);
   }
 
@@ -303,10 +303,9 @@ namespace stiction
 
   Eigen::VectorXd ContactSurface::forces(const Eigen::VectorXd &lambda) const
   {
-    Eigen::VectorXd forces(3 * n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(forces, i, nodes_[i].force_to_cartesian(at_node(lambda, i)));
-    return forces;
+    return by_nodes(n_nodes(), [&](const Eigen::Index i) {
+      return nodes_[i].force_to_cartesian(at_node(lambda, i));
+    });
   }
 
   void ContactSurface::add_forces(const double factor, const Eigen::VectorXd &lambda,
@@ -335,20 +334,16 @@ namespace stiction
   Eigen::VectorXd ContactSurface::obstacle_displacements(
     const Eigen::VectorXd &distances) const
   {
-    Eigen::VectorXd all(3 * n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(all, i,
-                  to_vector(obstacle_displacement(boundaries_[nodes_[i].boundary].id(),
-                                                  distances)));
-    return all;
+    return by_nodes(n_nodes(), [&](const Eigen::Index i) {
+      return to_vector(
+        obstacle_displacement(boundaries_[nodes_[i].boundary].id(), distances));
+    });
   }
 
   Eigen::VectorXd ContactSurface::ways_at_start() const
   {
-    Eigen::VectorXd ways(3 * n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(ways, i, to_vector(nodes_[i].way_at_start));
-    return ways;
+    return by_nodes(
+      n_nodes(), [&](const Eigen::Index i) { return to_vector(nodes_[i].way_at_start); });
   }
 
   Eigen::VectorXd ContactSurface::approach_at_start() const

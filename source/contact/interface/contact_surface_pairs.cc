@@ -326,8 +326,8 @@ namespace stiction
         number = static_cast<Eigen::Index>(masters.size());
         masters.push_back(dof);
       }
-    using Matrix        = decltype(Mortar::weights);
-    const auto by_nodes = [&](const Matrix Mortar::*const of_mortar) {
+    using Matrix          = decltype(Mortar::weights);
+    const auto of_mortars = [&](const Matrix Mortar::*const of_mortar) {
       std::vector<Eigen::Triplet<double>> entries;
       for (Eigen::Index i = 0; i < n_rows; ++i)
         if (const auto &of_parts = mortars_[nodes[i].boundary]; !of_parts.empty())
@@ -346,7 +346,7 @@ namespace stiction
     ContactOperator::OtherSide other;
     other.dofs        = DofSubset::of_nodes(masters);
     other.is_free     = 1. - prescribed_of(elasticity, other.dofs).array();
-    other.weights     = by_nodes(&Mortar::weights);
+    other.weights     = of_mortars(&Mortar::weights);
     LA::Vector places = elasticity.zero_vector();
     for (const Body::Node &node : elasticity.body().locally_owned_nodes())
       for (unsigned int c = 0; c < 3; ++c)
@@ -355,7 +355,7 @@ namespace stiction
     for (const ContactNode &node : nodes)
       pairs.push_back(node.boundary + boundaries_.size() * node.part);
     other.A =
-      with_rigid_turns(other.weights, by_nodes(&Mortar::overlaps),
+      with_rigid_turns(other.weights, of_mortars(&Mortar::overlaps),
                        own.restriction(places), other.dofs.restriction(places), pairs);
     return other;
   }

@@ -120,23 +120,19 @@ namespace stiction
                                              const Eigen::VectorXd &force,
                                              const Eigen::VectorXd &displacement) const
   {
-    Eigen::VectorXd rows(force.size());
-    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
-      set_at_node(rows, i,
-                  linearization.nodes[i].test * at_node(force, i) +
-                    linearization.nodes[i].spring * at_node(displacement, i));
-    return rows;
+    return by_nodes(problem_.n_nodes(), [&](const Eigen::Index i) -> Eigen::Vector3d {
+      return linearization.nodes[i].test * at_node(force, i) +
+             linearization.nodes[i].spring * at_node(displacement, i);
+    });
   }
 
   Eigen::VectorXd NewtonSystem::held_displacement(const PrimalActiveSet &linearization,
                                                   const Eigen::VectorXd &distances) const
   {
-    Eigen::VectorXd moved = problem_.motion().displacement(distances);
-    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
-      set_at_node(moved, i,
-                  at_node(moved, i) -
-                    linearization.nodes[i].projection * at_node(moved, i));
-    return moved;
+    const Eigen::VectorXd moved = problem_.motion().displacement(distances);
+    return by_nodes(problem_.n_nodes(), [&](const Eigen::Index i) -> Eigen::Vector3d {
+      return at_node(moved, i) - linearization.nodes[i].projection * at_node(moved, i);
+    });
   }
 
   std::vector<Eigen::Index> NewtonSystem::felt_obstacles(
@@ -244,12 +240,10 @@ namespace stiction
     const Eigen::Index m = problem_.n_nodes();
     set_supports(linearization);
 
-    Eigen::VectorXd shift(3 * m), load(3 * m);
-    for (Eigen::Index i = 0; i < m; ++i)
-      {
-        set_at_node(shift, i, linearization.nodes[i].shift);
-        set_at_node(load, i, linearization.nodes[i].load);
-      }
+    const Eigen::VectorXd shift =
+      by_nodes(m, [&](const Eigen::Index i) { return linearization.nodes[i].shift; });
+    const Eigen::VectorXd load =
+      by_nodes(m, [&](const Eigen::Index i) { return linearization.nodes[i].load; });
     problem_.B().add_displacement(1., shift, state.u);
     state.update(problem_);
 

@@ -109,14 +109,12 @@ namespace stiction
     // W Δλ = S (c − Δ(gap, slip)), W being triangular
     const Eigen::VectorXd w_change = -state_.w - path_.w();
     const Eigen::VectorXd missing  = path_.right_hand_side() - w_change;
-    Eigen::VectorXd change(missing.size());
-    for (Eigen::Index i = 0; i < problem_.n_nodes(); ++i)
-      {
+    const Eigen::VectorXd change =
+      by_nodes(problem_.n_nodes(), [&](const Eigen::Index i) -> Eigen::Vector3d {
         const PrimalActiveSet::Node &node = linearization.nodes[i];
-        set_at_node(change, i,
-                    node.test.triangularView<Eigen::UnitLower>().solve(
-                      node.spring * at_node(missing, i)));
-      }
+        return node.test.triangularView<Eigen::UnitLower>().solve(node.spring *
+                                                                  at_node(missing, i));
+      });
     path_.set_direction(change, w_change);
     const double length = std::min(1., part_of_way * path_.largest_step());
     if (!(length > 0.) || !change.allFinite())

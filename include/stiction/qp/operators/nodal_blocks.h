@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace stiction
 {
@@ -22,6 +23,18 @@ namespace stiction
     v(node)              = entries(0);
     v(node + m)          = entries(1);
     v(node + 2 * m)      = entries(2);
+  }
+
+  /// The vector that has these entries at each of m nodes.
+  template<typename Entries>
+  Eigen::VectorXd by_nodes(const Eigen::Index m, const Entries &entries)
+  {
+    static_assert(std::is_same_v<decltype(entries(m)), Eigen::Vector3d>,
+                  "the parts of an expression would be gone");
+    Eigen::VectorXd v(3 * m);
+    for (Eigen::Index i = 0; i < m; ++i)
+      set_at_node(v, i, entries(i));
+    return v;
   }
 
   /// max_i ‖v_i‖/scale_i over the nodes.
