@@ -23,7 +23,7 @@ namespace stiction
       {
         const ContactNode &node = surface.nodes()[i];
         const double force      = state.lambda(i);
-        if (force <= 0. || surface.boundaries()[node.boundary].id() != boundary.id())
+        if (force <= 0. || surface.boundary_of(node).id() != boundary.id())
           continue;
         ContactNode there = node;
         there.moved       = -to_tensor(at_node(moved, i));

@@ -51,7 +51,7 @@ namespace stiction
       {
         std::vector<Eigen::Index> pressed;
         for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-          if (surface.boundaries()[surface.nodes()[i].boundary].id() == pair.id() &&
+          if (surface.boundary_of(surface.nodes()[i]).id() == pair.id() &&
               state.lambda(i) > 0.)
             pressed.push_back(i);
         pressing     = state.lambda(pressed);
@@ -189,7 +189,7 @@ namespace stiction
     const Eigen::Index m   = surface.n_nodes();
     Eigen::VectorXd forces = surface.forces(state.lambda);
     for (Eigen::Index i = 0; i < m; ++i)
-      if (surface.boundaries()[surface.nodes()[i].boundary].id() != pair.id())
+      if (surface.boundary_of(surface.nodes()[i]).id() != pair.id())
         set_at_node(forces, i, Eigen::Vector3d::Zero());
     const ContactOperator::OtherSide &other = surface.B().other_side();
     const Eigen::VectorXd opposite          = other.A.transpose() * forces;

@@ -228,8 +228,8 @@ namespace stiction
         {
           if (state.lambda(i) > pressing || surface.slip_bound().is_tied(i))
             continue;
-          const unsigned int boundary = surface.nodes()[i].boundary;
-          if (surface.boundaries()[boundary].friction().law() == FrictionLaw::coulomb)
+          if (surface.boundary_of(surface.nodes()[i]).friction().law() ==
+              FrictionLaw::coulomb)
             bound(i) = 0.;
           if (r(i) > far_away * moved)
             G.row(i).setZero();

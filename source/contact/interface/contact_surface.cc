@@ -59,6 +59,11 @@ namespace stiction
     return boundaries_.at(index_of(boundaries_, id));
   }
 
+  const ContactBoundary &ContactSurface::boundary_of(const ContactNode &node) const
+  {
+    return boundaries_[node.boundary];
+  }
+
   bool ContactSurface::is_contact_boundary(const types::boundary_id id) const
   {
     return index_of(boundaries_, id) < boundaries_.size();
@@ -109,7 +114,7 @@ namespace stiction
     for (std::size_t i = 0; i < m; ++i)
       {
         const Point<3> &p               = facing_away_[i].position;
-        const ContactBoundary &boundary = boundaries_[facing_away_[i].boundary];
+        const ContactBoundary &boundary = boundary_of(facing_away_[i]);
         const Tensor<1, 3> way = to_tensor(at_node(moved, static_cast<Eigen::Index>(i))) -
                                  obstacle_displacement(boundary.id(), state.distances);
         const double came = boundary.penetration(p + way) - boundary.penetration(p);
@@ -138,7 +143,7 @@ namespace stiction
         const ContactNode &node = idle_[i];
         const Tensor<1, 3> approach =
           to_tensor(at_node(moved, static_cast<Eigen::Index>(i))) -
-          obstacle_displacement(boundaries_[node.boundary].id(), state.distances);
+          obstacle_displacement(boundary_of(node).id(), state.distances);
         depths[node.boundary] =
           std::max(depths[node.boundary], approach * node.normal - node.gap);
       }
@@ -233,7 +238,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < m; ++i)
       {
         ContactNode &node            = nodes_[i];
-        const FrictionData &friction = boundaries_[node.boundary].friction();
+        const FrictionData &friction = boundary_of(node).friction();
         const bool has_coefficient   = friction.law() == FrictionLaw::coulomb;
         const Rubbing at{lambda.size() > 0 ? std::max(lambda(i), 0.) / node.area : 0.,
                          path(i)};
@@ -335,8 +340,7 @@ namespace stiction
     const Eigen::VectorXd &distances) const
   {
     return by_nodes(n_nodes(), [&](const Eigen::Index i) {
-      return to_vector(
-        obstacle_displacement(boundaries_[nodes_[i].boundary].id(), distances));
+      return to_vector(obstacle_displacement(boundary_of(nodes_[i]).id(), distances));
     });
   }
 
@@ -360,7 +364,7 @@ namespace stiction
       return false;
     const Eigen::VectorXd offset = motion_.offset(distances);
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      if (const ContactBoundary &boundary = boundaries_[nodes_[i].boundary];
+      if (const ContactBoundary &boundary = boundary_of(nodes_[i]);
           !boundary.slides_far() && offset(i) < -boundary.body_size())
         return true;
     return false;

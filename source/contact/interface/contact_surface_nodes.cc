@@ -92,7 +92,7 @@ namespace stiction
       const Eigen::VectorXd distances =
         there != nullptr ? there->distances : Eigen::VectorXd();
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (const ContactBoundary &boundary = boundaries_[nodes[i].boundary];
+        if (const ContactBoundary &boundary = boundary_of(nodes[i]);
             boundary.slides_far())
           nodes[i].moved = to_tensor(at_node(u, static_cast<Eigen::Index>(i))) -
                            obstacle_displacement(boundary.id(), distances);
@@ -128,7 +128,7 @@ namespace stiction
 
   bool ContactSurface::place(ContactNode &node) const
   {
-    const ContactBoundary &boundary = boundaries_[node.boundary];
+    const ContactBoundary &boundary = boundary_of(node);
     ContactNode at_start            = node;
     at_start.moved                  = {};
     const bool faces = boundary.is_pair() ? place_in_pair(node) : boundary.place(node);
@@ -152,7 +152,7 @@ namespace stiction
     std::vector<ContactNode> placed, away, facing, held;
     for (ContactNode &node : nodes_)
       {
-        const ContactBoundary &boundary = boundaries_[node.boundary];
+        const ContactBoundary &boundary = boundary_of(node);
         if (!place(node))
           {
             if (!boundary.is_pair())
@@ -177,12 +177,12 @@ namespace stiction
     for (std::size_t i = 0; i < placed.size(); ++i)
       if (bearing[placed[i].first_dof] == i)
         facing.push_back(placed[i]);
-      else if (!boundaries_[placed[i].boundary].is_tied())
+      else if (!boundary_of(placed[i]).is_tied())
         lenders_.push_back(placed[i]);
     for (const ContactNode &node : away)
       if (bearing.count(node.first_dof) == 0)
         {
-          boundaries_[node.boundary].require_outside(node);
+          boundary_of(node).require_outside(node);
           facing_away_.push_back(node);
         }
     nodes_ = std::move(facing);
@@ -191,8 +191,7 @@ namespace stiction
     for (ContactNode &node : idle_)
       try
         {
-          if (!boundaries_[node.boundary].is_tied() && place(node) &&
-              node.cover > mostly_covered)
+          if (!boundary_of(node).is_tied() && place(node) && node.cover > mostly_covered)
             held.push_back(node);
         }
       catch (const InputError &)
@@ -233,7 +232,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         ContactNode &node = nodes_[i];
-        boundaries_[node.boundary].friction().set(node);
+        boundary_of(node).friction().set(node);
         areas_(i)                   = node.area;
         stiffness_.youngs_moduli(i) = node.youngs_modulus;
       }
@@ -246,7 +245,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         ContactNode &node               = nodes_[i];
-        const ContactBoundary &boundary = boundaries_[node.boundary];
+        const ContactBoundary &boundary = boundary_of(node);
         const Tensor<1, 3> &P           = boundary.force();
         // friction is along the slip, and moves neither obstacles nor anything opposite
         const bool is_isotropic = !boundary.friction().is_orthotropic();
@@ -283,7 +282,7 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         const ContactNode &node         = nodes_[i];
-        const ContactBoundary &boundary = boundaries_[node.boundary];
+        const ContactBoundary &boundary = boundary_of(node);
         const ContactFrame &frame       = B_.frames()[i];
         Eigen::Vector3d e               = seen_from(frame, boundary.displacement());
         e(0) += node.gap;

@@ -290,7 +290,7 @@ namespace stiction
     if (i < 0 || mortar.areas(i) < least_cover * node.area ||
         mortar.is_of_both(node.first_dof))
       return false;
-    const ContactBoundary &boundary = boundaries_[node.boundary];
+    const ContactBoundary &boundary = boundary_of(node);
     if (boundary.partners().size() > 1 && mortar.areas(i) > covered_twice * node.area)
       throw InputError(boundary.source().describe("Boundary conditions/Obstacle") +
                        ", of '" + boundary.partner_name() +

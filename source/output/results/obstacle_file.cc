@@ -55,7 +55,7 @@ namespace stiction
       for (const auto &[dof, weight] : body.followed_by(first_dof))
         {
           const Eigen::Index i = surface.node_of(dof);
-          if (i < 0 || surface.boundaries()[surface.nodes()[i].boundary].id() != boundary)
+          if (i < 0 || surface.boundary_of(surface.nodes()[i]).id() != boundary)
             return std::nullopt;
           const ContactNode &node = surface.nodes()[i];
           way += weight * node.gap * node.normal;

@@ -139,7 +139,7 @@ namespace stiction
         (surface.motion().offset_at_start().head(surface.n_nodes()).array() < 0.).any())
       return;
     for (const ContactNode &node : surface.nodes())
-      if (const ContactBoundary &pair = surface.boundaries()[node.boundary];
+      if (const ContactBoundary &pair = surface.boundary_of(node);
           pair.is_pair() && pair.keeps_mesh_gap() && node.own_part == 1. &&
           node.gap < node.mesh_gap)
         throw InputError(pair.source().describe("Boundary conditions/Initial gap") +

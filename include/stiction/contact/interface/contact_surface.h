@@ -225,6 +225,8 @@ namespace stiction
     /// The contact boundary with this id; there must be one.
     const ContactBoundary &boundary(dealii::types::boundary_id id) const;
 
+    const ContactBoundary &boundary_of(const ContactNode &node) const;
+
     /// Whether a boundary of the mesh is a contact boundary, not so for masters of pairs.
     bool is_contact_boundary(dealii::types::boundary_id id) const;
 
