@@ -44,7 +44,7 @@ namespace stiction
     FactorizationCost cost;
     {
       const Phases::Scope clock(cost.sparse_seconds);
-      MumpsFactorization(elasticity.constrained_stiffness(), 3);
+      MumpsFactorization(elasticity.constrained_stiffness());
     }
     if (Q != nullptr)
       {

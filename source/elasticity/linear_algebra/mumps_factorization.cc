@@ -49,7 +49,7 @@ namespace stiction
 
   struct MumpsFactorization::Mumps
   {
-    Mumps(const LA::SparseMatrix &matrix, unsigned int dofs_per_node,
+    Mumps(const LA::SparseMatrix &matrix,
           const std::vector<dealii::types::global_dof_index> &schur_dofs);
     ~Mumps();
     Mumps(const Mumps &)            = delete;
@@ -72,8 +72,7 @@ namespace stiction
     DMUMPS_STRUC_C id{};
     bool is_host  = false;
     double factor = 1.; // what is factorised is K times this, a power of two
-    const unsigned int dofs_per_node;
-    int n_schur = 0;
+    int n_schur   = 0;
     Eigen::MatrixXd schur;
 
     // what MUMPS keeps pointers to
@@ -86,10 +85,9 @@ namespace stiction
   };
 
   MumpsFactorization::Mumps::Mumps(
-    const LA::SparseMatrix &matrix, const unsigned int dofs_per_node,
+    const LA::SparseMatrix &matrix,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
-    : dofs_per_node(dofs_per_node)
-    , n_schur(static_cast<int>(schur_dofs.size()))
+    : n_schur(static_cast<int>(schur_dofs.size()))
   {
     const MPI_Comm communicator = matrix.get_mpi_communicator();
     is_host = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -180,14 +178,14 @@ namespace stiction
   {
     // Left to itself MUMPS orders by minimum degree as soon as a Schur
     // complement is asked for, at three times the operations.
-    permutation = nested_dissection(rows, columns, id.n, dofs_per_node, schur_list,
-                                    MPI_Comm_f2c(id.comm_fortran));
-    icntl(7)    = 1; // the given ordering
-    icntl(28)   = 1; // sequential analysis: the parallel one has no Schur
-    id.perm_in  = data_or(permutation, no_integer);
-    id.nnz_loc  = static_cast<MUMPS_INT8>(values.size());
-    id.irn_loc  = data_or(rows, no_integer);
-    id.jcn_loc  = data_or(columns, no_integer);
+    permutation =
+      nested_dissection(rows, columns, id.n, schur_list, MPI_Comm_f2c(id.comm_fortran));
+    icntl(7)   = 1; // the given ordering
+    icntl(28)  = 1; // sequential analysis: the parallel one has no Schur
+    id.perm_in = data_or(permutation, no_integer);
+    id.nnz_loc = static_cast<MUMPS_INT8>(values.size());
+    id.irn_loc = data_or(rows, no_integer);
+    id.jcn_loc = data_or(columns, no_integer);
     if (n_schur > 0)
       {
         // lower triangle by columns, on a 1 × 1 grid of processes: the host
@@ -276,9 +274,9 @@ namespace stiction
   // -------------------------------------------------- MumpsFactorization
 
   MumpsFactorization::MumpsFactorization(
-    const LA::SparseMatrix &matrix, const unsigned int dofs_per_node,
+    const LA::SparseMatrix &matrix,
     const std::vector<dealii::types::global_dof_index> &schur_dofs)
-    : mumps_(std::make_unique<Mumps>(matrix, dofs_per_node, schur_dofs))
+    : mumps_(std::make_unique<Mumps>(matrix, schur_dofs))
   {
   }
 

@@ -11,6 +11,8 @@ namespace stiction
 {
   namespace
   {
+    constexpr int size = 3; // unknowns of a node
+
     using Edge  = std::array<int, 2>;
     using Edges = std::vector<Edge>;
 
@@ -22,13 +24,12 @@ namespace stiction
 
     // The edges of the graph of the nodes, all of them on rank 0.
     Edges gather_node_graph(const std::vector<int> &rows, const std::vector<int> &columns,
-                            const int dofs_per_node, MPI_Comm communicator)
+                            MPI_Comm communicator)
     {
       Edges mine;
       for (std::size_t k = 0; k < rows.size(); ++k)
         {
-          const Edge edge{
-            {(rows[k] - 1) / dofs_per_node, (columns[k] - 1) / dofs_per_node}};
+          const Edge edge{{(rows[k] - 1) / size, (columns[k] - 1) / size}};
           if (edge[0] != edge[1] && (mine.empty() || mine.back() != edge))
             mine.push_back(edge);
         }
@@ -74,11 +75,9 @@ namespace stiction
 
   std::vector<int> nested_dissection(const std::vector<int> &rows,
                                      const std::vector<int> &columns, const int n,
-                                     const unsigned int dofs_per_node,
                                      const std::vector<int> &last, MPI_Comm communicator)
   {
-    const int size    = static_cast<int>(dofs_per_node);
-    const Edges edges = gather_node_graph(rows, columns, size, communicator);
+    const Edges edges = gather_node_graph(rows, columns, communicator);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
       return {};
 

@@ -158,7 +158,7 @@ namespace stiction
     else if (direct_)
       direct_->refactorize(matrix);
     else if (always_direct_ || level_.n_dofs() <= max_direct)
-      direct_ = std::make_unique<MumpsFactorization>(matrix, 3);
+      direct_ = std::make_unique<MumpsFactorization>(matrix);
     else
       amg_ = std::make_unique<AmgPreconditioner>(matrix, held_modes(all));
   }

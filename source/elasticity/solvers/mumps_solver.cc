@@ -15,9 +15,6 @@ namespace stiction
 {
   namespace
   {
-    // unknowns are numbered node by node, three a node
-    constexpr unsigned int dofs_per_node = 3;
-
     // A large matrix goes out in pieces: an MPI count is an int.
     void broadcast(Eigen::MatrixXd &matrix, MPI_Comm communicator)
     {
@@ -58,7 +55,7 @@ namespace stiction
 
     factorization_.reset(); // before the new one: it may be large
     factorization_ = std::make_unique<MumpsFactorization>(
-      elasticity_.constrained_stiffness(), dofs_per_node, subset.dofs());
+      elasticity_.constrained_stiffness(), subset.dofs());
     is_condensed_ = true;
 
     const auto n = static_cast<int>(subset.size());
@@ -79,8 +76,8 @@ namespace stiction
   unsigned int MumpsSolver::do_solve(LA::Vector &dst, const LA::Vector &src)
   {
     if (!factorization_)
-      factorization_ = std::make_unique<MumpsFactorization>(
-        elasticity_.constrained_stiffness(), dofs_per_node);
+      factorization_ =
+        std::make_unique<MumpsFactorization>(elasticity_.constrained_stiffness());
 
     const HostVector host(src);
     Eigen::VectorXd x = host.gather(src);

@@ -30,14 +30,14 @@ namespace stiction
   public:
     /// Analyses and factorises. Collective.
     ///
-    /// @param dofs_per_node unknowns are numbered node by node in groups of
-    ///   this size; the fill-reducing ordering works on nodes.
+    /// @param matrix with unknowns numbered node by node in threes: the fill-reducing
+    ///   ordering works on nodes.
     /// @param schur_dofs the list C, the same on all ranks; may be empty.
     ///
     /// Throws std::runtime_error with MUMPS' error numbers on all ranks, and
     /// std::bad_alloc if the memory does not suffice.
-    MumpsFactorization(
-      const LA::SparseMatrix &matrix, unsigned int dofs_per_node,
+    explicit MumpsFactorization(
+      const LA::SparseMatrix &matrix,
       const std::vector<dealii::types::global_dof_index> &schur_dofs = {});
     ~MumpsFactorization();
 

@@ -15,14 +15,11 @@ namespace stiction
   ///
   /// @param rows, columns this rank's entries (i, j) of one triangle of the
   ///   matrix, counted from 1.
-  /// @param n the order of the matrix.
-  /// @param dofs_per_node unknowns i, counted from 0, with the same
-  ///   i / dofs_per_node are one node.
+  /// @param n the order of the matrix; three unknowns in a row are one node.
   /// @param last the list, counted from 1, in the order wanted.
   /// @return on rank 0 the position of each unknown in the order, counted
   ///   from 1 (MUMPS' PERM_IN); empty elsewhere.
   std::vector<int> nested_dissection(const std::vector<int> &rows,
                                      const std::vector<int> &columns, int n,
-                                     unsigned int dofs_per_node,
                                      const std::vector<int> &last, MPI_Comm communicator);
 } // namespace stiction
