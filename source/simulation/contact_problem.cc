@@ -1,5 +1,4 @@
 #include <stiction/base/errors.h>
-#include <stiction/base/files.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
 #include <stiction/base/text/in_words.h>
@@ -35,7 +34,6 @@
 #include <nlohmann/json.hpp>
 
 #include <stdexcept>
-#include <utility>
 
 namespace stiction
 {

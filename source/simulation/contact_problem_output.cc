@@ -1,7 +1,6 @@
 // What a problem writes and says once it is solved.
 
 #include <stiction/base/errors.h>
-#include <stiction/base/files.h>
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/certificate/certificate.h>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <stiction/qp/sets/feasible_set.h>
-#include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/qp/contact_conditions.h>
+#include <stiction/qp/sets/slip_bound.h>
 
 #include <Eigen/Core>
 

@@ -7,8 +7,6 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 namespace stiction

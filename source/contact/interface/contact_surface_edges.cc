@@ -15,7 +15,6 @@
 
 #include <map>
 #include <set>
-#include <utility>
 
 namespace stiction
 {

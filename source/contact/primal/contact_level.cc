@@ -9,7 +9,6 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/contact_conditions.h>
-#include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/rigid_place.h>
 #include <stiction/qp/unbalanced_load.h>
 

@@ -1,6 +1,5 @@
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/stiffness/stiffness_operator.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/in_words.h>
-#include <stiction/base/text/numbers.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/mesh/geometry_parameters.h>
 

@@ -1,4 +1,3 @@
-#include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/numbers.h>
 #include <stiction/base/text/parameter_file.h>

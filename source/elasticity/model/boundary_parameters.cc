@@ -1,5 +1,4 @@
 #include <stiction/base/text/boundary_functions.h>
-#include <stiction/base/text/parameter_file.h>
 #include <stiction/elasticity/model/boundary_parameters.h>
 
 #include <algorithm>

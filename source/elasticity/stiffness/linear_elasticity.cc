@@ -1,7 +1,6 @@
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
-#include <stiction/elasticity/model/boundary_parameters.h>
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/mesh/body.h>
 
 #include <deal.II/base/data_out_base.h>

@@ -1,5 +1,4 @@
 #include <stiction/base/errors.h>
-#include <stiction/base/files.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/node_order.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>

@@ -1,6 +1,5 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
-#include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/mesh_names.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>

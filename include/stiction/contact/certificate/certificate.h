@@ -1,6 +1,5 @@
 #pragma once
 
-#include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/qp/contact_conditions.h>
 #include <stiction/qp/contact_scales.h>
 

@@ -3,7 +3,6 @@
 #include <stiction/contact/certificate/body_verifier.h>
 #include <stiction/contact/interface/contact_operator.h>
 #include <stiction/qp/rigid_place.h>
-#include <stiction/qp/solvers/solver_run.h>
 #include <stiction/simulation/solvers/contact_solver.h>
 
 #include <Eigen/Core>
