@@ -1,6 +1,5 @@
 #include <stiction/base/errors.h>
 #include <stiction/elasticity/mesh/body.h>
-#include <stiction/elasticity/mesh/coarse_mesh.h>
 #include <stiction/elasticity/mesh/geometry_parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -57,8 +56,8 @@ namespace stiction
     if (geometry.is_brick())
       {
         CoarseMesh::make_brick(geometry, triangulation_);
-        boundary_names_ = MeshNames::brick_boundaries();
-        material_names_ = MeshNames("material", {0}, {});
+        origin_.boundary_names = MeshNames::brick_boundaries();
+        origin_.material_names = MeshNames("material", {0}, {});
         triangulation_.refine_global(geometry.global_refinement);
         return;
       }
@@ -72,16 +71,12 @@ namespace stiction
     if (check_size)
       check_size(coarse.triangulation().n_active_cells() *
                  std::pow(8., geometry.global_refinement));
-    boundary_names_ = coarse.boundary_names();
-    material_names_ = coarse.material_names();
     triangulation_.copy_triangulation(coarse.triangulation());
-    quadratic_cells_     = coarse.quadratic_cells();
-    cut_elements_        = coarse.cut_elements();
-    left_out_            = coarse.left_out();
+    origin_              = coarse.origin();
     pieces_              = MeshPieces(triangulation_,
                                       [&](const auto &cell) { return coarse.body_name(cell); });
     const auto manifolds = coarse.triangulation().get_manifold_ids();
-    is_curved_           = !quadratic_cells_.empty() ||
+    is_curved_           = !origin_.quadratic_cells.empty() ||
                  std::any_of(manifolds.begin(), manifolds.end(), [](const auto id) {
                    return id != numbers::flat_manifold_id;
                  });
@@ -89,15 +84,15 @@ namespace stiction
     shape_cells();
     if (geometry.global_refinement > 0) // the coarse ones are
       throw_on_all_ranks(communicator(), [&]() {
-        require_valid_cells(triangulation_, quadratic_cells_, location_);
+        require_valid_cells(triangulation_, origin_.quadratic_cells, location_);
       });
   }
 
   void Body::shape_cells()
   {
-    if (quadratic_cells_.empty())
+    if (origin_.quadratic_cells.empty())
       return;
-    quadratic_cells_.place_vertices(triangulation_);
+    origin_.quadratic_cells.place_vertices(triangulation_);
     if (fe_.degree == 1)
       return;
     const std::vector<Point<3>> &unit_points =
@@ -106,7 +101,7 @@ namespace stiction
     mapping->initialize(triangulation_, [&](const Triangulation<3>::cell_iterator &cell) {
       std::vector<Point<3>> points;
       for (const Point<3> &p : unit_points)
-        points.push_back(quadratic_cells_.position(cell, p));
+        points.push_back(origin_.quadratic_cells.position(cell, p));
       return points;
     });
     mapping_ = std::move(mapping);
@@ -149,7 +144,7 @@ namespace stiction
     std::size_t i = 0;
     for (const auto &cell : triangulation_.cell_iterators_on_level(0))
       cell->recursively_set_material_id(ids[i++]);
-    material_names_ = MeshNames("material", {ids.begin(), ids.end()}, {});
+    origin_.material_names = MeshNames("material", {ids.begin(), ids.end()}, {});
   }
 
   void Body::refine(const std::vector<bool> &is_cut,
@@ -178,7 +173,7 @@ namespace stiction
     straighten_hanging_nodes();
     if (is_curved_)
       throw_on_all_ranks(communicator(), [&]() {
-        require_valid_cells(triangulation_, quadratic_cells_, location_);
+        require_valid_cells(triangulation_, origin_.quadratic_cells, location_);
       });
     collect_nodes();
     for (LA::Vector *field : fields)
@@ -230,7 +225,7 @@ namespace stiction
   {
     // cells of second order, of the degree of the elements, are alike on both
     // sides of a face
-    if (!is_curved_ || (fe_.degree > 1 && !quadratic_cells_.empty()))
+    if (!is_curved_ || (fe_.degree > 1 && !origin_.quadratic_cells.empty()))
       return;
     if (fe_.degree > 1) // a cache knows the cells of the last mesh alone
       mapping_ = std::make_unique<MappingQ<3>>(fe_.degree);

@@ -120,10 +120,10 @@ namespace stiction
             const MeshData mesh =
               read_mesh_file(shape.mesh_file, shape.location, shape.boundaries_in_use);
             triangulation_.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
-            quadratic_cells_ = QuadraticCells(triangulation_, mesh.inner_nodes);
-            cut_elements_    = mesh.cut_elements;
+            origin_.quadratic_cells = QuadraticCells(triangulation_, mesh.inner_nodes);
+            origin_.cut_elements    = mesh.cut_elements;
             for (const std::string &what : mesh.left_out)
-              left_out_.push_back("Left out of " + shape.mesh_file + ": " + what);
+              origin_.left_out.push_back("Left out of " + shape.mesh_file + ": " + what);
             boundaries    = mesh.boundary_names;
             materials     = mesh.material_names;
             body_names_   = mesh.body_names;
@@ -136,8 +136,9 @@ namespace stiction
         throw InputError(shape.location + ", makes no mesh: " + in_one_line(exception) +
                          ".");
       }
-    require_valid_cells(triangulation_, quadratic_cells_,
-                        shape.location + (cut_elements_.empty() ? "" : ", when cut"));
+    require_valid_cells(triangulation_, origin_.quadratic_cells,
+                        shape.location +
+                          (origin_.cut_elements.empty() ? "" : ", when cut"));
     set_names(boundaries, materials, how_to_name);
     for (const auto &[name, id] : materials)
       body_of_material_[id] = name;
@@ -246,8 +247,8 @@ namespace stiction
           if (face->at_boundary())
             boundary_ids.insert(face->boundary_id());
       }
-    boundary_names_ = MeshNames("boundary", boundary_ids, boundaries, how_to_name);
-    material_names_ = MeshNames("material", material_ids, materials);
+    origin_.boundary_names = MeshNames("boundary", boundary_ids, boundaries, how_to_name);
+    origin_.material_names = MeshNames("material", material_ids, materials);
   }
 
   void require_valid_cells(const Triangulation<3> &triangulation,

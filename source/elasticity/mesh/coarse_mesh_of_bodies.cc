@@ -109,7 +109,7 @@ namespace stiction
       {
         meshes.push_back(std::make_unique<CoarseMesh>(*placed));
         parts.is_quadratic =
-          parts.is_quadratic || !meshes.back()->quadratic_cells_.empty();
+          parts.is_quadratic || !meshes.back()->origin_.quadratic_cells.empty();
       }
     for (std::size_t b = 0; b < bodies.size(); ++b)
       meshes[b]->add_to(parts, *bodies[b]);
@@ -118,12 +118,12 @@ namespace stiction
     for (const auto &[id, manifold] : parts.manifolds)
       triangulation_.set_manifold(id, *manifold);
     if (parts.is_quadratic)
-      quadratic_cells_ = QuadraticCells(std::move(parts.nodes));
-    cut_elements_     = parts.cut_elements;
-    left_out_         = parts.left_out;
-    boundary_names_   = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
-    material_names_   = MeshNames("material", parts.material_ids, parts.materials);
-    body_of_material_ = parts.body_names;
+      origin_.quadratic_cells = QuadraticCells(std::move(parts.nodes));
+    origin_.cut_elements   = parts.cut_elements;
+    origin_.left_out       = parts.left_out;
+    origin_.boundary_names = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
+    origin_.material_names = MeshNames("material", parts.material_ids, parts.materials);
+    body_of_material_      = parts.body_names;
   }
 
   void CoarseMesh::add_to(Parts &parts, const PlacedBody &placed) const
@@ -132,8 +132,8 @@ namespace stiction
     Triangulation<3> refined(Triangulation<3>::none, false);
     refined.copy_triangulation(triangulation_);
     refined.refine_global(placed.refinement);
-    if (!quadratic_cells_.empty())
-      quadratic_cells_.place_vertices(refined);
+    if (!origin_.quadratic_cells.empty())
+      origin_.quadratic_cells.place_vertices(refined);
     Triangulation<3> flat(Triangulation<3>::none, false);
     GridGenerator::flatten_triangulation(refined, flat);
     for (const auto id : triangulation_.get_manifold_ids())
@@ -141,7 +141,7 @@ namespace stiction
         flat.set_manifold(id, triangulation_.get_manifold(id));
 
     if (parts.is_quadratic)
-      for (auto nodes : quadratic_nodes(refined, quadratic_cells_))
+      for (auto nodes : quadratic_nodes(refined, origin_.quadratic_cells))
         {
           for (Point<3> &node : nodes)
             node = placed.place(node);
@@ -167,7 +167,7 @@ namespace stiction
     for (const Point<3> &p : vertices)
       parts.vertices.push_back(placed.place(p));
     const bool is_one_material =
-      placed.youngs_modulus || material_names_.ids().size() == 1;
+      placed.youngs_modulus || origin_.material_names.ids().size() == 1;
     for (auto &cell : cells)
       cell.material_id = first_material + (is_one_material ? 0 : cell.material_id);
     for (auto &face : faces.boundary_quads)
@@ -181,10 +181,10 @@ namespace stiction
         parts.manifolds[first_manifold + id] =
           std::make_unique<PlacedManifold>(placed, flat.get_manifold(id));
 
-    for (const MeshNames::Id id : boundary_names_.ids())
+    for (const MeshNames::Id id : origin_.boundary_names.ids())
       {
         parts.boundary_ids.insert(first_boundary + id);
-        parts.boundaries[placed.name + '.' + boundary_names_.name(id)] =
+        parts.boundaries[placed.name + '.' + origin_.boundary_names.name(id)] =
           first_boundary + id;
       }
     const auto add_material = [&](const MeshNames::Id id, const std::string &name) {
@@ -195,11 +195,12 @@ namespace stiction
     if (is_one_material)
       add_material(first_material, placed.name);
     else
-      for (const MeshNames::Id id : material_names_.ids())
-        add_material(first_material + id, placed.name + '.' + material_names_.name(id));
-    for (const auto &[kind, n] : cut_elements_)
+      for (const MeshNames::Id id : origin_.material_names.ids())
+        add_material(first_material + id,
+                     placed.name + '.' + origin_.material_names.name(id));
+    for (const auto &[kind, n] : origin_.cut_elements)
       parts.cut_elements[kind] += n;
-    for (const std::string &what : left_out_)
+    for (const std::string &what : origin_.left_out)
       if (std::find(parts.left_out.begin(), parts.left_out.end(), what) ==
           parts.left_out.end())
         parts.left_out.push_back(what);

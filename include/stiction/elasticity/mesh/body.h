@@ -1,9 +1,8 @@
 #pragma once
 
-#include <stiction/base/text/mesh_names.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/mesh/coarse_mesh.h>
 #include <stiction/elasticity/mesh/mesh_pieces.h>
-#include <stiction/elasticity/mesh/readers/quadratic_cells.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria.h>
@@ -176,19 +175,19 @@ namespace stiction
     /// refined, by kinds: "tetrahedra". Empty if none were.
     const std::map<std::string, std::size_t> &cut_elements() const
     {
-      return cut_elements_;
+      return origin_.cut_elements;
     }
 
     /// What of mesh files is left out, a line each with the file's name.
-    const std::vector<std::string> &left_out() const { return left_out_; }
+    const std::vector<std::string> &left_out() const { return origin_.left_out; }
 
     /// The boundaries of the mesh, with their names.
-    const MeshNames &boundary_names() const { return boundary_names_; }
+    const MeshNames &boundary_names() const { return origin_.boundary_names; }
 
     /// The materials of the mesh, which are the material ids of its cells,
     /// with their names. Bodies that are not read from a file have the
     /// material 0 without a name.
-    const MeshNames &material_names() const { return material_names_; }
+    const MeshNames &material_names() const { return origin_.material_names; }
 
     /// Gives all cells that came of a coarse cell the material id of the
     /// centre of that coarse cell. Nothing changes if the function throws.
@@ -221,9 +220,7 @@ namespace stiction
 
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3> fe_;
-    QuadraticCells quadratic_cells_;
-    std::map<std::string, std::size_t> cut_elements_;
-    std::vector<std::string> left_out_;
+    MeshOrigin origin_;
     std::string location_; // of the entry that says what the body is
     std::unique_ptr<dealii::Mapping<3>> mapping_;
     dealii::DoFHandler<3> dof_handler_;
@@ -236,7 +233,5 @@ namespace stiction
     std::vector<Node> nodes_;
     MeshPieces pieces_;
     dealii::BoundingBox<3> bounding_box_;
-    MeshNames boundary_names_;
-    MeshNames material_names_;
   };
 } // namespace stiction

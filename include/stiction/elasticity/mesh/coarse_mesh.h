@@ -16,6 +16,15 @@ namespace stiction
   struct PlacedBody;
   struct ShapeParameters;
 
+  /// What is known of a mesh from where it came, see the functions of Body.
+  struct MeshOrigin
+  {
+    QuadraticCells quadratic_cells; ///< of a file with elements of second order
+    std::map<std::string, std::size_t> cut_elements;
+    std::vector<std::string> left_out;
+    MeshNames boundary_names, material_names;
+  };
+
   /// The mesh of a body, or of several, before it is refined and distributed:
   /// hexahedra with boundary ids, material ids and manifolds.
   class CoarseMesh
@@ -37,21 +46,7 @@ namespace stiction
 
     const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
 
-    /// Of a file with elements of second order, otherwise empty.
-    const QuadraticCells &quadratic_cells() const { return quadratic_cells_; }
-
-    /// See Body::cut_elements().
-    const std::map<std::string, std::size_t> &cut_elements() const
-    {
-      return cut_elements_;
-    }
-
-    /// See Body::left_out().
-    const std::vector<std::string> &left_out() const { return left_out_; }
-
-    const MeshNames &boundary_names() const { return boundary_names_; }
-
-    const MeshNames &material_names() const { return material_names_; }
+    const MeshOrigin &origin() const { return origin_; }
 
     /// How the body of a coarse cell is called, empty if nothing says so.
     std::string body_name(const dealii::Triangulation<3>::cell_iterator &cell) const;
@@ -79,10 +74,7 @@ namespace stiction
                    const std::string &how_to_name);
 
     dealii::Triangulation<3> triangulation_;
-    QuadraticCells quadratic_cells_;
-    std::map<std::string, std::size_t> cut_elements_;
-    std::vector<std::string> left_out_;
-    MeshNames boundary_names_, material_names_;
+    MeshOrigin origin_;
     std::vector<std::string> body_names_;
     std::vector<std::size_t> body_of_cell_; // in these
     std::map<dealii::types::material_id, std::string> body_of_material_;
