@@ -150,9 +150,8 @@ namespace stiction
     Vector<double> squares(body.triangulation().n_active_cells());
     const auto error = cell_error(elasticity, surface, state);
     throw_on_all_ranks(body.communicator(), [&]() {
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          squares[cell->active_cell_index()] = error(cell);
+      for (const auto &cell : body.locally_owned_cells())
+        squares[cell->active_cell_index()] = error(cell);
     });
     return squares;
   }

@@ -40,11 +40,10 @@ namespace stiction
         update_quadrature_points | update_normal_vectors);
     for (const auto id : ids)
       normals_.emplace(id, zero_vector(body));
-    for (const Cell &cell : body.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f) && ids.count(cell->face(f)->boundary_id()) > 0)
-            add_normals(cell, f);
+    for (const Cell &cell : body.locally_owned_cells())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f) && ids.count(cell->face(f)->boundary_id()) > 0)
+          add_normals(cell, f);
     for (auto &[id, normals] : normals_)
       {
         normals.compress(VectorOperation::add);

@@ -39,23 +39,22 @@ namespace stiction
       FEFaceValues<3> values(body.mapping(), fe, quadrature,
                              update_values | update_normal_vectors | update_JxW_values);
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            {
-              if (!cell->face(f)->at_boundary())
-                continue;
-              const auto place =
-                std::find_if(boundaries.begin(), boundaries.end(), [&](const auto &b) {
-                  return b.id() == cell->face(f)->boundary_id();
-                });
-              if (place == boundaries.end())
-                continue;
-              values.reinit(cell, f);
-              cell->get_dof_indices(dofs);
-              callback(cell, values, dofs, place - boundaries.begin(),
-                       parts.of(cell->face(f)));
-            }
+      for (const auto &cell : body.locally_owned_cells())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary())
+              continue;
+            const auto place =
+              std::find_if(boundaries.begin(), boundaries.end(), [&](const auto &b) {
+                return b.id() == cell->face(f)->boundary_id();
+              });
+            if (place == boundaries.end())
+              continue;
+            values.reinit(cell, f);
+            cell->get_dof_indices(dofs);
+            callback(cell, values, dofs, place - boundaries.begin(),
+                     parts.of(cell->face(f)));
+          }
     }
   } // namespace
 

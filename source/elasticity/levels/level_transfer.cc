@@ -116,15 +116,14 @@ namespace stiction
         }
       const auto in_cell = FETools::lexicographic_to_hierarchic_numbering<3>(2);
       std::vector<types::global_dof_index> dofs(3 * in_cell.size());
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            cell->get_dof_indices(dofs);
-            const DoFHandler<3>::level_cell_iterator same(
-              &body.triangulation(), cell->level(), cell->index(), &coarse_dofs);
-            for (unsigned int i = 0; i < 27; ++i)
-              visit(same, nodes[i], fine.local_node(dofs[3 * in_cell[i]]));
-          }
+      for (const auto &cell : body.locally_owned_cells())
+        {
+          cell->get_dof_indices(dofs);
+          const DoFHandler<3>::level_cell_iterator same(
+            &body.triangulation(), cell->level(), cell->index(), &coarse_dofs);
+          for (unsigned int i = 0; i < 27; ++i)
+            visit(same, nodes[i], fine.local_node(dofs[3 * in_cell[i]]));
+        }
     };
 
     // Several ranks see a fine node between their coarse cells: the first of

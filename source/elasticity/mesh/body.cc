@@ -269,24 +269,23 @@ namespace stiction
         }
 
     std::map<unsigned int, Nodes> straight;
-    for (const Cell &cell : dof_handler_.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          Nodes nodes = curved_nodes(cell, fe_);
-          bool hangs  = false;
-          for (unsigned int i = 0; i < nodes.size(); ++i)
-            if (is_hanging(dofs[3 * i]))
-              {
-                hangs    = true;
-                nodes[i] = Point<3>();
-                for (const auto &[other, weight] :
-                     *hanging_nodes_.get_constraint_entries(dofs[3 * i]))
-                  nodes[i] += weight * position.at(other);
-              }
-          if (hangs)
-            straight[cell->active_cell_index()] = nodes;
-        }
+    for (const Cell &cell : locally_owned_cells())
+      {
+        cell->get_dof_indices(dofs);
+        Nodes nodes = curved_nodes(cell, fe_);
+        bool hangs  = false;
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (is_hanging(dofs[3 * i]))
+            {
+              hangs    = true;
+              nodes[i] = Point<3>();
+              for (const auto &[other, weight] :
+                   *hanging_nodes_.get_constraint_entries(dofs[3 * i]))
+                nodes[i] += weight * position.at(other);
+            }
+        if (hangs)
+          straight[cell->active_cell_index()] = nodes;
+      }
     // only its owner knows for sure what hangs on a cell
     GridTools::exchange_cell_data_to_ghosts<Nodes, DoFHandler<3>>(
       dof_handler_,
@@ -322,25 +321,24 @@ namespace stiction
     FEValues<3> values(*mapping_, fe_.base_element(0),
                        fe_.base_element(0).get_unit_support_points(),
                        update_quadrature_points);
-    for (const auto &cell : dof_handler_.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          const unsigned int piece = piece_of(cell);
-          if (fe_.degree > 1)
-            values.reinit(cell);
-          for (unsigned int i = 0; i < dofs.size(); i += 3)
-            {
-              if (!owned.is_element(dofs[i]))
-                continue;
-              Node &node = nodes_[owned.index_within_set(dofs[i]) / 3];
-              std::copy_n(&dofs[i], 3, node.dofs.begin());
-              node.piece    = piece;
-              node.position = i / 3 < cell->n_vertices() // which come first
-                                ? cell->vertex(i / 3)
-                                : values.quadrature_point(i / 3);
-            }
-        }
+    for (const auto &cell : locally_owned_cells())
+      {
+        cell->get_dof_indices(dofs);
+        const unsigned int piece = piece_of(cell);
+        if (fe_.degree > 1)
+          values.reinit(cell);
+        for (unsigned int i = 0; i < dofs.size(); i += 3)
+          {
+            if (!owned.is_element(dofs[i]))
+              continue;
+            Node &node = nodes_[owned.index_within_set(dofs[i]) / 3];
+            std::copy_n(&dofs[i], 3, node.dofs.begin());
+            node.piece    = piece;
+            node.position = i / 3 < cell->n_vertices() // which come first
+                              ? cell->vertex(i / 3)
+                              : values.quadrature_point(i / 3);
+          }
+      }
     types::global_dof_index n_hanging = 0;
     for (const Node &node : nodes_)
       n_hanging += is_hanging(node.dofs[0]) ? 1 : 0;

@@ -20,9 +20,8 @@ namespace stiction
     std::vector<Cell> cells_in_order(const Body &body)
     {
       std::vector<std::pair<dealii::CellId, Cell>> cells;
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          cells.emplace_back(cell->id(), cell);
+      for (const auto &cell : body.locally_owned_cells())
+        cells.emplace_back(cell->id(), cell);
       std::sort(cells.begin(), cells.end(),
                 [](const auto &a, const auto &b) { return a.first < b.first; });
       std::vector<Cell> in_order;

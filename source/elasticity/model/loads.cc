@@ -215,15 +215,14 @@ namespace stiction
     const QGauss<3> quadrature(fe.degree + 1);
     FEValues<3> values(body_.mapping(), fe, quadrature,
                        update_values | update_quadrature_points | update_JxW_values);
-    for (const auto &cell : body_.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          values.reinit(cell);
-          const auto force = [&](const unsigned int q) {
-            return inside(materials.of(cell->material_id()).density,
-                          values.quadrature_point(q));
-          };
-          integrate(body_, cell, values, force, load);
-        }
+    for (const auto &cell : body_.locally_owned_cells())
+      {
+        values.reinit(cell);
+        const auto force = [&](const unsigned int q) {
+          return inside(materials.of(cell->material_id()).density,
+                        values.quadrature_point(q));
+        };
+        integrate(body_, cell, values, force, load);
+      }
   }
 } // namespace stiction

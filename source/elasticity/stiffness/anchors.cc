@@ -35,21 +35,20 @@ namespace stiction
       const std::set<types::global_dof_index> left_out(excluded.begin(), excluded.end());
 
       std::map<types::global_dof_index, Eigen::RowVectorXd> rows;
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              const auto first_dof = cell->vertex_dof_index(v, 0);
-              if (!body.locally_owned_dofs().is_element(first_dof) ||
-                  left_out.count(first_dof) > 0 || rows.count(first_dof) > 0 ||
-                  (only_coarse && coarse_vertices.count(cell->vertex_index(v)) == 0))
-                continue;
-              const Eigen::MatrixXd motions =
-                free_motions.at(cell->vertex(v), body.piece_of(cell));
-              for (unsigned int c = 0; c < 3; ++c)
-                if (!constraints.is_constrained(cell->vertex_dof_index(v, c)))
-                  rows[cell->vertex_dof_index(v, c)] = motions.row(c);
-            }
+      for (const auto &cell : body.locally_owned_cells())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const auto first_dof = cell->vertex_dof_index(v, 0);
+            if (!body.locally_owned_dofs().is_element(first_dof) ||
+                left_out.count(first_dof) > 0 || rows.count(first_dof) > 0 ||
+                (only_coarse && coarse_vertices.count(cell->vertex_index(v)) == 0))
+              continue;
+            const Eigen::MatrixXd motions =
+              free_motions.at(cell->vertex(v), body.piece_of(cell));
+            for (unsigned int c = 0; c < 3; ++c)
+              if (!constraints.is_constrained(cell->vertex_dof_index(v, c)))
+                rows[cell->vertex_dof_index(v, c)] = motions.row(c);
+          }
       return rows;
     }
 

@@ -229,15 +229,14 @@ namespace stiction
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<unsigned int> nodes(dofs.size() / 3);
     FullMatrix<double> K;
-    for (const auto &cell : body.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          for (std::size_t i = 0; i < nodes.size(); ++i)
-            nodes[i] = level.local_node(dofs[3 * i]);
-          K = element_stiffness(cell, materials.of(cell->material_id()));
-          K /= unit;
-          callback(nodes, K);
-        }
+    for (const auto &cell : body.locally_owned_cells())
+      {
+        cell->get_dof_indices(dofs);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          nodes[i] = level.local_node(dofs[3 * i]);
+        K = element_stiffness(cell, materials.of(cell->material_id()));
+        K /= unit;
+        callback(nodes, K);
+      }
   }
 } // namespace stiction

@@ -170,14 +170,13 @@ namespace stiction
         std::vector<types::global_dof_index> of_cell(3 * first_dof_.size()),
           of_nodes(first_dof_.size());
         auto patch = patches_.begin();
-        for (const auto &cell : body_.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell->get_dof_indices(of_cell);
-              for (unsigned int p = 0; p < of_nodes.size(); ++p)
-                of_nodes[p] = of_cell[first_dof_[p]];
-              f(cell, of_nodes, *patch++);
-            }
+        for (const auto &cell : body_.locally_owned_cells())
+          {
+            cell->get_dof_indices(of_cell);
+            for (unsigned int p = 0; p < of_nodes.size(); ++p)
+              of_nodes[p] = of_cell[first_dof_[p]];
+            f(cell, of_nodes, *patch++);
+          }
       }
 
       // With all that the displacement tells at a node of a cell alone.
@@ -227,9 +226,8 @@ namespace stiction
       const unsigned int degree = body_.dof_handler().get_fe().degree;
       // deal.II puts the points in between where straight edges have them
       const bool has_places = degree > 1;
-      for (const auto &cell : body_.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          add_patch(cell, has_places);
+      for (const auto &cell : body_.locally_owned_cells())
+        add_patch(cell, has_places);
 
       FEValues<3> at_nodes(body_.mapping(), body_.dof_handler().get_fe(),
                            QIterated<3>(QTrapezoid<1>(), degree), // as a table

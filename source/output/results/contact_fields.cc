@@ -50,32 +50,31 @@ namespace stiction
         FEFaceValues<3> places(body_.mapping(), fe,
                                QIterated<2>(QTrapezoid<1>(), fe.degree),
                                update_quadrature_points);
-        for (const auto &cell : body_.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned())
-            for (const unsigned int f : cell->face_indices())
-              if (const auto face = cell->face(f);
-                  face->at_boundary() &&
-                  (surface.is_contact_boundary(face->boundary_id()) ||
-                   surface.is_other_side(face->boundary_id())))
-                {
-                  face->get_dof_indices(dofs);
-                  places.reinit(cell, f);
-                  const unsigned int part = surface_.parts().of(face);
-                  Patch &patch            = add_patch(face, true); // it may be curved
-                  for (unsigned int p = 0; p < order.size(); ++p)
-                    {
-                      const auto dof      = dofs[3 * order[p]];
-                      const Values values = values_at(dof, face->boundary_id(), part);
-                      for (unsigned int k = 0; k < values.size(); ++k)
-                        set(patch, k, p, values[k]);
-                      set(patch, boundary_, p, face->boundary_id());
-                      if (body_.pieces().size() > 1)
-                        set(patch, piece_, p, body_.piece_of(cell));
-                      for (unsigned int c = 0; c < 3; ++c)
-                        set(patch, displacement_ + c, p, u(dof + c));
-                      set(patch, values.size(), p, places.quadrature_point(p));
-                    }
-                }
+        for (const auto &cell : body_.locally_owned_cells())
+          for (const unsigned int f : cell->face_indices())
+            if (const auto face = cell->face(f);
+                face->at_boundary() &&
+                (surface.is_contact_boundary(face->boundary_id()) ||
+                 surface.is_other_side(face->boundary_id())))
+              {
+                face->get_dof_indices(dofs);
+                places.reinit(cell, f);
+                const unsigned int part = surface_.parts().of(face);
+                Patch &patch            = add_patch(face, true); // it may be curved
+                for (unsigned int p = 0; p < order.size(); ++p)
+                  {
+                    const auto dof      = dofs[3 * order[p]];
+                    const Values values = values_at(dof, face->boundary_id(), part);
+                    for (unsigned int k = 0; k < values.size(); ++k)
+                      set(patch, k, p, values[k]);
+                    set(patch, boundary_, p, face->boundary_id());
+                    if (body_.pieces().size() > 1)
+                      set(patch, piece_, p, body_.piece_of(cell));
+                    for (unsigned int c = 0; c < 3; ++c)
+                      set(patch, displacement_ + c, p, u(dof + c));
+                    set(patch, values.size(), p, places.quadrature_point(p));
+                  }
+              }
       }
 
     private:

@@ -70,33 +70,32 @@ namespace stiction
                               const State &state)
     {
       ObstacleFaces mine;
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const auto &face : cell->face_iterators())
-            {
-              const types::boundary_id boundary = face->boundary_id();
-              if (!face->at_boundary() || !surface.is_contact_boundary(boundary) ||
-                  surface.boundary(boundary).obstacle() != nullptr ||
-                  surface.boundary(boundary).is_pair())
-                continue;
-              std::array<std::optional<Tensor<1, 3>>, 4> ways;
-              Tensor<1, 3> mean;
-              unsigned int n = 0;
-              for (unsigned int v = 0; v < 4; ++v)
-                {
-                  ways[v] = way_to_foundation(body, surface, boundary,
-                                              face->vertex_dof_index(v, 0));
-                  mean += ways[v].value_or(Tensor<1, 3>());
-                  n += ways[v] ? 1 : 0;
-                }
-              if (n == 0)
-                continue;
-              mine.push_back({boundary, {}});
-              for (const unsigned int v : {0, 1, 3, 2}) // around the face
-                mine.back().corners.push_back(
-                  face->vertex(v) + ways[v].value_or(mean / n) +
-                  surface.obstacle_displacement(boundary, state.distances));
-            }
+      for (const auto &cell : body.locally_owned_cells())
+        for (const auto &face : cell->face_iterators())
+          {
+            const types::boundary_id boundary = face->boundary_id();
+            if (!face->at_boundary() || !surface.is_contact_boundary(boundary) ||
+                surface.boundary(boundary).obstacle() != nullptr ||
+                surface.boundary(boundary).is_pair())
+              continue;
+            std::array<std::optional<Tensor<1, 3>>, 4> ways;
+            Tensor<1, 3> mean;
+            unsigned int n = 0;
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                ways[v] = way_to_foundation(body, surface, boundary,
+                                            face->vertex_dof_index(v, 0));
+                mean += ways[v].value_or(Tensor<1, 3>());
+                n += ways[v] ? 1 : 0;
+              }
+            if (n == 0)
+              continue;
+            mine.push_back({boundary, {}});
+            for (const unsigned int v : {0, 1, 3, 2}) // around the face
+              mine.back().corners.push_back(
+                face->vertex(v) + ways[v].value_or(mean / n) +
+                surface.obstacle_displacement(boundary, state.distances));
+          }
       ObstacleFaces all;
       for (const auto &theirs : Utilities::MPI::gather(body.communicator(), mine))
         all.insert(all.end(), theirs.begin(), theirs.end());

@@ -83,18 +83,16 @@ namespace stiction
                          QGauss<3>(body.dof_handler().get_fe().degree + 1),
                          update_JxW_values);
       std::vector<std::array<double, 2>> all(body.pieces().size());
-      for (const auto &cell : body.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            values.reinit(cell);
-            double volume = 0.;
-            for (const double JxW : values.get_JxW_values())
-              volume += JxW;
-            auto &of_piece = all[body.piece_of(cell)];
-            of_piece[0] += volume;
-            of_piece[1] +=
-              volume * elasticity.materials().of(cell->material_id()).density;
-          }
+      for (const auto &cell : body.locally_owned_cells())
+        {
+          values.reinit(cell);
+          double volume = 0.;
+          for (const double JxW : values.get_JxW_values())
+            volume += JxW;
+          auto &of_piece = all[body.piece_of(cell)];
+          of_piece[0] += volume;
+          of_piece[1] += volume * elasticity.materials().of(cell->material_id()).density;
+        }
       for (auto &of_piece : all)
         for (double &sum : of_piece)
           sum = Utilities::MPI::sum(sum, body.communicator());

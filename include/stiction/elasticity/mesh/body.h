@@ -9,6 +9,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
@@ -71,6 +72,13 @@ namespace stiction
     }
 
     const dealii::DoFHandler<3> &dof_handler() const { return dof_handler_; }
+
+    /// The active cells of this rank, of dof_handler().
+    auto locally_owned_cells() const
+    {
+      return dof_handler_.active_cell_iterators() |
+             dealii::IteratorFilters::LocallyOwnedCell();
+    }
 
     /// The trilinear displacements of the same cells, with those of all levels if the
     /// mesh has them: dof_handler() itself for elements of degree 1.
