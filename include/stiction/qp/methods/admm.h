@@ -31,8 +31,6 @@ namespace stiction
 
     bool solves_coulomb() const override { return true; }
 
-    DualMethodStatistics statistics() const override { return statistics_; }
-
   private:
     /// Factorises Q + factor·D.
     void factorize(double factor);
@@ -42,6 +40,5 @@ namespace stiction
     const Eigen::VectorXd pull_; ///< the diagonal of D, m/N
     double factor_ = 1.;
     Eigen::LLT<Eigen::MatrixXd> cholesky_;
-    DualMethodStatistics statistics_;
   };
 } // namespace stiction

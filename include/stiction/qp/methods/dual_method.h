@@ -88,6 +88,9 @@ namespace stiction
     virtual std::string limitation() const { return {}; }
 
     /// Sums over all runs so far.
-    virtual DualMethodStatistics statistics() const = 0;
+    virtual DualMethodStatistics statistics() const { return statistics_; }
+
+  protected:
+    DualMethodStatistics statistics_;
   };
 } // namespace stiction

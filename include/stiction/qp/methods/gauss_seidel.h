@@ -38,8 +38,6 @@ namespace stiction
 
     bool solves_coulomb() const override { return true; }
 
-    DualMethodStatistics statistics() const override { return statistics_; }
-
   private:
     /// λ_ν^(i) of ALGORITHM GS.
     void normal_half_sweep(DualIterate &iterate, const qp::SlipBound &slip_bound,
@@ -65,7 +63,6 @@ namespace stiction
     std::optional<double> tangential_norm_; ///< estimated when first needed
     std::optional<qp::DiscActiveSet::Variant> variant_;
     std::unique_ptr<qp::SemismoothNewton> disc_newton_;
-    DualMethodStatistics statistics_;
     bool inner_converged_ = true; ///< the last program, or rounding ended it
   };
 

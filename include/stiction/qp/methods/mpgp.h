@@ -28,13 +28,10 @@ namespace stiction
 
     bool solves_coulomb() const override { return false; }
 
-    DualMethodStatistics statistics() const override { return statistics_; }
-
   private:
     const DualOperator &Q_;
     const Eigen::VectorXd D_;   ///< the diagonal of D, length 3m
     qp::SymmetricOperator DQD_; ///< of the variables y with λ = D y
     double norm_;
-    DualMethodStatistics statistics_;
   };
 } // namespace stiction

@@ -57,6 +57,5 @@ namespace stiction
     const unsigned int max_steps_in_a_run_;
     bool is_direct_ = false;               ///< Newton's systems, by LU factors
     std::unique_ptr<DualMethod> fallback_; ///< made when first needed
-    DualMethodStatistics statistics_;
   };
 } // namespace stiction

@@ -28,11 +28,8 @@ namespace stiction
 
     std::string limitation() const override;
 
-    DualMethodStatistics statistics() const override { return statistics_; }
-
   private:
     qp::SymmetricOperator block_;
     const unsigned int r_;
-    DualMethodStatistics statistics_;
   };
 } // namespace stiction
