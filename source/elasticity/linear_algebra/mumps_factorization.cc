@@ -118,7 +118,7 @@ namespace stiction
   {
     const bool is_new = find_entries(matrix);
     copy_values(matrix);
-    if (dealii::Utilities::MPI::max(is_new ? 1 : 0, matrix.get_mpi_communicator()) == 1)
+    if (dealii::Utilities::MPI::logical_or(is_new, matrix.get_mpi_communicator()))
       {
         run_analysis();
         is_analysed = true;

@@ -123,8 +123,7 @@ namespace stiction
     LA::Vector b = src;
     for (const unsigned int k : fixed)
       b.local_element(k) = 0.;
-    is_moved =
-      dealii::Utilities::MPI::max(is_moved ? 1 : 0, src.get_mpi_communicator()) == 1;
+    is_moved = dealii::Utilities::MPI::logical_or(is_moved, src.get_mpi_communicator());
     if (is_moved)
       {
         const LA::Vector diagonal = elasticity_.stiffness_diagonal();
