@@ -2,7 +2,7 @@
 #include <stiction/qp/methods/mpgp.h>
 #include <stiction/qp/methods/squares.h>
 #include <stiction/qp/operators/spectral_norm.h>
-#include <stiction/qp/sets/half_lines_times_boxes.h>
+#include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/sets/rotated_squares.h>
 #include <stiction/qp/solvers/proportioning.h>
 

@@ -115,6 +115,15 @@ namespace stiction::qp
     return alpha;
   }
 
+  HalfLinesTimesBoxes::HalfLinesTimesBoxes(const Eigen::VectorXd &half_widths,
+                                           const unsigned int n_intervals)
+    : Intervals(half_widths, n_intervals)
+  {
+    for (const double half_width : half_widths)
+      if (!(half_width >= 0.))
+        throw std::invalid_argument("the half-width of a box must be >= 0");
+  }
+
   // ---------------------------------------------------------------- Discs
 
   Discs::Discs(Eigen::VectorXd radii)

@@ -3,7 +3,7 @@
 // split gradient is what FeasibleSet promises: the gradient inside, on a bound
 // (x − P(x − s r))/s, and both zero exactly at a solution.
 
-#include <stiction/qp/sets/half_lines_times_boxes.h>
+#include <stiction/qp/sets/feasible_set.h>
 
 #include <limits>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 #include <stiction/qp/methods/newton.h>
 #include <stiction/qp/methods/squares.h>
 #include <stiction/qp/operators/dual_operator.h>
-#include <stiction/qp/sets/half_lines_times_boxes.h>
+#include <stiction/qp/sets/feasible_set.h>
 #include <stiction/qp/unbalanced_load.h>
 
 #include <functional>
