@@ -61,7 +61,7 @@ namespace stiction
       restart_ = std::make_unique<CheckpointReader>(restart, parameters, communicator);
     if (parameters.output.print_progress)
       phases_.announce(*log_);
-    if (has_steps())
+    if (parameters.time.has_steps() || restart_)
       steps_ = std::make_unique<StepHistory>(parameters.output.directory, communicator);
   }
 
@@ -205,7 +205,7 @@ namespace stiction
       log_->line("  nothing resists where the body can " +
                  elasticity().free_motions().in_words(unresisted) +
                  ": there it is left where it is");
-    if (!has_steps())
+    if (!steps_)
       if (const std::string reason =
             why_no_equilibrium(elasticity(), contact_surface(), units_);
           !reason.empty())

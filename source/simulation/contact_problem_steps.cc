@@ -94,7 +94,7 @@ namespace stiction
   {
     if (parameters_.refinement.adaptive_steps > 0)
       refinement_ = std::make_unique<AdaptiveRefinement>(parameters_);
-    if (!has_steps())
+    if (!steps_)
       return;
     history_->begin_time(times.time());
     effort_           = {};
@@ -295,11 +295,6 @@ namespace stiction
         ends_        = {{time, std::move(state)}};
       }
     begin_balance();
-  }
-
-  bool ContactProblem::has_steps() const
-  {
-    return parameters_.time.has_steps() || restart_;
   }
 
   bool ContactProblem::goes_on_in_place() const

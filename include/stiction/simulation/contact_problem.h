@@ -100,8 +100,6 @@ namespace stiction
     void write_step();
     /// Goes on from a checkpoint.
     void go_on(TimeSteps &times);
-    /// Whether there are several steps, here or before.
-    bool has_steps() const;
     /// Whether the run goes on in the directory in which it began. Collective.
     bool goes_on_in_place() const;
     /// Writes the checkpoint of the last step, unless there is one.
@@ -215,7 +213,7 @@ namespace stiction
     /// Of the certified steps of this run, by what they are about.
     std::map<std::string, Warning> warned_;
 
-    std::unique_ptr<StepHistory> steps_;     ///< if there are several
+    std::unique_ptr<StepHistory> steps_;     ///< if there are several, here or before
     std::unique_ptr<EnergyBalance> balance_; ///< of these steps
     SolverEffort effort_;                    ///< in this step
     SolverEffort counted_;           ///< of the present solver before the last solve
