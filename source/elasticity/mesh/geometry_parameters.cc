@@ -13,11 +13,6 @@ namespace stiction
   GeometryParameters::GeometryParameters()
     : ShapeParameters("Geometry")
   {
-    declare_refinement();
-  }
-
-  void GeometryParameters::declare_refinement()
-  {
     add_parameter("Global refinement", global_refinement,
                   "How many times every cell is cut into eight.", prm,
                   Patterns::Integer(0, 12));

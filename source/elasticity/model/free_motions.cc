@@ -152,11 +152,6 @@ namespace stiction
     return displacements;
   }
 
-  std::string FreeMotions::in_words() const
-  {
-    return in_words(Eigen::MatrixXd::Identity(n(), n()));
-  }
-
   std::string FreeMotions::in_words(const Eigen::MatrixXd &amounts) const
   {
     std::string text;

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace stiction::qp
 {
@@ -66,11 +65,6 @@ namespace stiction::qp
     , fixed_step_(1.9 / norm)
   {
     eigen_assert(A.size() == set.size());
-  }
-
-  void ActiveSetMethod::set_observer(Observer observer)
-  {
-    observer_ = std::move(observer);
   }
 
   SolverRun ActiveSetMethod::solve(Eigen::VectorXd &x, Eigen::VectorXd &gradient,

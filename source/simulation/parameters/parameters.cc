@@ -62,11 +62,6 @@ namespace stiction
     return contact_solver.is_primal() ? "multigrid" : "mumps";
   }
 
-  bool Parameters::is_matrix_free() const
-  {
-    return stiffness_solver_type() == "multigrid";
-  }
-
   std::string Parameters::default_file()
   {
     const auto printed = []() {

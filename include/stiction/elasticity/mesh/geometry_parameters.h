@@ -60,9 +60,6 @@ namespace stiction
     std::string table_1_reading          = "nodes";
 
   private:
-    /// What becomes of the coarse mesh.
-    void declare_refinement();
-
     /// Puts Lengths, Subdivisions and Global refinement of the paper's table
     /// in place of the given ones when Table 1 level is not 0.
     void apply_table_1_level(const ParameterFile &source);

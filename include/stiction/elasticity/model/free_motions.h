@@ -56,7 +56,7 @@ namespace stiction
     Eigen::MatrixXd at(const dealii::Point<3> &x, unsigned int piece) const;
 
     /// "move along x and y and turn about z", of several bodies each with its name.
-    std::string in_words() const;
+    std::string in_words() const { return in_words(Eigen::MatrixXd::Identity(n(), n())); }
 
     /// Those of a subspace. @param amounts a basis of it, n × any.
     std::string in_words(const Eigen::MatrixXd &amounts) const;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <utility>
 
 namespace stiction::qp
 {
@@ -40,7 +41,7 @@ namespace stiction::qp
     /// natural residual.
     using Observer = std::function<void(unsigned int multiplications,
                                         const Eigen::VectorXd &x, double residual)>;
-    void set_observer(Observer observer);
+    void set_observer(Observer observer) { observer_ = std::move(observer); }
 
     /// Moves the feasible x until its natural residual is at most tolerance,
     /// or max_multiplications products were made.

@@ -78,7 +78,7 @@ namespace stiction
     std::string stiffness_solver_type() const;
 
     /// Whether the solver works without a stiffness matrix on the levels.
-    bool is_matrix_free() const;
+    bool is_matrix_free() const { return stiffness_solver_type() == "multigrid"; }
 
     /// What to choose where what is in use comes no closer, of what is neither in
     /// use nor refused beside the other entries: "choose 'Contact solver/Method =
