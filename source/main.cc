@@ -107,8 +107,7 @@ namespace
     if (!arguments.problem && program.parameters.dual_operator.symmetric_part)
       throw InputError(
         program.parameters.source.describe("Dual operator/Symmetric part") +
-        ", is for problems from files (--problem), that of a body is "
-        "symmetric.");
+        ", is for problems from files (--problem), that of a body is symmetric.");
     if (arguments.print_output_directory)
       {
         if (is_first_rank())
@@ -222,9 +221,8 @@ int main(int argc, char *argv[])
         arguments.problem
           ? "not enough memory for this problem, its Q must fit into memory "
             "several times."
-          : "not enough memory for this problem, use a coarser mesh, 'Dual "
-            "operator/Form = by solves' or 'Contact solver/Method = newton "
-            "multigrid'.");
+          : "not enough memory for this problem, use a coarser mesh, 'Dual operator/Form "
+            "= by solves' or 'Contact solver/Method = newton multigrid'.");
     }
   catch (const std::exception &error)
     {

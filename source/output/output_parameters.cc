@@ -20,15 +20,13 @@ namespace stiction
                   "FCLIB file and as Matrix Market files; empty: not written. "
                   "--export on the command line overrides it.");
     add_parameter("Units", units,
-                  "The units in which this file is written, of length, force "
-                  "and stress; with them labels of results are complete. "
-                  "Labels alone: nothing is converted, and any consistent "
-                  "system may be used.",
+                  "The units in which this file is written, of length, force and stress; "
+                  "with them labels of results are complete. Labels alone: nothing is "
+                  "converted, and any consistent system may be used.",
                   prm, Patterns::Selection(Units::choices()));
     add_parameter("Write solution", write_solution,
-                  "Whether solution.pvtu, the displacement and the stress in "
-                  "the whole body, is written. contact.pvtu is always "
-                  "written.");
+                  "Whether solution.pvtu, the displacement and the stress in the whole "
+                  "body, is written. contact.pvtu is always written.");
     add_parameter("Fields", fields,
                   "What solution.pvtu has. basic: displacement, stress, von "
                   "Mises stress, 0.1 kB an unknown on disk; all: strain, "
@@ -37,15 +35,13 @@ namespace stiction
                   "material and body as well, for twice the size and time.",
                   prm, Patterns::Selection("basic|all"));
     add_parameter("Double precision", double_precision,
-                  "Whether displacement.csv, the displacement and the reaction "
-                  "of every node of the body, and contact.csv, what "
-                  "happens at every contact node, are written besides, as text "
-                  "with 17 digits. The .vtu files have the 7 digits of "
-                  "single precision.");
+                  "Whether displacement.csv, the displacement and the reaction of every "
+                  "node of the body, and contact.csv, what happens at every contact "
+                  "node, are written besides, as text with 17 digits. The .vtu files "
+                  "have the 7 digits of single precision.");
     add_parameter("Every", every,
-                  "With several load steps: files for ParaView are written of every "
-                  "n-th step and of the last one. history.csv and energy.csv have "
-                  "all steps.",
+                  "With several load steps: files for ParaView are written of every n-th "
+                  "step and of the last one. history.csv and energy.csv have all steps.",
                   prm, Patterns::Integer(1));
     add_parameter("Print progress", print_progress,
                   "Whether a line is printed for each step of the solver, and for "

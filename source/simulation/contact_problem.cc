@@ -223,9 +223,8 @@ namespace stiction
                        "have 'tied'.");
     if (contact_surface().slip_bound().is_mixed())
       throw InputError(parameters_.source.describe("Output/Export directory") +
-                       ", problem files know one law of friction for all nodes, "
-                       "so 'Friction/Law' must not have both 'given' and "
-                       "'coulomb'.");
+                       ", problem files know one law of friction for all nodes, so "
+                       "'Friction/Law' must not have both 'given' and 'coulomb'.");
   }
 
   void ContactProblem::open_output()

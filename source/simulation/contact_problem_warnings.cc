@@ -164,10 +164,9 @@ namespace stiction
       warnings.push_back(
         {"balance", lacking,
          format(
-           "forces on body '%s' are out of balance by %.2g %% of themselves, being "
-           "small "
-           "beside those of the others; lower 'Contact solver/Tolerance', or compute "
-           "it by itself.",
+           "forces on body '%s' are out of balance by %.2g %% of themselves, being small "
+           "beside those of the others; lower 'Contact solver/Tolerance', or compute it "
+           "by itself.",
            body_->pieces()[body].name.c_str(), 100. * lacking)});
     const std::vector<double> frictionless = frictionless_parts(surface, state_),
                               depths       = surface.penetration_of_idle(state_),

@@ -182,10 +182,9 @@ namespace stiction
       result.warnings.push_back(friction);
     if (problem_.asymmetry > problem_check::symmetry)
       result.warnings.push_back(
-        format("Q is the symmetric part of that of the file, "
-               "where entries across the diagonal differ by up to "
-               "%.2g of it; of the problem of the file itself the "
-               "certificate says nothing.",
+        format("Q is the symmetric part of that of the file, where entries across the "
+               "diagonal differ by up to %.2g of it; of the problem of the file itself "
+               "the certificate says nothing.",
                problem_.asymmetry));
 
     summary_ = std::make_unique<nlohmann::json>(

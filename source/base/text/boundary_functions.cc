@@ -298,8 +298,7 @@ namespace stiction
     const std::string marked = mark_free(formulas, components);
     if (components.n_selected_components() == 0)
       throw InputError(location + ", " + part +
-                       " is free in all components, at least one must be a "
-                       "formula.");
+                       " is free in all components, at least one must be a formula.");
     return {std::make_unique<ParsedFunction>(marked, 3, location, time), components};
   }
 

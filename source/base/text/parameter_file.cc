@@ -271,9 +271,8 @@ namespace stiction
           }
         else
           throw InputError(where + ": '" + line +
-                           "' is no statement, allowed are 'subsection NAME', "
-                           "'set ENTRY = VALUE', 'end' and comments "
-                           "beginning with '#'.");
+                           "' is no statement, allowed are 'subsection NAME', 'set ENTRY "
+                           "= VALUE', 'end' and comments beginning with '#'.");
       }
     if (!section.empty())
       throw InputError(file + ": the file ends inside section '" + section +

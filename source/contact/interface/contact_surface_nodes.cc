@@ -60,9 +60,8 @@ namespace stiction
     move_nodes(there);
     place_obstacles();
     require_nodes("Boundary conditions/Obstacle",
-                  "no free node of the contact boundary faces it, its "
-                  "surface must lie opposite to the boundary, its normal "
-                  "towards the body",
+                  "no free node of the contact boundary faces it, its surface must lie "
+                  "opposite to the boundary, its normal towards the body",
                   ", and nearer than the smaller of both is large");
     lend_areas(elasticity);
     evaluate_data();

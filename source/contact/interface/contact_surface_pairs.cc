@@ -48,8 +48,7 @@ namespace stiction
           "' is up to " + format("%.3g", distance) + " away from '" +
           pair.partner_name() + "', to which it is tied, must be within " +
           format("%.3g", widest_tie * size) +
-          ", a quarter of the size of its faces: what is between would count as "
-          "rigid.");
+          ", a quarter of the size of its faces: what is between would count as rigid.");
     }
 
     // Throws InputError if one of several that are opposite is not.
@@ -83,8 +82,7 @@ namespace stiction
         pair.source().describe("Boundary conditions/Prescribed displacement") +
         ", holds " + std::to_string(n_lost) + " nodes of boundary '" + pair.name() +
         "', but not those of '" + pair.partner_name() +
-        "' to which they are tied, so that the tie would be lost there, must "
-        "hold both" +
+        "' to which they are tied, so that the tie would be lost there, must hold both" +
         (pair.partners().size() == 1 ? ", or 'Slave side' must be the other one." : "."));
     }
 

@@ -170,8 +170,7 @@ namespace stiction
         std::ostringstream message;
         message << source_.describe(direction_entry) << ", gives (" << *direction
                 << ") at (" << node.position
-                << "), must have a part tangential to the contact boundary "
-                   "everywhere.";
+                << "), must have a part tangential to the contact boundary everywhere.";
         throw InputError(message.str());
       }
     (is_coulomb ? node.coefficient : node.slip_stress) = *radius;

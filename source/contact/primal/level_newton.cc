@@ -238,8 +238,7 @@ namespace stiction
   std::string LevelNewton::why_no_closer() const
   {
     if (!has_hard_systems())
-      return "neither Newton steps nor the interior point method come "
-             "closer, " +
+      return "neither Newton steps nor the interior point method come closer, " +
              options_.other_method + advice_on_friction(problem_.slip_bound());
     return "most linear systems were not solved in " +
            std::to_string(NewtonSystem::max_directions) +
@@ -247,8 +246,7 @@ namespace stiction
            (problem_.basis().is_identity()
               ? ""
               : ", are the forces of a pair on its stiffer side") +
-           "?), "
-           "and are too large to be factorised in every step, " +
+           "?), and are too large to be factorised in every step, " +
            options_.other_method;
   }
 

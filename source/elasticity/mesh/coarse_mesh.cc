@@ -225,9 +225,8 @@ namespace stiction
     if (generated.n_active_cells() == 0)
       throw InputError(shape.location + ", makes a mesh without cells.");
     if (!generated.all_reference_cells_are_hyper_cube())
-      throw InputError(shape.location + ", makes other cells than "
-                                        "hexahedra, must be a generator "
-                                        "of hexahedra.");
+      throw InputError(shape.location + ", makes other cells than hexahedra, must be a "
+                                        "generator of hexahedra.");
     // what comes refined becomes a coarse mesh that every rank can share
     GridGenerator::flatten_triangulation(generated, triangulation_);
     for (const auto manifold : generated.get_manifold_ids())

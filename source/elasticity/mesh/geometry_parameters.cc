@@ -17,40 +17,35 @@ namespace stiction
                   "How many times every cell is cut into eight.", prm,
                   Patterns::Integer(0, 12));
     add_parameter("Contact refinement", contact_refinement,
-                  "How many more times the cells at the contact boundary and "
-                  "those behind them are cut into eight, and cells around them "
-                  "so that neighbours differ by one level. The nodes that hang "
-                  "between small and "
-                  "large cells follow their neighbours; contact is imposed at "
-                  "the others.",
+                  "How many more times the cells at the contact boundary and those "
+                  "behind them are cut into eight, and cells around them so that "
+                  "neighbours differ by one level. The nodes that hang between small and "
+                  "large cells follow their neighbours; contact is imposed at the "
+                  "others.",
                   prm, Patterns::Integer(0, 6));
     add_parameter("Contact refinement where", contact_refinement_where,
-                  "A formula in x, y, z: 'Contact refinement' cuts the cells "
-                  "whose face on the contact boundary has its centre where "
-                  "this is above 0, 'x < 1' being 1 where it holds and 0 "
-                  "where it does not.");
+                  "A formula in x, y, z: 'Contact refinement' cuts the cells whose face "
+                  "on the contact boundary has its centre where this is above 0, 'x < 1' "
+                  "being 1 where it holds and 0 where it does not.");
     add_parameter("Element degree", element_degree,
-                  "1: trilinear displacements, 8 nodes a cell; 2: "
-                  "triquadratic ones, 27 nodes. Either way contact and "
-                  "friction are imposed node by node, with one contact force "
-                  "a node of the contact boundary, and its pressure is the "
-                  "force over the nodal area, the integral of the node's "
-                  "shape function (all positive: of a face of degree 2, 1/36 "
-                  "for a corner, 1/9 for an edge, 4/9 for the centre).",
+                  "1: trilinear displacements, 8 nodes a cell; 2: triquadratic ones, 27 "
+                  "nodes. Either way contact and friction are imposed node by node, with "
+                  "one contact force a node of the contact boundary, and its pressure is "
+                  "the force over the nodal area, the integral of the node's shape "
+                  "function (all positive: of a face of degree 2, 1/36 for a corner, 1/9 "
+                  "for an edge, 4/9 for the centre).",
                   prm, Patterns::Integer(1, 2));
     add_parameter("Table 1 level", table_1_level,
-                  "Row k = 1...6 (or beyond) of Table 1 of the paper: sets "
-                  "Lengths, Subdivisions and Global refinement to a mesh with "
-                  "the table's numbers n/m, for the brick alone. 0: these "
-                  "entries count themselves.",
+                  "Row k = 1...6 (or beyond) of Table 1 of the paper: sets Lengths, "
+                  "Subdivisions and Global refinement to a mesh with the table's numbers "
+                  "n/m, for the brick alone. 0: these entries count themselves.",
                   prm, Patterns::Integer(0, 100));
     add_parameter("Table 1 reading", table_1_reading,
-                  "What n/m in Table 1 counts, which the paper leaves open. "
-                  "nodes: nodes and contact nodes; the 4 x 3 x 1 m brick in "
-                  "(6k+2) x 6k x 2k cells, clamped at y = 0. unknowns: primal "
-                  "and dual unknowns; the 3 x 1 x 1 m brick in 6k x 2k x 2k "
-                  "cells, clamped at x = 0. Both readings give every row of "
-                  "the table exactly.",
+                  "What n/m in Table 1 counts, which the paper leaves open. nodes: nodes "
+                  "and contact nodes; the 4 x 3 x 1 m brick in (6k+2) x 6k x 2k cells, "
+                  "clamped at y = 0. unknowns: primal and dual unknowns; the 3 x 1 x 1 m "
+                  "brick in 6k x 2k x 2k cells, clamped at x = 0. Both readings give "
+                  "every row of the table exactly.",
                   prm, Patterns::Selection("nodes|unknowns"));
   }
 

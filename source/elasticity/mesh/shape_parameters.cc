@@ -48,21 +48,18 @@ namespace stiction
   {
     add_parameter(
       "Type", type,
-      "The shape of the body, with the numbers and names of its boundaries. "
-      "brick: (0,Lx) x (0,Ly) x (0,Lz), 0 left: x = 0, 1 right: x = Lx, "
-      "2 front: y = 0, 3 back: y = Ly, 4 bottom: z = 0, 5 top: z = Lz. "
-      "cylinder: around the z axis, 0 side, 1 bottom: z = 0, 2 top: z = "
-      "Length, with 'Inner radius' a tube, 3 inside. half ball: the lower half of a ball "
-      "that touches z = 0 from "
-      "above, with its centre at (0, 0, Radius), 0 curved, 1 flat: the face z "
-      "= Radius. generator: a mesh of deal.II's GridGenerator, boundaries "
-      "have the numbers it gives them. file: a mesh from 'Mesh "
-      "file'. Refined curved boundaries follow the shape, those of a file "
-      "stay as the file has them. May be left out where "
-      "'Lengths' or 'Table 1 level' say that it is a brick, or 'Mesh file' that it is a "
-      "file. Several bodies have in place "
-      "of it a section each, 'subsection Body NAME', with the entries from Type to Mesh "
-      "file and Refinement, Translation, Rotation, Young's modulus, Poisson ratio, "
+      "The shape of the body, with the numbers and names of its boundaries. brick: "
+      "(0,Lx) x (0,Ly) x (0,Lz), 0 left: x = 0, 1 right: x = Lx, 2 front: y = 0, 3 back: "
+      "y = Ly, 4 bottom: z = 0, 5 top: z = Lz. cylinder: around the z axis, 0 side, 1 "
+      "bottom: z = 0, 2 top: z = Length, with 'Inner radius' a tube, 3 inside. half "
+      "ball: the lower half of a ball that touches z = 0 from above, with its centre at "
+      "(0, 0, Radius), 0 curved, 1 flat: the face z = Radius. generator: a mesh of "
+      "deal.II's GridGenerator, boundaries have the numbers it gives them. file: a mesh "
+      "from 'Mesh file'. Refined curved boundaries follow the shape, those of a file "
+      "stay as the file has them. May be left out where 'Lengths' or 'Table 1 level' say "
+      "that it is a brick, or 'Mesh file' that it is a file. Several bodies have in "
+      "place of it a section each, 'subsection Body NAME', with the entries from Type to "
+      "Mesh file and Refinement, Translation, Rotation, Young's modulus, Poisson ratio, "
       "Density; their boundaries are called 'NAME.bottom' then.",
       prm, Patterns::Selection("brick|cylinder|half ball|generator|file|"));
     add_parameter("Lengths", lengths,
@@ -84,9 +81,8 @@ namespace stiction
       "Length of the cylinder, from z = 0; it gets coarse cells "
       "about as long as its radius, or as wide ones of a tube. Unit: of length.");
     add_parameter("Generator", generator,
-                  "Name of a function of deal.II's GridGenerator: one of those "
-                  "that make a single body of hexahedra from numbers and "
-                  "points, " +
+                  "Name of a function of deal.II's GridGenerator: one of those that make "
+                  "a single body of hexahedra from numbers and points, " +
                     all_generators(", ", true) + ".",
                   prm, Patterns::Selection(all_generators("|", false) + "|"));
     add_parameter("Generator arguments", generator_arguments,
@@ -95,25 +91,22 @@ namespace stiction
                   "colorize = true boundaries get different "
                   "numbers, as deal.II documents for each generator.");
     add_parameter("Mesh file", mesh_file,
-                  "The file of the mesh, looked for from the working "
-                  "directory and, if it is not there, from the directory of "
-                  "the parameter file: "
-                  "Gmsh (.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy "
-                  "VTK (.vtk), as text. Cells are hexahedra with 8, 20 or "
-                  "27 nodes, tetrahedra with 4 or 10, prisms with 6, 15 or 18; "
-                  "tetrahedra are cut into four hexahedra each, prisms into "
-                  "three. Cells of second order are cut "
+                  "The file of the mesh, looked for from the working directory and, if "
+                  "it is not there, from the directory of the parameter file: Gmsh "
+                  "(.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy VTK (.vtk), as "
+                  "text. Cells are hexahedra with 8, 20 or 27 nodes, tetrahedra with 4 "
+                  "or 10, prisms with 6, 15 or 18; tetrahedra are cut into four "
+                  "hexahedra each, prisms into three. Cells of second order are cut "
                   "along their curved shape, and have it with 'Element degree = 2'. "
-                  "Boundaries and materials have the numbers and names of "
-                  "Gmsh's physical groups; in .inp files those of *SURFACE "
-                  "and of *SOLID SECTION (else *ELSET), numbered from 1 as "
-                  "they come, boundaries and sets of a part as INSTANCE.NAME where there "
-                  "are several instances, loads, supports and laws passed over; in .vtk "
-                  "files the numbers of the cell data "
-                  "'MaterialID', of faces and of cells. Faces "
-                  "and cells that have none get the number 0; faces of several "
-                  "boundaries count for the one that other entries speak of, which may "
-                  "be one alone. Unit: of length.");
+                  "Boundaries and materials have the numbers and names of Gmsh's "
+                  "physical groups; in .inp files those of *SURFACE and of *SOLID "
+                  "SECTION (else *ELSET), numbered from 1 as they come, boundaries and "
+                  "sets of a part as INSTANCE.NAME where there are several instances, "
+                  "loads, supports and laws passed over; in .vtk files the numbers of "
+                  "the cell data 'MaterialID', of faces and of cells. Faces and cells "
+                  "that have none get the number 0; faces of several boundaries count "
+                  "for the one that other entries speak of, which may be one alone. "
+                  "Unit: of length.");
   }
 
   std::string ShapeParameters::entry_of_shape() const

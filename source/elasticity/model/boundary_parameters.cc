@@ -21,21 +21,19 @@ namespace stiction
                   "direction, or lies opposite to another body, slips in what is held "
                   "without friction, which a warning tells. Empty: none.");
     add_parameter("Prescribed points", prescribed_points,
-                  "Place of a node and its displacement, 'x; y; z : ux; uy; "
-                  "uz', several separated by '|', components as above: holds a "
-                  "body at single nodes, to take away what rigid-body motions "
-                  "are left. A node of the mesh must be there. A single node "
-                  "that carries a force moves the more the finer the mesh is. "
-                  "Empty: none. Unit: of length.");
+                  "Place of a node and its displacement, 'x; y; z : ux; uy; uz', several "
+                  "separated by '|', components as above: holds a body at single nodes, "
+                  "to take away what rigid-body motions are left. A node of the mesh "
+                  "must be there. A single node that carries a force moves the more the "
+                  "finer the mesh is. Empty: none. Unit: of length.");
     add_parameter("Traction", traction,
                   "Boundary and traction on the body, 'boundary : tx; ty; tz', "
                   "several separated by '|'. Each component is a formula in x, "
                   "y, z, t. Empty: none. Unit: of stress.");
     add_parameter("Pressure", pressure,
-                  "Boundary and pressure, 'boundary : p', several separated by "
-                  "'|': acts against the outward normal of the undeformed "
-                  "face, in addition to a traction. A formula in x, y, z, t. "
-                  "Empty: none. Unit: of stress.");
+                  "Boundary and pressure, 'boundary : p', several separated by '|': acts "
+                  "against the outward normal of the undeformed face, in addition to a "
+                  "traction. A formula in x, y, z, t. Empty: none. Unit: of stress.");
     add_parameter("Body force", body_force,
                   "Force on the volume, 'fx; fy; fz', each a formula in x, y, "
                   "z, t. Empty: none. Unit: of force per volume.");

@@ -26,37 +26,33 @@ namespace stiction
                "nu, above -1 and below 0.5; must be said with Young's modulus. "
                "Above 0.45 see 'Volume strain'.");
     add_number(*this, "Density", density,
-               "Mass density, >= 0, of which 'Boundary conditions/Gravity' "
-               "makes weight; must be said with it, here or in 'Densities'. "
-               "Unit: of mass per volume.");
+               "Mass density, >= 0, of which 'Boundary conditions/Gravity' makes weight; "
+               "must be said with it, here or in 'Densities'. Unit: of mass per volume.");
     add_parameter("Materials", materials,
-                  "Materials other than the one above, by the id or name they "
-                  "have in the mesh: 'material : isotropic; E; nu' or 'material "
-                  ": orthotropic; E1; E2; E3; nu12; nu13; nu23; G12; G13; G23', "
-                  "nu12 being the contraction along axis 2 under a pull along axis 1, "
-                  "several separated by '|'. The axes 1, 2, 3 are x, y, z, or six more "
-                  "numbers say the directions of 1 and 2, '...; G23; 1; 1; 0; -1; 1; 0' "
-                  "has the grain at 45 degrees between x and y; of the second counts "
-                  "what is across the first. Cells of any other material have the "
-                  "numbers above.");
+                  "Materials other than the one above, by the id or name they have in "
+                  "the mesh: 'material : isotropic; E; nu' or 'material : orthotropic; "
+                  "E1; E2; E3; nu12; nu13; nu23; G12; G13; G23', nu12 being the "
+                  "contraction along axis 2 under a pull along axis 1, several separated "
+                  "by '|'. The axes 1, 2, 3 are x, y, z, or six more numbers say the "
+                  "directions of 1 and 2, '...; G23; 1; 1; 0; -1; 1; 0' has the grain at "
+                  "45 degrees between x and y; of the second counts what is across the "
+                  "first. Cells of any other material have the numbers above.");
     add_parameter(
       "Volume strain", volume_strain,
-      "pointwise: as the displacements have it; trilinear elements "
-      "then lock as nu approaches 0.5, bodies and forces become many times too "
-      "stiff. cell mean: the change of volume is the same all over a cell "
-      "(mean dilatation, B-bar), for nearly incompressible materials. automatic: "
-      "cell mean for trilinear elements if an isotropic material has nu above "
-      "0.45, otherwise pointwise.",
+      "pointwise: as the displacements have it; trilinear elements then lock as nu "
+      "approaches 0.5, bodies and forces become many times too stiff. cell mean: the "
+      "change of volume is the same all over a cell (mean dilatation, B-bar), for nearly "
+      "incompressible materials. automatic: cell mean for trilinear elements if an "
+      "isotropic material has nu above 0.45, otherwise pointwise.",
       prm, Patterns::Selection("automatic|pointwise|cell mean"));
     add_parameter("Densities", densities,
                   "Mass densities other than the one above: 'material : "
                   "density', several separated by '|'. Unit: of mass per volume.");
     add_parameter("Material ids", material_ids,
-                  "Which material is where, as a formula in x, y, z: its "
-                  "value at the centre of a coarse cell, an integer from 0 to "
-                  "1000, is the material id of that cell, 'if(z < 0.5, 0, 1)' "
-                  "makes two layers. Empty: the ids that the mesh has; all "
-                  "cells of a brick have 0.");
+                  "Which material is where, as a formula in x, y, z: its value at the "
+                  "centre of a coarse cell, an integer from 0 to 1000, is the material "
+                  "id of that cell, 'if(z < 0.5, 0, 1)' makes two layers. Empty: the ids "
+                  "that the mesh has; all cells of a brick have 0.");
   }
 
   void MaterialParameters::add_bodies(

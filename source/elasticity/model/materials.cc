@@ -282,8 +282,7 @@ namespace stiction
                 common.youngs_modulus ? "Material/Poisson ratio"
                                       : "Material/Young's modulus",
                 "Materials",
-                "such as 'set Young's modulus = 2.1e11' and 'set Poisson "
-                "ratio = 0.3'");
+                "such as 'set Young's modulus = 2.1e11' and 'set Poisson ratio = 0.3'");
     if (common.density)
       {
         for (auto &material : by_id_)

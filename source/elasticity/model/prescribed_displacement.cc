@@ -70,8 +70,7 @@ namespace stiction
             point.position[c] = position.value(Point<3>(), c);
             if (position.value(Point<3>(0.37, 0.61, 0.83), c) != point.position[c])
               throw InputError(points_location_ + " = " + place +
-                               ", the place of a node must not depend on x, "
-                               "y, z.");
+                               ", the place of a node must not depend on x, y, z.");
           }
         point.displacement = parse_components(*displacement, points_location_,
                                               "the point (" + place + ")", time);

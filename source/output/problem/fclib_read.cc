@@ -183,8 +183,7 @@ namespace stiction
         if (m != order_ || m < 3 || m % 3 != 0)
           reader.fail("datasets " + matrix + "/m and n are " + std::to_string(m) +
                       " and " + std::to_string(order_) +
-                      ", must be equal and 3, 6, 9, ..., three for each "
-                      "contact node");
+                      ", must be equal and 3, 6, 9, ..., three for each contact node");
         kind_  = reader.integer(matrix + "/nz");
         n_max_ = reader.integer(matrix + "/nzmax");
         if (kind_ < -2)
@@ -193,8 +192,7 @@ namespace stiction
                       "-2 (by rows)");
         if (n_max_ < 1 || kind_ > n_max_)
           reader.fail("dataset " + matrix + "/nzmax is " + std::to_string(n_max_) +
-                      ", must be the size of the dataset x, at least 1 and "
-                      "at least nz");
+                      ", must be the size of the dataset x, at least 1 and at least nz");
       }
 
       Index order() const { return order_; }
@@ -299,8 +297,7 @@ namespace stiction
                       "hold a local one (" +
                         group + ")"
                     : "group " + group +
-                        " is missing, must be a local problem as FCLIB writes "
-                        "it");
+                        " is missing, must be a local problem as FCLIB writes it");
     reader.require_group(group);
     const long long dim = reader.integer(group + "/spacedim");
     if (dim != 3)

@@ -212,9 +212,8 @@ namespace stiction
     problem_check::require_writable(problem, lambda, gradient, path);
     const Index n = problem.h.size();
     if (n * n > std::numeric_limits<int>::max())
-      throw InputError(path + ": cannot be written, FCLIB counts the entries "
-                              "of W in 31 bits, there must be at most 15446 "
-                              "contact nodes.");
+      throw InputError(path + ": cannot be written, FCLIB counts the entries of W in 31 "
+                              "bits, there must be at most 15446 contact nodes.");
 
     const Silence silence;
     const bool is_coulomb = problem.slip_bound.is_coulomb();

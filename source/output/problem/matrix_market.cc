@@ -302,8 +302,7 @@ namespace stiction
                                        "the m contact nodes,",
                                        "|(lambda_t1, lambda_t2)| <= F lambda_nu."}
             : std::vector<std::string>{
-                "Given friction: slip bound g (N) of each of the m contact "
-                "nodes,",
+                "Given friction: slip bound g (N) of each of the m contact nodes,",
                 "|(lambda_t1, lambda_t2)| <= g, whatever lambda_nu."});
     remove(in + (is_coulomb ? given_name : coulomb_name));
 

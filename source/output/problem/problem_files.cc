@@ -127,7 +127,6 @@ S|  /solution/r, /solution/u    lambda and r = Q lambda - h of the solution foun
       return read_fclib(path, symmetric_part);
     throw InputError(
       path + (fs::exists(path, error) ? ": is no problem file" : ": does not exist") +
-      ", must be a directory, Q.mtx, or a file *.hdf5 or *.h5 "
-      "of FCLIB.");
+      ", must be a directory, Q.mtx, or a file *.hdf5 or *.h5 of FCLIB.");
   }
 } // namespace stiction

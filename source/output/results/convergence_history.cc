@@ -72,9 +72,9 @@ namespace stiction
   void ConvergenceHistory::write(std::ostream &out) const
   {
     out << (has_times_ ? "t," : "") << (has_meshes_ ? "mesh," : "")
-        << (on_levels_ ? "step,unknowns,iterations,kkt_residual,"
-                       : "step,iterations,dual_multiplications,kkt_residual,"
-                         "relative_change,")
+        << (on_levels_
+              ? "step,unknowns,iterations,kkt_residual,"
+              : "step,iterations,dual_multiplications,kkt_residual,relative_change,")
         << "contraction,normal_force\n"
         << rows_;
   }

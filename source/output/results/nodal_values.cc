@@ -75,9 +75,8 @@ namespace stiction
     const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     write_rows(
       directory + "/contact" + tag + ".csv",
-      "x,y,z,normal_x,normal_y,normal_z,area,boundary,force_x,force_y,force_z,"
-      "normal_force,slip_bound,gap,slip_x,slip_y,slip_z,"
-      "normal_status,tangential_status",
+      "x,y,z,normal_x,normal_y,normal_z,area,boundary,force_x,force_y,force_z,normal_"
+      "force,slip_bound,gap,slip_x,slip_y,slip_z,normal_status,tangential_status",
       communicator, [&](std::ostream &out) {
         const Eigen::Index m     = surface.n_nodes();
         const Eigen::VectorXd &r = certificate.gradient();

@@ -22,10 +22,9 @@ namespace stiction
     {
       static const std::regex names(
         "((solution|contact|obstacle)(_[0-9]{4,}|_uncertified)?(\\.[0-9]{4,})?\\.(vtu|"
-        "pvtu|pvd)"
-        "|summary\\.json|used_parameters\\.prm|(convergence|forces|history|energy)\\.csv"
-        "|(displacement|contact)(_[0-9]{4,}|_uncertified)?\\.csv"
-        "|(picture|history|frame_[0-9]{4,})\\.png)(\\.new)?");
+        "pvtu|pvd)|summary\\.json|used_parameters\\.prm|(convergence|forces|history|"
+        "energy)\\.csv|(displacement|contact)(_[0-9]{4,}|_uncertified)?\\.csv|(picture|"
+        "history|frame_[0-9]{4,})\\.png)(\\.new)?");
       return std::regex_match(name, names);
     }
 

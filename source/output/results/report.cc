@@ -267,10 +267,9 @@ namespace stiction
       if (!(contraction > worrying_contraction))
         return;
       log.line();
-      log.line(format("WARNING: the successive approximations change the "
-                      "residual by a factor of %.3f a step; near 1 the "
-                      "answer may not be the only one. 'Contact "
-                      "solver/Method = newton' with 'Coulomb iteration = "
+      log.line(format("WARNING: the successive approximations change the residual by a "
+                      "factor of %.3f a step; near 1 the answer may not be the only one. "
+                      "'Contact solver/Method = newton' with 'Coulomb iteration = "
                       "direct' does without them.",
                       contraction));
     }

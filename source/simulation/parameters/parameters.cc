@@ -163,9 +163,8 @@ namespace stiction
   {
     if (contact_solver.method == "squares" && is_coulomb)
       throw InputError(source.describe("Contact solver/Method") +
-                       ", is the comparison of the paper's experiment with "
-                       "given friction, must be another one for Coulomb "
-                       "friction.");
+                       ", is the comparison of the paper's experiment with given "
+                       "friction, must be another one for Coulomb friction.");
   }
 
   bool Parameters::is_refused(const std::string &method, const bool has_body) const

@@ -6,10 +6,9 @@ namespace stiction
     : ParameterAcceptor("Performance")
   {
     add_parameter("Measure one elastic solve", measure_one_elastic_solve,
-                  "Also solve the body without contact by conjugate gradients "
-                  "with the multigrid of the run (algebraic where there is "
-                  "none), twice, and state the price of "
-                  "the contact solve in such solves.");
+                  "Also solve the body without contact by conjugate gradients with the "
+                  "multigrid of the run (algebraic where there is none), twice, and "
+                  "state the price of the contact solve in such solves.");
     add_parameter("Measure factorizations", measure_factorizations,
                   "Also factorise the stiffness matrix (sparse) and the "
                   "assembled dual operator (dense) once more by themselves and "

@@ -72,10 +72,9 @@ namespace stiction
           location + ", has " + others +
           ", must be of tetrahedra, prisms and hexahedra alone" +
           (others.find("of type") == std::string::npos
-             ? std::string(": mesh "
-                           "the body with tetrahedra, or extrude all of it; pyramids "
-                           "stand where quadrilaterals of recombined or transfinite "
-                           "surfaces meet tetrahedra.")
+             ? std::string(": mesh the body with tetrahedra, or extrude all of it; "
+                           "pyramids stand where quadrilaterals of recombined or "
+                           "transfinite surfaces meet tetrahedra.")
              : std::string(": leave the others out; boundaries of a .inp "
                            "are no elements but '*SURFACE, NAME=bottom' with cells "
                            "and their faces S1, S2, ....")));

@@ -67,11 +67,9 @@ namespace stiction
         const std::string version = text_.word();
         if (version != "2.2" && version != "4.1")
           text_.refuse("is a Gmsh file of version " + version.substr(0, 40) +
-                       ", must be of version 2.2 or 4.1, 'gmsh -format msh41' "
-                       "writes it");
+                       ", must be of version 2.2 or 4.1, 'gmsh -format msh41' writes it");
         if (text_.word() != "0")
-          text_.refuse("is a binary file, must be text, 'gmsh -bin 0' writes "
-                       "it");
+          text_.refuse("is a binary file, must be text, 'gmsh -bin 0' writes it");
         text_.rest_of_line();
         is_4_       = version == "4.1";
         has_format_ = true;

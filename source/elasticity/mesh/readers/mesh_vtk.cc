@@ -36,15 +36,13 @@ namespace stiction
       {
         std::string line;
         if (!text_.next_line(line) || line.rfind("# vtk DataFile", 0) != 0)
-          text_.refuse("is not a legacy VTK file, which begins with '# vtk "
-                       "DataFile'");
+          text_.refuse("is not a legacy VTK file, which begins with '# vtk DataFile'");
         text_.next_line(line); // the title
         if (!text_.next_line(line) || upper(line) != "ASCII")
           text_.refuse("is a binary file, must be text ('ASCII')");
         if (upper(text_.word()) != "DATASET" ||
             upper(text_.word()) != "UNSTRUCTURED_GRID")
-          text_.refuse("is no unstructured grid, must be 'DATASET "
-                       "UNSTRUCTURED_GRID'");
+          text_.refuse("is no unstructured grid, must be 'DATASET UNSTRUCTURED_GRID'");
         text_.rest_of_line();
       }
 

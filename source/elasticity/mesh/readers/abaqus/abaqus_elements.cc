@@ -28,8 +28,7 @@ namespace stiction::abaqus
   }
 
   const std::string understood_elements =
-    "tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or "
-    "hexahedra (C3D8, C3D20, C3D27)";
+    "tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or hexahedra (C3D8, C3D20, C3D27)";
 
   const std::vector<std::vector<unsigned int>> &faces_of(const std::size_t n_vertices)
   {

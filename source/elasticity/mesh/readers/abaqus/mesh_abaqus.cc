@@ -204,8 +204,7 @@ namespace stiction
       void read_node(const std::vector<std::string> &items)
       {
         if (items.size() < 4 || std::count(items.begin() + 1, items.begin() + 4, "") > 0)
-          text_.refuse("a node with its number and three coordinates should "
-                       "stand here");
+          text_.refuse("a node with its number and three coordinates should stand here");
         mesh_.add_node(text_.to_integer(items[0]),
                        placement_({text_.to_real(items[1]), text_.to_real(items[2]),
                                    text_.to_real(items[3])}));
