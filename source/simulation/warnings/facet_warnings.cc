@@ -22,6 +22,9 @@ namespace stiction
     // Of the way that elastic bodies give.
     constexpr double much_of_way = 0.1;
 
+    // Of the largest force at a node: less is rounding.
+    constexpr double no_force = 1e-6;
+
     // Sines of half of the angle between facets: less is flat, more an edge, of 40
     // degrees.
     constexpr double flat = 1e-3, edge = 0.34;
@@ -34,15 +37,16 @@ namespace stiction
                               face->vertex(2) - face->vertex(1));
     }
 
-    // Around the nodes of a boundary on which forces act.
-    BoundingBox<3> box_of_contact(const ContactSurface &surface, const std::size_t b,
-                                  const State &state)
+    // The nodes of a boundary on which forces act.
+    std::vector<Point<3>> places_of_contact(const ContactSurface &surface,
+                                            const std::size_t b, const State &state)
     {
+      const double largest = state.lambda.head(surface.n_nodes()).maxCoeff();
       std::vector<Point<3>> points;
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        if (surface.nodes()[i].boundary == b && state.lambda(i) > 0.)
+        if (surface.nodes()[i].boundary == b && state.lambda(i) > no_force * largest)
           points.push_back(surface.nodes()[i].position);
-      return points.empty() ? BoundingBox<3>() : BoundingBox<3>(points);
+      return points;
     }
 
     // How far the middle of a facet is from the arc through its ends, if those beside it
@@ -114,10 +118,10 @@ namespace stiction
     for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
       {
         const ContactBoundary &boundary = surface.boundaries()[b];
-        if (boundary.obstacle() == nullptr)
+        const auto places               = places_of_contact(surface, b, state);
+        if (boundary.obstacle() == nullptr || places.empty())
           continue;
-        const double depth =
-          depth_of_facets(body, boundary.id(), box_of_contact(surface, b, state));
+        const double depth = depth_of_facets(body, boundary.id(), BoundingBox<3>(places));
         if (way > 0. && depth > much_of_way * way)
           warnings.push_back(
             {"facets of " + boundary.name(), depth,
