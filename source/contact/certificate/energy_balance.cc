@@ -68,8 +68,8 @@ namespace stiction
     const LA::Vector zero         = elasticity.zero_vector();
     const Eigen::VectorXd nowhere = Eigen::VectorXd::Zero(3 * surface.n_nodes());
     const Eigen::VectorXd ways    = surface.ways_at_start();
-    last_                         = {zero,    zero, zero, zero,    surface.first_dofs(),
-                                     nowhere, ways, ways, nowhere, surface.approach_at_start()};
+    last_ = {zero, zero, zero,    zero,    surface.first_dofs(),       nowhere,
+             ways, ways, nowhere, nowhere, surface.approach_at_start()};
   }
 
   EnergyBalance::EnergyBalance(const LinearElasticity &elasticity,
@@ -104,6 +104,9 @@ namespace stiction
     end.offset =
       surface.obstacle_displacements(state.distances) + surface.ways_at_start();
     end.gap = along_normals(surface, surface.gap_and_slip(state).head(surface.n_nodes()));
+    end.arm.resize(3 * surface.n_nodes());
+    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+      set_at_node(end.arm, i, to_vector(surface.nodes()[i].arm));
     end.sliding  = end.offset - surface.B().relative_displacement(state.u) - end.gap;
     end.approach = surface.slip_origin(state) - surface.relative_displacement(state);
     return end;
@@ -136,8 +139,14 @@ namespace stiction
             step.time_stepping += force.dot(0.5 * at_node(moved, i)) - force.dot(slip);
             continue;
           }
-        const Eigen::Vector3d turning      = to_vector(node.turning);
-        const Eigen::Index k               = place->second;
+        const Eigen::Vector3d turning = to_vector(node.turning);
+        const Eigen::Index k          = place->second;
+        // forces at the beginning turn with the arms that they had there
+        const double turned_before =
+          at_node(before.force, k)
+            .dot(surface.turned(node) * at_node(before.arm, k) - turning);
+        step.obstacles -= 0.5 * turned_before;
+        step.time_stepping -= 0.5 * turned_before;
         const Eigen::Vector3d force_before = at_node(before.force, k);
         const Eigen::Vector3d sum          = force_before + force;
         step.obstacles -=

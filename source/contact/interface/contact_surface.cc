@@ -130,6 +130,11 @@ namespace stiction
     return angles;
   }
 
+  double ContactSurface::turned(const ContactNode &node) const
+  {
+    return boundary_of(node).angle() - angles_before_[node.boundary];
+  }
+
   std::vector<double> ContactSurface::penetration_of_idle(const State &state) const
   {
     std::vector<double> depths(boundaries_.size(), 0.);

@@ -142,7 +142,7 @@ namespace stiction
     // the axis moves along with the obstacle
     const Tensor<1, 3> across = node.moved - (node.normal * node.moved) * node.normal;
     node.arm = boundary.arm(node.position + across + node.gap * node.normal, node.normal);
-    node.turning = (boundary.angle() - angles_before_[node.boundary]) * node.arm;
+    node.turning = turned(node) * node.arm;
     return true;
   }
 

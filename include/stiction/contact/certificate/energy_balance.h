@@ -44,7 +44,8 @@ namespace stiction
   /// and so does the work at nodes that are contact nodes at one end alone. Of obstacles
   /// that are displaced or pressed on, e counts their displacement and the way to them
   /// where they began, however they are linearised; of those that turn Δe counts the
-  /// angle of the step with the arm at its end.
+  /// angle of the step, for λ₀ with the arms at its beginning, for λ₁ with those at its
+  /// end.
   ///
   /// On a new mesh the interpolated u₀ is in no equilibrium, and near ν = 0.5 its
   /// internal forces are much too large. ΔE is then that of the energies, E₀ on the mesh
@@ -103,6 +104,7 @@ namespace stiction
       Eigen::VectorXd offset  = {}; ///< e = U + way_at_start, not turned
       Eigen::VectorXd gap     = {}; ///< r_ν n
       Eigen::VectorXd sliding = {}; ///< e − u without it
+      Eigen::VectorXd arm     = {}; ///< of obstacles that turn
       /// What obstacles that bear nothing do to come to touch: no work.
       Eigen::VectorXd approach = {};
     };

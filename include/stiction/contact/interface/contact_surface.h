@@ -126,6 +126,9 @@ namespace stiction
     /// By how much their obstacles have turned, radians.
     std::vector<double> angles() const;
 
+    /// ... and that which a node faces has since the end of the last step.
+    double turned(const ContactNode &node) const;
+
     /// Initial gaps d_i in m, length m, with the obstacles where the parameter file
     /// places them.
     Eigen::VectorXd gaps() const { return motion_.offset_at_start().head(n_nodes()); }
