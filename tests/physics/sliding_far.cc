@@ -7,64 +7,22 @@
 // obstacles of triangles, adaptive refinement in a history, restart; energies balance. A
 // leaf whose end is lifted by a roller bends as a beam does.
 
-#include "tests.h"
+#include "sliding_block.h"
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 using namespace stiction;
 
 namespace
 {
-  const std::string block = "subsection Geometry\n"
-                            "  set Lengths = 40, 20, 10\n"
-                            "  set Subdivisions = 20, 10, 4\n"
-                            "end\n"
-                            "subsection Material\n"
-                            "  set Young's modulus = 1000\n"
-                            "  set Poisson ratio = 0.3\n"
-                            "end\n"
-                            "subsection Boundary conditions\n"
-                            "  set Prescribed displacement = bottom : 0; 0; 0\n"
-                            "  set Contact boundary = top\n"
-                            "  set Sliding = far\n"
-                            "end\n"
-                            "subsection Friction\n"
-                            "  set Law = coulomb\n"
-                            "  set Coefficient = 0.2\n"
-                            "end\n"
-                            "subsection Contact solver\n"
-                            "  set Tolerance = 1e-9\n"
-                            "end\n";
-
-  std::string write(const std::string &name, const std::string &text)
-  {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::ofstream(name) << text;
-    MPI_Barrier(MPI_COMM_WORLD);
-    return name;
-  }
-
   std::string ball_at(const double x, const double z)
   {
     return "Boundary conditions/Obstacle=sphere : " + exact(x) + ";10;" + exact(z) +
            ";50";
-  }
-
-  const std::string force = "Boundary conditions/Obstacle force=0; 0; -400",
-                    drag  = "Boundary conditions/Obstacle displacement=";
-
-  double worst_balance(const Run &run)
-  {
-    double worst = 0.;
-    for (const auto &step : run.summary()["steps"])
-      if (step["energy"]["balance_error"].is_number())
-        worst = std::max(worst, step["energy"]["balance_error"].get<double>());
-    return worst;
   }
 
   double total(const Run &run, const char *what)
@@ -279,21 +237,21 @@ namespace
 int main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::string file = write("block.prm", block);
-  press_from_afar(file);
+  const std::string problem = file("block.prm", block);
+  press_from_afar(problem);
   for (const Method &method : all_methods())
-    drag_along(file, method.name, method.settings, ball_at(12, 75));
-  drag_along(file, "degree 2", {"Geometry/Element degree=2"}, ball_at(12, 75));
-  drag_along(file, "graded",
+    drag_along(problem, method.name, method.settings, ball_at(12, 75));
+  drag_along(problem, "degree 2", {"Geometry/Element degree=2"}, ball_at(12, 75));
+  drag_along(problem, "graded",
              {"Geometry/Contact refinement=1",
               "Geometry/Contact refinement where=36 - (y - 10)^2"},
              ball_at(12, 75));
-  drag_along(file, "adaptive", {"Refinement/Adaptive steps=1"}, ball_at(12, 75));
-  drag_along(file, "triangles", {},
-             "Boundary conditions/Obstacle=file : " + write("ball.stl", stl_ball()));
-  compare_without_friction(file);
-  move_the_body(file);
-  go_on(file);
+  drag_along(problem, "adaptive", {"Refinement/Adaptive steps=1"}, ball_at(12, 75));
+  drag_along(problem, "triangles", {},
+             "Boundary conditions/Obstacle=file : " + file("ball.stl", stl_ball()));
+  compare_without_friction(problem);
+  move_the_body(problem);
+  go_on(problem);
   change_nodes();
   lift_a_leaf();
 }

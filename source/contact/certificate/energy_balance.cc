@@ -104,9 +104,9 @@ namespace stiction
     end.offset =
       surface.obstacle_displacements(state.distances) + surface.ways_at_start();
     end.gap = along_normals(surface, surface.gap_and_slip(state).head(surface.n_nodes()));
-    end.arm.resize(3 * surface.n_nodes());
-    for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-      set_at_node(end.arm, i, to_vector(surface.nodes()[i].arm));
+    end.arm = by_nodes(surface.n_nodes(), [&](const Eigen::Index i) {
+      return to_vector(surface.nodes()[i].arm);
+    });
     end.sliding  = end.offset - surface.B().relative_displacement(state.u) - end.gap;
     end.approach = surface.slip_origin(state) - surface.relative_displacement(state);
     return end;

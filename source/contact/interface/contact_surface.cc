@@ -326,11 +326,12 @@ namespace stiction
 
   Eigen::VectorXd ContactSurface::slip_since_origin(const State &state) const
   {
-    Eigen::VectorXd slip = relative_displacement(state);
+    Eigen::VectorXd slip =
+      relative_displacement(state) + by_nodes(n_nodes(), [&](const Eigen::Index i) {
+        return to_vector(nodes_[i].turning);
+      });
     if (origin_.size() > 0)
       slip -= origin_;
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      set_at_node(slip, i, at_node(slip, i) + to_vector(nodes_[i].turning));
     return slip;
   }
 

@@ -255,12 +255,11 @@ namespace stiction
     const Body &body = elasticity.body();
     FaceMaker maker(elasticity);
     std::vector<SurfaceFace> faces;
-    for (const auto &cell : body.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              std::count(ids.begin(), ids.end(), cell->face(f)->boundary_id()) > 0)
-            faces.push_back(maker.face(cell, f));
+    for (const auto &cell : body.locally_owned_cells())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            std::count(ids.begin(), ids.end(), cell->face(f)->boundary_id()) > 0)
+          faces.push_back(maker.face(cell, f));
     faces = all_gather(faces, body.communicator());
     set_sizes(faces);
     // in an order that does not depend on the partition

@@ -1,5 +1,6 @@
 #include <stiction/base/log.h>
 #include <stiction/base/units.h>
+#include <stiction/contact/certificate/smooth_boundary.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
@@ -49,8 +50,9 @@ namespace stiction
       return points;
     }
 
-    // How far the middle of a facet is from the arc through its ends, if those beside it
-    // are off its plane alike and nodes within it are on this plane; otherwise zero.
+    // How far the middle of a facet is from the smooth surface through its corners, if
+    // those beside it are off its plane alike and nodes within it are on this plane;
+    // otherwise zero.
     double depth_of(const Triangulation<3>::cell_iterator &cell, const unsigned int f,
                     const Body &body, const std::map<unsigned int, Tensor<1, 3>> &normals)
     {
@@ -59,19 +61,18 @@ namespace stiction
                                     !cell->is_active() || !cell->is_locally_owned()))
         return 0.;
       const Tensor<1, 3> own = area_vector(face) / area_vector(face).norm();
-      double least = 1., most = 0., to_planes = 0.;
-      Tensor<1, 3> mean;
+      double least = 1., most = 0.;
+      SmoothBoundary::Face corners;
       for (unsigned int v = 0; v < 4; ++v)
         {
-          const Tensor<1, 3> n =
-            normals.at(face->vertex_index(v)) / normals.at(face->vertex_index(v)).norm();
-          const double half = cross_product_3d(n, own).norm();
+          const Tensor<1, 3> &sum = normals.at(face->vertex_index(v));
+          corners.push_back({face->vertex(v), sum / sum.norm()});
+          const double half = cross_product_3d(corners.back().normal, own).norm();
           least             = std::min(least, half);
           most              = std::max(most, half);
-          mean += n / 4.;
-          to_planes += (face->vertex(v) - face->center()) * n / 4.;
         }
-      const double depth = std::abs(to_planes) / (1. + mean.norm()); // see SmoothBoundary
+      const double depth = SmoothBoundary::at(corners, {0.25, 0.25, 0.25, 0.25})
+                             .position.distance(face->center());
       Point<3> unit_center(0.5, 0.5, 0.5);
       unit_center[f / 2] = f % 2;
       const Point<3> center =

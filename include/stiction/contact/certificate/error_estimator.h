@@ -44,12 +44,11 @@ namespace stiction
   /// The last two terms see what contact conditions at nodes do not: with g =
   /// d − n·u, the linearised gap to the obstacle at any point, its penetration
   /// g⁻ between the nodes of a curved obstacle, and the work p g⁺ of a pressure
-  /// p across an open gap. g is taken from the curved boundary that
-  /// faces stand for, see SmoothBoundary. (After A. Veeser, Efficient and reliable a
-  /// posteriori error estimators for elliptic obstacle problems, 2001, and P.
-  /// Hild, S. Nicaise, A posteriori error estimations of residual type for
-  /// Signorini's problem, 2005.) What friction does between the nodes is left
-  /// out.
+  /// p across an open gap. g is taken from the curved boundary that faces stand for, see
+  /// SmoothBoundary. (After A. Veeser, Efficient and reliable a posteriori error
+  /// estimators for elliptic obstacle problems, 2001, and P. Hild, S. Nicaise, A
+  /// posteriori error estimations of residual type for Signorini's problem, 2005.) What
+  /// friction does between the nodes is left out.
   ///
   /// @param state the solution.
   /// @return the squares η_K², J, by active cells; zero for those of other
