@@ -191,7 +191,7 @@ namespace stiction
       }
     add_warnings_of_facets(*body_, surface, state_, way, units_, warnings);
     for (const ContactBoundary &pair : boundaries)
-      if (pair.is_pair() && !pair.is_tied())
+      if (pair.is_pair())
         {
           const PairFigures figures =
             pair_figures(surface, pair, state_, std::max(force, state_.scales.force));

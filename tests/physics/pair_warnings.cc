@@ -1,7 +1,8 @@
 // What is said of pairs whose answer is certified and not what is meant. A ball in a
 // socket, pressed and turned by forces inside: friction bears less than F P R =
 // 23,500 N mm; beyond that facets hold it. A block that falls onto another one from as
-// far as half of its size: friction has a moment then.
+// far as half of its size: friction has a moment then. A stiff block on a wide soft one,
+// whose cells are 2.5 times as wide, or as wide as its own.
 
 #include "several_bodies.h"
 
@@ -63,6 +64,24 @@ namespace
     out() << "from " << height << " by " << pressure << ": "
           << warnings(run, "acts across the") << std::endl;
   }
+
+  void press(const std::string &law, const std::string &cells)
+  {
+    const Run run(
+      file("punch.prm",
+           brick("soft", "3,3,1", cells, "0;0;-1", "0;0;0;0;0;1;0", "10") +
+             brick("stiff", "1,1,0.5", "10,10,5", "0.98;1.02;0", "0;0;0;0;0;1;0", "1e4") +
+             section("Boundary conditions",
+                     {"Prescribed displacement = soft.bottom : 0; 0; 0 | "
+                      "stiff.top : 0; 0; free",
+                      "Pressure = stiff.top : 1"}) +
+             section("Contact pair sole",
+                     {"Boundary = stiff.bottom", "Obstacle = boundary : soft.top",
+                      "Law = " + law})),
+      {});
+    out() << law << " on " << cells
+          << " cells: " << warnings(run, "waver from node to node") << std::endl;
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -74,4 +93,7 @@ int main(int argc, char *argv[])
   for (const std::string height : {"0", "0.01", "0.5"})
     fall(height, "0.2; 0; -1");
   fall("0.5", "0; 0; -1");
+  for (const std::string law : {"frictionless", "tied"})
+    for (const std::string cells : {"12,12,4", "30,30,10"})
+      press(law, cells);
 }

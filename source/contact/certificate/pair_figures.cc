@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -147,12 +148,40 @@ namespace stiction
       figures.way     = pressed.along_surface(pressed.slip).rowwise().norm().maxCoeff();
       figures.spacing = std::sqrt(pressed.areas.mean());
     }
+    double wavering(const ContactSurface &surface, const ContactBoundary &pair,
+                    const State &state, const double force_scale)
+    {
+      const Eigen::VectorXd lambda = surface.forces(state.lambda);
+      Eigen::VectorXd areas        = surface.areas();
+      Eigen::MatrixX3d forces      = Eigen::MatrixX3d::Zero(areas.size(), 3);
+      for (Eigen::Index i = 0; i < areas.size(); ++i)
+        if (surface.boundary_of(surface.nodes()[i]).id() == pair.id())
+          forces.row(i) = at_node(lambda, i);
+        else
+          areas(i) = 0.;
+      const double all = forces.rowwise().norm().sum();
+      if (all <= least_force * force_scale)
+        return 0.;
+      const auto &W = surface.B().other_side().weights;
+      const Eigen::VectorXd areas_opposite =
+        (W.transpose() * areas).cwiseMax(std::numeric_limits<double>::min());
+      const Eigen::MatrixX3d felt = areas_opposite.cwiseInverse().asDiagonal() *
+                                    Eigen::MatrixX3d(W.transpose() * forces);
+      return (forces - areas.asDiagonal() * Eigen::MatrixX3d(W * felt))
+               .rowwise()
+               .norm()
+               .sum() /
+             all;
+    }
   } // namespace
 
   PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
                            const State &state, const double force_scale)
   {
     PairFigures figures;
+    figures.wavering = wavering(surface, pair, state, force_scale);
+    if (pair.is_tied())
+      return figures;
     const PressedNodes pressed(surface, pair, state);
     if (pressed.pressing.sum() <= least_force * force_scale)
       return figures;

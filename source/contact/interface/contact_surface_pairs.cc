@@ -203,8 +203,10 @@ namespace stiction
                !bearers.closes_circle(master, slave))
         side = best.other("the side that closes no circle of bodies");
       if (side.is_much_stiffer())
-        side.reason += ", although it is the stiffer one, on which pressures waver from "
-                       "node to node and newton multigrid takes many iterations";
+        side.reason +=
+          ", although it is the stiffer one, on which pressures waver if its "
+          "cells are the smaller ones and newton multigrid takes many "
+          "iterations";
       return side;
     }
 

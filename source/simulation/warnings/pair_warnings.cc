@@ -40,6 +40,9 @@ namespace stiction
     // Of what bodies are thick.
     constexpr double much_overlap = 0.15;
 
+    // Of the tractions of a pair: as much as the other side feels.
+    constexpr double much_wavering = 0.5;
+
     // What lies inside of the other body before anything gives way, 'Initial gap' apart.
     void add_overlap(const ContactBoundary &pair, const ContactSurface &surface,
                      const Body &body, const Units &units, Warnings &warnings)
@@ -124,7 +127,7 @@ namespace stiction
     void add_tilt(const ContactBoundary &pair, const PairFigures &figures,
                   Warnings &warnings)
     {
-      if (!pair.is_tied() && figures.tilt > much_tilt)
+      if (figures.tilt > much_tilt)
         warnings.push_back(
           {"normals of " + pair.name(), figures.tilt,
            format("pressures between '%s' and '%s' act along the normals of the first, "
@@ -192,6 +195,21 @@ namespace stiction
                "the surface (second order, 'Geometry/Element degree = 2').",
                100. * share)});
     }
+    void add_wavering(const ContactBoundary &pair, const PairFigures &figures,
+                      Warnings &warnings)
+    {
+      const char *const name  = pair.name().c_str();
+      const char *const other = pair.partner_name().c_str();
+      if (figures.wavering > much_wavering)
+        warnings.push_back(
+          {"wavering of " + pair.name(), figures.wavering,
+           format(
+             "pressures and tensions of '%s' waver from node to node, %.0f %% of "
+             "them without '%s' feeling it, whose cells are too large: its forces as "
+             "a whole are right, stresses at the surface are not; make cells of '%s' "
+             "as small as those of '%s'.",
+             name, std::min(100., 100. * figures.wavering), other, other, name)});
+    }
   } // namespace
 
   void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
@@ -199,6 +217,9 @@ namespace stiction
                             const Certificate &certificate, const Units &units,
                             Warnings &warnings)
   {
+    add_wavering(pair, figures, warnings);
+    if (pair.is_tied())
+      return;
     add_overlap(pair, surface, body, units, warnings);
     add_fit(pair, surface, units, warnings);
     add_edge(pair, figures, warnings);

@@ -41,9 +41,16 @@ namespace stiction
 
     /// The energy from facets, J, see climbed_facets().
     double climbed = 0.;
+
+    /// How much of the tractions p the other side does not feel, since they change sign
+    /// from node to node, Σ A_i |p_i − (W P)_i| / Σ A_i |p_i|, P_j being the force Wᵀ A p
+    /// of a node opposite over its share of the areas. Below 1/3 where pressures are
+    /// smooth.
+    double wavering = 0.;
   };
 
-  /// Of a contact boundary that is a pair. Collective.
+  /// Of a contact boundary that is a pair; of one that is tied only how tractions waver.
+  /// Collective.
   ///
   /// @param force_scale that of the problem, N: a pair that bears next to nothing of it
   ///   has no figures.
