@@ -247,6 +247,7 @@ namespace stiction
     if (refinement_)
       mesh_error_ = refinement_->mesh_error();
     else if (parameters_.refinement.estimate_error && status_.converged &&
+             !certificate_->bears_nothing() &&
              2. * certificate_->strain_energy() >= released * state_.scales.energy)
       {
         const auto phase = phases_.scope("error_estimate");

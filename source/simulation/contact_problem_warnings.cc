@@ -54,10 +54,6 @@ namespace stiction
     // pressures.
     constexpr unsigned int few = 4, many = 32;
 
-    // Of the force of a boundary: a node with less bears nothing. And of the largest
-    // force of a history: so does a boundary.
-    constexpr double no_force = 1e-6;
-
     void add_few(const ContactSurface &surface, const std::size_t boundary,
                  const State &state, Warnings &warnings)
     {

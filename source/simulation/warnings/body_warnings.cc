@@ -36,6 +36,9 @@ namespace stiction
     // Of the mean distance of contact forces from their centre.
     constexpr double much_of_arm = 0.25;
 
+    // Of the size of all bodies.
+    constexpr double rounding_of_way = 1e-6;
+
     // Of the size of a body: less is no way into another one.
     constexpr double rounding_of_box = 1e-9;
 
@@ -98,6 +101,38 @@ namespace stiction
       for (std::size_t i = 0; i < sums.size(); i += 3)
         moments.push_back(Tensor<1, 3>({sums[i], sums[i + 1], sums[i + 2]}));
       return moments;
+    }
+
+    // Obstacles and other bodies take along what nothing holds, with no force: who means
+    // to press has left out what a body is pressed against. What is let go in a history
+    // had forces before.
+    void add_pushed(const LinearElasticity &elasticity, const ContactSurface &surface,
+                    const State &state, const Units &units, Warnings &warnings)
+    {
+      const Body &body       = elasticity.body();
+      Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.pieces().size());
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        for (const unsigned int piece :
+             surface.boundary_of(surface.nodes()[i]).pieces(body))
+          forces(piece) += std::abs(state.lambda(i));
+      const double all = std::max(forces.maxCoeff(), state.scales.force);
+      const auto motions =
+        elasticity.free_motions().motions(elasticity.free_motion_of(state.u));
+      for (unsigned int p = 0; p < motions.size(); ++p)
+        {
+          const Piece &piece = body.pieces()[p];
+          const double way   = std::max(motions[p].at(piece.box.vertex(0)).norm(),
+                                        motions[p].at(piece.box.vertex(7)).norm());
+          if (forces(p) <= no_force * all && state.scales.force == 0. &&
+              way > rounding_of_way * body.diameter())
+            warnings.push_back(
+              {"push of " + piece.name, way,
+               "body '" + piece.name + "' gives way as a whole, by up to " +
+                 with_unit(format("%.2g", way), units.length) +
+                 ", and bears no force: nothing is there that it could be pressed "
+                 "against; hold it by 'Prescribed displacement', or say what else it may "
+                 "touch."});
+        }
     }
 
     // Σ λ_ν ‖x − c‖ of the nodes at which a body is touched, with the centre c of these
@@ -227,7 +262,10 @@ namespace stiction
       turn = std::max(turn, motion.rotation.norm());
     add_turn(turn, surface.largest_coefficient(), warnings);
     if (free.n() > 0)
-      add_moments(elasticity, surface, state, warnings);
+      {
+        add_moments(elasticity, surface, state, warnings);
+        add_pushed(elasticity, surface, state, units, warnings);
+      }
     add_passing(elasticity.body(), surface, state.u, units, warnings);
   }
 } // namespace stiction

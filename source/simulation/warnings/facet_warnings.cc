@@ -23,9 +23,6 @@ namespace stiction
     // Of the way that elastic bodies give.
     constexpr double much_of_way = 0.1;
 
-    // Of the largest force at a node: less is rounding.
-    constexpr double no_force = 1e-6;
-
     // Sines of half of the angle between facets: less is flat, more an edge, of 40
     // degrees.
     constexpr double flat = 1e-3, edge = 0.34;

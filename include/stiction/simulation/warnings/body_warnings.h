@@ -10,8 +10,8 @@ namespace stiction
   struct Units;
 
   /// Adds what linear kinematics leaves out of bodies: large strains and turns, moments
-  /// that forces have where they come to, and bodies that come into others of which
-  /// nothing is said. Collective.
+  /// that forces have where they come to, bodies that come into others of which
+  /// nothing is said, and bodies that are pushed with nothing behind them. Collective.
   void add_warnings_of_bodies(const LinearElasticity &elasticity,
                               const ContactSurface &surface, const State &state,
                               const Units &units, Warnings &warnings);

@@ -13,5 +13,8 @@ namespace stiction
     std::string text;  ///< a sentence
   };
 
+  /// Of the largest force at a node, of a boundary or a body: less bears nothing.
+  constexpr double no_force = 1e-6;
+
   using Warnings = std::vector<Warning>;
 } // namespace stiction
