@@ -10,7 +10,7 @@
 #include <stiction/elasticity/model/loads.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/model/prescribed_displacement.h>
-#include <stiction/elasticity/stiffness/deformation.h>
+#include <stiction/elasticity/stiffness/cell_dilatation.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -77,12 +77,14 @@ namespace stiction
                 update_values | update_gradients | update_normal_vectors |
                   update_quadrature_points | update_JxW_values | update_inverse_jacobians)
         , part_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
-                update_gradients | update_normal_vectors | update_JxW_values |
-                  update_inverse_jacobians)
+                update_gradients | update_normal_vectors | update_quadrature_points |
+                  update_JxW_values | update_inverse_jacobians)
         , neighbor_face_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
-                         update_gradients | update_inverse_jacobians)
+                         update_gradients | update_quadrature_points |
+                           update_inverse_jacobians)
         , neighbor_part_(body_.mapping(), body_.dof_handler().get_fe(), face_quadrature_,
-                         update_gradients | update_inverse_jacobians)
+                         update_gradients | update_quadrature_points |
+                           update_inverse_jacobians)
       {
         for (const auto id : body_.triangulation().get_boundary_ids())
           held_[id] = elasticity.prescribed_displacement().components(id);
@@ -115,6 +117,9 @@ namespace stiction
         std::vector<Tensor<3, 3>> second(inside_.n_quadrature_points);
         inside_[displacement_].get_function_hessians(u_, second);
         std::vector<Tensor<1, 3>> r(second.size());
+        Tensor<1, 3> volume; // ∇ of the volume strain
+        if (has_mean_dilatation_)
+          volume = CellDilatation(inside_, u_).gradient();
         for (unsigned int q = 0; q < r.size(); ++q)
           {
             r[q] =
@@ -126,7 +131,8 @@ namespace stiction
                   for (unsigned int l = k; l < 3; ++l)
                     strain[k][l] = (second[q][k][l][j] + second[q][l][k][j]) / 2.;
                 if (has_mean_dilatation_)
-                  strain = deviator(strain);
+                  strain = deviator(strain) +
+                           volume[j] / 3. * unit_symmetric_tensor<3, double>();
                 const auto stress = material.stress(strain);
                 for (unsigned int i = 0; i < 3; ++i)
                   r[q][i] += stress[i][j];
@@ -185,10 +191,11 @@ namespace stiction
         if (has_mean_dilatation_)
           {
             inside_.reinit(cell);
-            const double dilatation = mean_dilatation(inside_, u_);
-            for (auto &strain : strains)
-              strain =
-                deviator(strain) + dilatation / 3. * unit_symmetric_tensor<3, double>();
+            const CellDilatation dilatation(inside_, u_);
+            for (const unsigned int q : values.quadrature_point_indices())
+              strains[q] =
+                deviator(strains[q]) + dilatation.at(values.quadrature_point(q)) / 3. *
+                                         unit_symmetric_tensor<3, double>();
           }
         const Material &material = material_of(cell);
         const unsigned int d     = values.get_face_number() / 2;

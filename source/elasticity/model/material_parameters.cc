@@ -39,11 +39,12 @@ namespace stiction
                   "first. Cells of any other material have the numbers above.");
     add_parameter(
       "Volume strain", volume_strain,
-      "pointwise: as the displacements have it; trilinear elements then lock as nu "
-      "approaches 0.5, bodies and forces become many times too stiff. cell mean: the "
-      "change of volume is the same all over a cell (mean dilatation, B-bar), for nearly "
-      "incompressible materials. automatic: cell mean for trilinear elements if an "
-      "isotropic material has nu above 0.45, otherwise pointwise.",
+      "pointwise: as the displacements have it; elements then lock as nu approaches 0.5, "
+      "trilinear bodies and forces become many times too stiff. cell mean: the change of "
+      "volume is the same all over a cell (mean dilatation, B-bar), of elements of "
+      "degree "
+      "2 linear across it, for nearly incompressible materials. automatic: cell mean if "
+      "an isotropic material has nu above 0.45, otherwise pointwise.",
       prm, Patterns::Selection("automatic|pointwise|cell mean"));
     add_parameter("Densities", densities,
                   "Mass densities other than the one above: 'material : "
@@ -91,10 +92,10 @@ namespace stiction
     return largest;
   }
 
-  bool MaterialParameters::has_mean_dilatation(const unsigned int element_degree) const
+  bool MaterialParameters::has_mean_dilatation() const
   {
     return volume_strain == "cell mean" ||
-           (volume_strain == "automatic" && element_degree == 1 &&
+           (volume_strain == "automatic" &&
             largest_poisson_ratio() > locking_poisson_ratio);
   }
 

@@ -243,8 +243,7 @@ namespace stiction
   }
 
   Materials::Materials(const Body &body, const BodyParameters &parameters)
-    : have_mean_dilatation_(
-        parameters.material.has_mean_dilatation(body.dof_handler().get_fe().degree))
+    : have_mean_dilatation_(parameters.material.has_mean_dilatation())
   {
     const MaterialParameters &common = parameters.material;
     const std::set<material_id> ids(body.material_names().ids().begin(),

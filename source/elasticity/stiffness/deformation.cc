@@ -44,17 +44,4 @@ namespace stiction
     return {Utilities::MPI::max(largest.strain, body.communicator()),
             Utilities::MPI::max(largest.rotation, body.communicator())};
   }
-
-  double mean_dilatation(const FEValues<3> &values, const LA::Vector &u)
-  {
-    std::vector<double> divergence(values.n_quadrature_points);
-    values[FEValuesExtractors::Vector(0)].get_function_divergences(u, divergence);
-    double sum = 0., volume = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        sum += divergence[q] * values.JxW(q);
-        volume += values.JxW(q);
-      }
-    return sum / volume;
-  }
 } // namespace stiction

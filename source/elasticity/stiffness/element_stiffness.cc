@@ -1,6 +1,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
+#include <stiction/elasticity/stiffness/cell_dilatation.h>
 #include <stiction/elasticity/stiffness/element_stiffness.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -187,22 +188,20 @@ namespace stiction
 
     const Eigen::Matrix<double, n_strains, n_strains> C =
       voigt_matrix(material.stiffness) / unit;
-    std::vector<Eigen::MatrixXd> B;
-    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(n);
+    const DilatationSpace space(values_ ? values_->get_fe().degree : 1, last_nodes_,
+                                weights_);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index q = 0; q < weights_.size(); ++q)
       {
-        B.push_back(strains(gradients_.col(q)));
-        mean += weights_(q) * B.back().topRows<3>().colwise().sum();
-      }
-    mean /= weights_.sum();
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
-    for (std::size_t q = 0; q < B.size(); ++q)
-      {
+        Eigen::MatrixXd B = strains(gradients_.col(q));
         if (material.mean_dilatation)
-          B[q].topRows<3>().rowwise() +=
-            ((mean - B[q].topRows<3>().colwise().sum()) / 3.).eval();
-        K.noalias() +=
-          B[q].transpose() * (weights_(static_cast<Eigen::Index>(q)) * C * B[q]);
+          {
+            const Eigen::RowVectorXd projected =
+              space.at(last_nodes_.col(q)) * gradients_.transpose();
+            B.topRows<3>().rowwise() +=
+              ((projected - gradients_.col(q).transpose()) / 3.).eval();
+          }
+        K.noalias() += B.transpose() * (weights_(q) * C * B);
       }
     for (unsigned int i = 0; i < matrix_.m(); ++i)
       for (unsigned int j = 0; j < matrix_.n(); ++j)

@@ -5,7 +5,7 @@
 #include <stiction/base/units.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
-#include <stiction/elasticity/stiffness/deformation.h>
+#include <stiction/elasticity/stiffness/cell_dilatation.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/output_parameters.h>
 #include <stiction/output/results/vtu.h>
@@ -58,11 +58,11 @@ namespace stiction
         if (mean_dilatation)
           mean_ = std::make_unique<FEValues<3>>(
             body.mapping(), body.dof_handler().get_fe(), QGauss<3>(n_),
-            update_gradients | update_JxW_values);
+            update_gradients | update_quadrature_points | update_JxW_values);
       }
 
       // Of the displacement u: those that the stiffness matrix is made with,
-      // their volume part being the cell's mean if it is there. Points are in
+      // their volume part being Π ∇·u if it is there. Points are in
       // the order of a table.
       //
       // @param places, displacements at the nodes, in the same order.
@@ -79,9 +79,10 @@ namespace stiction
         if (mean_)
           {
             mean_->reinit(cell);
-            const double mean = mean_dilatation(*mean_, u);
-            for (auto &strain : strains_)
-              strain += (mean - trace(strain)) / 3. * unit_symmetric_tensor<3>();
+            const CellDilatation dilatation(*mean_, u);
+            for (unsigned int p = 0; p < n_points_; ++p)
+              strains_[p] += (dilatation.at(places[p]) - trace(strains_[p])) / 3. *
+                             unit_symmetric_tensor<3>();
           }
         return strains_;
       }

@@ -28,7 +28,7 @@ namespace stiction
 
     /// Whether volume strains are means over cells, by 'Volume strain' with
     /// automatic replaced by what it stands for.
-    bool has_mean_dilatation(unsigned int element_degree) const;
+    bool has_mean_dilatation() const;
 
     /// Above it trilinear elements with pointwise volume strains are much too
     /// stiff.

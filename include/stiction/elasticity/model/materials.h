@@ -49,9 +49,9 @@ namespace stiction
     /// Unit: kg/m³.
     double density = 0.;
 
-    /// Whether the volume change ∇·u is replaced by its mean over the cell
-    /// (mean dilatation, B-bar: T. J. R. Hughes, 1980), which keeps nearly
-    /// incompressible material from locking.
+    /// Whether the volume change ∇·u is replaced by its projection on DilatationSpace,
+    /// its mean over the cell if that is trilinear, which keeps nearly incompressible
+    /// material from locking.
     bool mean_dilatation = false;
 
     /// Whether Lamé's two numbers say all.

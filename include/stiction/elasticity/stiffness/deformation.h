@@ -2,8 +2,6 @@
 
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
-#include <deal.II/fe/fe_values.h>
-
 namespace stiction
 {
   class Body;
@@ -18,7 +16,4 @@ namespace stiction
   /// The largest in the middle of any cell, from the displacement of the corners; what
   /// singular stresses do within a cell is left out. Collective.
   Deformation largest_deformation(const Body &body, const LA::Vector &u);
-
-  /// The mean of ∇·u over the cell where the values are.
-  double mean_dilatation(const dealii::FEValues<3> &values, const LA::Vector &u);
 } // namespace stiction

@@ -54,7 +54,7 @@ namespace stiction
     void integrate(const Material &material, double unit);
 
     std::unique_ptr<dealii::FEValues<3, 3>> values_;
-    Eigen::Matrix3Xd last_nodes_;
+    Eigen::Matrix3Xd last_nodes_; // vertices, or Gauss points
     const Material *last_material_ = nullptr;
     double last_unit_              = 0.;
     Eigen::MatrixXd gradients_; // a column a Gauss point, three rows a function

@@ -63,7 +63,7 @@ namespace stiction
     /// See MaterialParameters::has_mean_dilatation().
     bool has_mean_dilatation() const
     {
-      return material.has_mean_dilatation(geometry.element_degree);
+      return material.has_mean_dilatation();
     }
 
     /// Whether the elements lock: trilinear ones, a Poisson ratio near 0.5 and
