@@ -162,16 +162,16 @@ namespace stiction
       const double all = forces.rowwise().norm().sum();
       if (all <= least_force * force_scale)
         return 0.;
-      const auto &W = surface.B().other_side().weights;
-      const Eigen::VectorXd areas_opposite =
-        (W.transpose() * areas).cwiseMax(std::numeric_limits<double>::min());
-      const Eigen::MatrixX3d felt = areas_opposite.cwiseInverse().asDiagonal() *
-                                    Eigen::MatrixX3d(W.transpose() * forces);
-      return (forces - areas.asDiagonal() * Eigen::MatrixX3d(W * felt))
-               .rowwise()
-               .norm()
-               .sum() /
-             all;
+      // of degree 2 some weights are negative
+      const auto W    = surface.B().other_side().weights.cwiseAbs().eval();
+      const auto mean = [](const Eigen::MatrixX3d &sums, const Eigen::VectorXd &of) {
+        return Eigen::MatrixX3d(
+          of.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().asDiagonal() *
+          sums);
+      };
+      const Eigen::MatrixX3d felt   = mean(W.transpose() * forces, W.transpose() * areas);
+      const Eigen::MatrixX3d smooth = mean(W * felt, W * Eigen::VectorXd::Ones(W.cols()));
+      return (forces - areas.asDiagonal() * smooth).rowwise().norm().sum() / all;
     }
   } // namespace
 

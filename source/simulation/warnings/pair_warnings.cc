@@ -205,9 +205,9 @@ namespace stiction
           {"wavering of " + pair.name(), figures.wavering,
            format(
              "pressures and tensions of '%s' waver from node to node, %.0f %% of "
-             "them without '%s' feeling it, whose cells are too large: its forces as "
-             "a whole are right, stresses at the surface are not; make cells of '%s' "
-             "as small as those of '%s'.",
+             "them without '%s' feeling it: its forces as a whole are right, stresses "
+             "at the surface are not; make cells of '%s' as small as those of '%s', and "
+             "of second order where they are round.",
              name, std::min(100., 100. * figures.wavering), other, other, name)});
     }
   } // namespace

@@ -43,9 +43,9 @@ namespace stiction
     double climbed = 0.;
 
     /// How much of the tractions p the other side does not feel, since they change sign
-    /// from node to node, Σ A_i |p_i − (W P)_i| / Σ A_i |p_i|, P_j being the force Wᵀ A p
-    /// of a node opposite over its share of the areas. Below 1/3 where pressures are
-    /// smooth.
+    /// from node to node, Σ A_i |p_i − q_i| / Σ A_i |p_i|, where q are means with the
+    /// weights W of tractions opposite, which are means of p. Below 1/3 where pressures
+    /// are smooth.
     double wavering = 0.;
   };
 
