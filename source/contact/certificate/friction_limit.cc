@@ -89,9 +89,12 @@ namespace stiction
                                                   const State &state,
                                                   const std::vector<NodeStatus> &statuses)
   {
-    const auto sides    = sides_of(elasticity.body(), surface, state);
-    const auto relative = surface.relative_displacement(state);
-    const double least  = no_force * state.lambda.head(surface.n_nodes()).maxCoeff();
+    const FreeMotions &free       = elasticity.free_motions();
+    const Eigen::VectorXd amounts = elasticity.free_motion_of(state.u);
+    Eigen::VectorXd power         = Eigen::VectorXd::Zero(free.n()); // of the pressures
+    const auto sides              = sides_of(elasticity.body(), surface, state);
+    const auto relative           = surface.relative_displacement(state);
+    const double least = no_force * state.lambda.head(surface.n_nodes()).maxCoeff();
     std::vector<Ways> ways(motions.size());
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
@@ -110,6 +113,9 @@ namespace stiction
         way -= (way * node.normal) * node.normal;
         for (const unsigned int piece : of_node.all)
           {
+            power += (of_node.own.count(piece) > 0 ? force : -force) *
+                     free.at(node.position, piece).transpose() *
+                     Eigen::Vector3d(node.normal[0], node.normal[1], node.normal[2]);
             Ways &of   = ways[piece];
             of.slips   = of.slips || friction == TangentialStatus::slip;
             of.is_held = of.is_held || is_held;
@@ -117,11 +123,19 @@ namespace stiction
             of.as_a_whole += force * rigid.norm();
           }
       }
+    // where pressures work along a motion, as on a wedge, it ends where they balance
+    // loads
+    const auto is_free = [&](const unsigned int piece) {
+      const auto [begin, n]         = free.of(piece);
+      const Eigen::VectorXd all     = amounts.segment(begin, n);
+      const Eigen::VectorXd pressed = power.segment(begin, n).stableNormalized();
+      return (all - all.dot(pressed) * pressed).norm() > as_a_whole * all.norm();
+    };
     std::set<unsigned int> at_limit;
     for (unsigned int piece = 0; piece < ways.size(); ++piece)
-      if (const Ways &of = ways[piece]; elasticity.free_motions().of(piece).second > 0 &&
-                                        of.slips && !of.is_held &&
-                                        of.as_a_whole > as_a_whole * of.all)
+      if (const Ways &of = ways[piece];
+          elasticity.free_motions().of(piece).second > 0 && of.slips && !of.is_held &&
+          of.as_a_whole > as_a_whole * of.all && is_free(piece))
         at_limit.insert(piece);
     return at_limit;
   }

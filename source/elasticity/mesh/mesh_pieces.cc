@@ -1,6 +1,9 @@
 #include <stiction/elasticity/mesh/mesh_pieces.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -16,8 +19,22 @@ namespace stiction
 
   namespace
   {
-    // Of the size of all: nodes this near to one another are at the same place.
-    constexpr double same_place = 1e-8;
+    // Of the size of a cell: what is this near to it is on its surface.
+    constexpr double same_place = 1e-6;
+
+    // Whether a point is in a coarse cell or on its surface.
+    bool is_in(const Triangulation<3>::cell_iterator &cell, const Point<3> &p)
+    {
+      try
+        {
+          return GeometryInfo<3>::is_inside_unit_cell(
+            StaticMappingQ1<3>::mapping.transform_real_to_unit_cell(cell, p), same_place);
+        }
+      catch (const Mapping<3>::ExcTransformationFailed &)
+        {
+          return false;
+        }
+    }
 
     // One label a piece in place of several or none.
     std::vector<std::string> names_of(const std::vector<std::set<std::string>> &labels)
@@ -75,27 +92,36 @@ namespace stiction
   std::vector<std::pair<unsigned int, unsigned int>> MeshPieces::touching(
     const Triangulation<3> &triangulation) const
   {
+    using Cell = Triangulation<3>::cell_iterator;
+    std::set<std::pair<unsigned int, unsigned int>> pairs;
     if (pieces_.size() == 1)
       return {};
-    BoundingBox<3> all = pieces_.front().box;
-    for (const Piece &piece : pieces_)
-      all.merge_with(piece.box);
-    const Point<3> &corner = all.get_boundary_points().first;
-    const double unit      = same_place * diameter(all);
-    std::map<std::array<long long, 3>, std::set<unsigned int>> at;
+    std::vector<std::pair<BoundingBox<3>, Cell>> boxes;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
-      for (const unsigned int v : cell->vertex_indices())
+      boxes.emplace_back(cell->bounding_box(), cell);
+    const auto tree     = pack_rtree(boxes);
+    const auto find_one = [&](const unsigned int piece, const Point<3> &p) {
+      for (unsigned int other = 0; other < pieces_.size(); ++other)
         {
-          std::array<long long, 3> place;
-          for (unsigned int c = 0; c < 3; ++c)
-            place[c] = std::llround((cell->vertex(v)[c] - corner[c]) / unit);
-          at[place].insert(of(cell));
+          const auto pair = std::minmax(piece, other);
+          if (other == piece || pairs.count(pair) > 0 ||
+              !pieces_[other].box.point_inside(p, same_place))
+            continue;
+          namespace bgi = boost::geometry::index;
+          for (auto found = tree.qbegin(bgi::intersects(p)); found != tree.qend();
+               ++found)
+            if (of(found->second) == other && is_in(found->second, p))
+              pairs.insert(pair);
         }
-    std::set<std::pair<unsigned int, unsigned int>> pairs;
-    for (const auto &[place, pieces] : at)
-      for (auto p = pieces.begin(); p != pieces.end(); ++p)
-        for (auto q = std::next(p); q != pieces.end(); ++q)
-          pairs.emplace(*p, *q);
+    };
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          {
+            find_one(of(cell), face->center());
+            for (const unsigned int v : face->vertex_indices())
+              find_one(of(cell), face->vertex(v));
+          }
     return {pairs.begin(), pairs.end()};
   }
 

@@ -52,8 +52,9 @@ namespace stiction
     /// The place in list() of a cell of any level.
     unsigned int of(dealii::Triangulation<3>::cell_iterator cell) const;
 
-    /// Pieces with coarse vertices at the same places, each pair once: they touch from
-    /// the start, or the mesh was meant to be one there.
+    /// Pieces that touch or overlap from the start, or that were meant to be one there,
+    /// each pair once: of one of them a coarse face has a corner or its middle in the
+    /// other.
     std::vector<std::pair<unsigned int, unsigned int>> touching(
       const dealii::Triangulation<3> &triangulation) const;
 
