@@ -142,7 +142,7 @@ namespace stiction
         DualMethodResult result;
         try
           {
-            result = method.solve(iterate, slip_bound, scaling, rule, after_step);
+            result = method.solve(iterate, {slip_bound, scaling, rule, after_step});
           }
         catch (const Interrupted &)
           {

@@ -156,8 +156,8 @@ namespace
             for (DualMethod *const method : std::vector<DualMethod *>{&scaled, &squares})
               {
                 DualIterate iterate{VectorXd::Zero(3 * m), -Q.right_hand_side()};
-                method->solve(iterate, bound, {VectorXd::Ones(m), 1.},
-                              {tolerance, 1., 15}, [](const DualMethod::Step &) {});
+                method->solve(iterate,
+                              {bound, {VectorXd::Ones(m), 1.}, {tolerance, 1., 15}});
                 not_finite +=
                   !(iterate.lambda.allFinite() && iterate.gradient.allFinite());
               }

@@ -53,15 +53,10 @@ namespace stiction
     ++statistics_.dense_factorizations;
   }
 
-  DualMethodResult Admm::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                               const qp::Scaling &scaling, const StoppingRule &rule,
-                               const Observer &observer)
+  DualMethodResult Admm::solve(DualIterate &iterate, const Task &task)
   {
     Eigen::VectorXd &x = iterate.lambda, &gradient = iterate.gradient;
-    const auto residual = [&]() {
-      return qp::natural_residual(x, gradient, slip_bound, scaling);
-    };
-
+    const StoppingRule &rule = task.rule;
     if (statistics_.dense_factorizations == 0)
       factorize(first_factor);
 
@@ -72,19 +67,19 @@ namespace stiction
 
     // Where it was left: at a solution D u = −r.
     Eigen::VectorXd z = x, before = x;
-    qp::project(z, slip_bound);
+    qp::project(z, task.slip_bound);
     Eigen::VectorXd u = -gradient.cwiseQuotient(factor_ * pull_);
 
     unsigned int wait = first_wait, waited = 0;
     DualMethodResult result;
-    result.residual = residual();
+    result.residual = task.residual(iterate);
     while (true)
       {
         if (result.residual <= rule.residual)
           {
             // x is feasible up to the tolerance only
-            qp::make_feasible(x, gradient, Q_, slip_bound);
-            result.residual  = residual();
+            qp::make_feasible(x, gradient, Q_, task.slip_bound);
+            result.residual  = task.residual(iterate);
             result.converged = result.residual <= rule.residual;
           }
         if (result.converged || result.iterations >= rule.max_iterations ||
@@ -98,15 +93,15 @@ namespace stiction
         const Eigen::VectorXd relaxed  = relaxation * x + (1. - relaxation) * z;
         const Eigen::VectorXd z_before = z;
         z                              = relaxed + u;
-        qp::project(z, slip_bound);
+        qp::project(z, task.slip_bound);
         u += relaxed - z;
         ++result.iterations;
         ++statistics_.admm_iterations;
 
-        result.residual = residual();
+        result.residual = task.residual(iterate);
         result.change   = relative_change(x, before);
         before          = x;
-        observer({1, result.residual, result.change});
+        task.observer({1, result.residual, result.change});
 
         if (++waited < wait)
           continue;
@@ -126,7 +121,7 @@ namespace stiction
         x = z;
         Q_.vmult(gradient, x);
         gradient -= h;
-        result.residual = residual();
+        result.residual = task.residual(iterate);
       }
     return result;
   }

@@ -34,18 +34,11 @@ namespace stiction
     return all;
   }
 
-  DualMethodResult CoulombFixedPoint::solve(DualIterate &iterate,
-                                            const qp::SlipBound &slip_bound,
-                                            const qp::Scaling &scaling,
-                                            const StoppingRule &rule,
-                                            const Observer &observer)
+  DualMethodResult CoulombFixedPoint::solve(DualIterate &iterate, const Task &task)
   {
-    const auto residual = [&]() {
-      return qp::natural_residual(iterate.lambda, iterate.gradient, slip_bound, scaling);
-    };
-
+    const StoppingRule &rule = task.rule;
     DualMethodResult result;
-    result.residual = residual();
+    result.residual = task.residual(iterate);
     result.change   = std::numeric_limits<double>::infinity();
     if (result.residual <= rule.residual)
       result.change = 0.; // nothing to do
@@ -62,20 +55,19 @@ namespace stiction
           break;
 
         const Eigen::VectorXd before = iterate.lambda;
-        StoppingRule inner;
-        inner.residual =
-          std::max(approximation_reduction * result.residual, 0.5 * rule.residual);
-        inner.change         = std::numeric_limits<double>::infinity();
-        inner.max_iterations = rule.max_iterations - result.iterations;
-        const DualMethodResult approximation =
-          given_friction_->solve(iterate, qp::SlipBound::given(slip_bound.at(before)),
-                                 scaling, inner, [](const Step &) {});
+        const StoppingRule inner{
+          std::max(approximation_reduction * result.residual, 0.5 * rule.residual),
+          std::numeric_limits<double>::infinity(),
+          rule.max_iterations - result.iterations};
+        const DualMethodResult approximation = given_friction_->solve(
+          iterate,
+          {qp::SlipBound::given(task.slip_bound.at(before)), task.scaling, inner});
         result.iterations += approximation.iterations;
         ++iterations_;
 
         result.change   = relative_change(iterate.lambda, before);
-        result.residual = residual();
-        observer({approximation.iterations, result.residual, result.change});
+        result.residual = task.residual(iterate);
+        task.observer({approximation.iterations, result.residual, result.change});
 
         residuals.push_back(result.residual);
         if (residuals.size() > contraction_horizon + 1)

@@ -39,18 +39,13 @@ namespace stiction
                                                             Q.nodal_compliance(), false);
   }
 
-  DualMethodResult GaussSeidel::solve(DualIterate &iterate,
-                                      const qp::SlipBound &slip_bound,
-                                      const qp::Scaling &scaling,
-                                      const StoppingRule &rule, const Observer &observer)
+  DualMethodResult GaussSeidel::solve(DualIterate &iterate, const Task &task)
   {
-    const auto residual = [&]() {
-      return qp::natural_residual(iterate.lambda, iterate.gradient, slip_bound, scaling);
-    };
-
+    const qp::SlipBound &slip_bound = task.slip_bound;
+    const StoppingRule &rule        = task.rule;
     DualMethodResult result;
     make_feasible(iterate, slip_bound.at(iterate.lambda), Q_);
-    result.residual  = residual();
+    result.residual  = task.residual(iterate);
     result.converged = result.residual <= rule.residual;
 
     double smallest          = result.residual;
@@ -60,19 +55,19 @@ namespace stiction
       {
         const Eigen::VectorXd before = iterate.lambda;
         const auto tolerance         = [&]() {
-          return std::max(inner_reduction * residual(), 0.5 * rule.residual);
+          return std::max(inner_reduction * task.residual(iterate), 0.5 * rule.residual);
         };
-        normal_half_sweep(iterate, slip_bound, scaling, tolerance());
+        normal_half_sweep(iterate, slip_bound, task.scaling, tolerance());
         const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
         if (slip_bound.is_coulomb())
           make_feasible(iterate, bound, Q_);
-        tangential_half_sweep(iterate, bound, scaling, tolerance());
+        tangential_half_sweep(iterate, bound, task.scaling, tolerance());
 
         ++result.iterations;
         ++statistics_.gauss_seidel_iterations;
-        result.residual = residual();
+        result.residual = task.residual(iterate);
         result.change   = relative_change(iterate.lambda, before);
-        observer({1, result.residual, result.change});
+        task.observer({1, result.residual, result.change});
 
         result.converged =
           result.residual <= rule.residual && result.change <= rule.change;
@@ -80,7 +75,7 @@ namespace stiction
           {
             // up to here the tangential forces were feasible up to a tolerance
             make_feasible(iterate, slip_bound.at(iterate.lambda), Q_);
-            result.residual  = residual();
+            result.residual  = task.residual(iterate);
             result.converged = result.residual <= rule.residual;
           }
         idle_sweeps      = result.residual < 0.9 * smallest ? 0 : idle_sweeps + 1;

@@ -17,14 +17,13 @@ namespace stiction
   {
   }
 
-  DualMethodResult Mpgp::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                               const qp::Scaling &scaling, const StoppingRule &rule,
-                               const Observer &observer)
+  DualMethodResult Mpgp::solve(DualIterate &iterate, const Task &task)
   {
-    const Eigen::VectorXd bound = slip_bound.at(iterate.lambda);
+    const Eigen::VectorXd bound = task.slip_bound.at(iterate.lambda);
     make_feasible(iterate, bound, Q_);
 
-    const Eigen::VectorXd d = D_.head(Q_.n_nodes());
+    const qp::Scaling &scaling = task.scaling;
+    const Eigen::VectorXd d    = D_.head(Q_.n_nodes());
     const qp::HalfLinesTimesDiscs set(bound.cwiseQuotient(d));
     // in which the residual in y is the one in λ
     const qp::Scaling scaled{scaling.force.cwiseQuotient(d), scaling.displacement,
@@ -35,9 +34,9 @@ namespace stiction
     Eigen::VectorXd y        = iterate.lambda.cwiseQuotient(D_);
     Eigen::VectorXd gradient = iterate.gradient.cwiseProduct(D_);
     DualMethodResult result  = run_active_set_method(
-       solver, y, gradient, scaled, rule, products_in_an_iteration, statistics_,
+       solver, y, gradient, scaled, task.rule, products_in_an_iteration, statistics_,
        [&](const Eigen::VectorXd &now) { iterate.lambda = D_.cwiseProduct(now); },
-       observer);
+       task.observer);
     iterate.lambda   = D_.cwiseProduct(y);
     iterate.gradient = gradient.cwiseQuotient(D_);
     return result;

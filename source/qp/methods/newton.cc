@@ -30,20 +30,17 @@ namespace stiction
   struct Newton::Run
   {
     DualIterate &iterate;
-    const qp::SlipBound &slip_bound;
-    const qp::Scaling &scaling;
-    const StoppingRule &rule;
-    const Observer &observer;
-    DualMethodResult result;
+    const Task &task;
+    DualMethodResult result = {};
 
     unsigned int iterations_left() const
     {
-      return rule.max_iterations - result.iterations;
+      return task.rule.max_iterations - result.iterations;
     }
 
     bool is_done() const
     {
-      return result.converged || result.iterations >= rule.max_iterations;
+      return result.converged || result.iterations >= task.rule.max_iterations;
     }
 
     // To be told of each step from here on.
@@ -53,7 +50,7 @@ namespace stiction
         [this, before = iterate.lambda](unsigned int, const double residual) mutable {
           result.change = relative_change(iterate.lambda, before);
           before        = iterate.lambda;
-          observer({1, residual, result.change});
+          task.observer({1, residual, result.change});
         };
     }
   };
@@ -74,11 +71,9 @@ namespace stiction
     return all;
   }
 
-  DualMethodResult Newton::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                                 const qp::Scaling &scaling, const StoppingRule &rule,
-                                 const Observer &observer)
+  DualMethodResult Newton::solve(DualIterate &iterate, const Task &task)
   {
-    Run run{iterate, slip_bound, scaling, rule, observer, {}};
+    Run run{iterate, task};
     double smallest             = std::numeric_limits<double>::infinity();
     unsigned int idle_fallbacks = 0;
     bool tries_inside           = can_factorize();
@@ -100,7 +95,8 @@ namespace stiction
         const bool stands_still = idle_fallbacks > max_idle_fallbacks;
         // of several solutions successive approximations lead to the same one
         // as all other methods
-        if (tries_inside && (stands_still || !slip_bound.may_have_several_solutions()))
+        if (tries_inside &&
+            (stands_still || !task.slip_bound.may_have_several_solutions()))
           {
             run_interior_point(run);
             tries_inside = false;
@@ -123,8 +119,8 @@ namespace stiction
   void Newton::run_newton(Run &run)
   {
     const qp::SolverRun steps =
-      newton_.solve(run.iterate.lambda, run.iterate.gradient, run.slip_bound, run.scaling,
-                    run.rule.residual,
+      newton_.solve(run.iterate.lambda, run.iterate.gradient, run.task.slip_bound,
+                    run.task.scaling, run.task.rule.residual,
                     std::min(max_steps_in_a_run_, run.iterations_left()), run.reporter());
     statistics_ += steps;
     run.result.iterations += steps.newton_steps;
@@ -136,32 +132,30 @@ namespace stiction
   {
     const qp::SolverRun steps =
       qp::InteriorPoint(*Q_.matrix())
-        .solve(run.iterate.lambda, run.iterate.gradient, run.slip_bound, run.scaling,
-               interior_point_reduction * run.rule.residual, run.iterations_left(),
-               run.reporter());
+        .solve(run.iterate.lambda, run.iterate.gradient, run.task.slip_bound,
+               run.task.scaling, interior_point_reduction * run.task.rule.residual,
+               run.iterations_left(), run.reporter());
     statistics_ += steps;
     run.result.iterations += steps.interior_point_steps;
     run.result.residual  = steps.residual;
-    run.result.converged = steps.residual <= run.rule.residual;
+    run.result.converged = steps.residual <= run.task.rule.residual;
   }
 
   void Newton::fall_back(Run &run)
   {
     ++statistics_.fallbacks;
-    if (!fallback_ && !run.slip_bound.is_coulomb())
+    if (!fallback_ && !run.task.slip_bound.is_coulomb())
       fallback_ = std::make_unique<Mpgp>(Q_);
     else if (!fallback_)
       fallback_ = std::make_unique<CoulombFixedPoint>(
         std::make_unique<Newton>(Q_, max_steps_in_a_run_));
-    StoppingRule stretch;
-    stretch.residual       = fallback_reduction * run.result.residual;
-    stretch.change         = std::numeric_limits<double>::infinity();
-    stretch.max_iterations = run.iterations_left();
-    const DualMethodResult stretch_result =
-      fallback_->solve(run.iterate, run.slip_bound, run.scaling, stretch, run.observer);
+    Task stretch                          = run.task;
+    stretch.rule                          = {fallback_reduction * run.result.residual,
+                                             std::numeric_limits<double>::infinity(), run.iterations_left()};
+    const DualMethodResult stretch_result = fallback_->solve(run.iterate, stretch);
     run.result.iterations += stretch_result.iterations;
     run.result.residual  = stretch_result.residual;
     run.result.change    = stretch_result.change;
-    run.result.converged = stretch_result.residual <= run.rule.residual;
+    run.result.converged = stretch_result.residual <= run.task.rule.residual;
   }
 } // namespace stiction

@@ -14,11 +14,9 @@ namespace stiction
   {
   }
 
-  DualMethodResult Squares::solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                                  const qp::Scaling &scaling, const StoppingRule &rule,
-                                  const Observer &observer)
+  DualMethodResult Squares::solve(DualIterate &iterate, const Task &task)
   {
-    const qp::RotatedSquares squares(r_, slip_bound.at(iterate.lambda));
+    const qp::RotatedSquares squares(r_, task.slip_bound.at(iterate.lambda));
     // CᵀQC; for more than one square it is singular
     const qp::SymmetricOperator A(
       squares.n_unknowns(), [&](Eigen::VectorXd &dst, const Eigen::VectorXd &unknowns) {
@@ -34,9 +32,10 @@ namespace stiction
     Eigen::VectorXd gradient    = squares.pull_back(iterate.gradient);
     const Eigen::VectorXd start = iterate.lambda;
     DualMethodResult result     = run_active_set_method(
-          solver, x, gradient, scaling, rule, Mpgp::products_in_an_iteration, statistics_,
+          solver, x, gradient, task.scaling, task.rule, Mpgp::products_in_an_iteration,
+          statistics_,
           [&](const Eigen::VectorXd &now) { iterate.lambda = squares.to_forces(now); },
-          observer);
+          task.observer);
     iterate.lambda = start; // the one that the gradient belongs to
     qp::move_to(squares.to_forces(x), iterate.lambda, iterate.gradient, block_);
     return result;

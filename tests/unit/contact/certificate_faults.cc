@@ -110,13 +110,10 @@ int main(int argc, char *argv[])
     const WrongSchurComplement wrong(elasticity, surface, *solver);
     GaussSeidel gauss_seidel(wrong);
     DualIterate iterate{Eigen::VectorXd::Zero(3 * m), -wrong.right_hand_side()};
-    StoppingRule rule;
-    rule.residual       = 1e-9;
-    rule.change         = std::numeric_limits<double>::infinity();
-    rule.max_iterations = 200;
     const auto result =
-      gauss_seidel.solve(iterate, qp::SlipBound::given(right.slip_bound()),
-                         right.scaling(), rule, [](const DualMethod::Step &) {});
+      gauss_seidel.solve(iterate, {qp::SlipBound::given(right.slip_bound()),
+                                   right.scaling(),
+                                   {1e-9, std::numeric_limits<double>::infinity(), 200}});
     out() << "(the solver with the wrong Q says it converged: " << yes(result.converged)
           << ")" << std::endl;
     show("a wrong Q", displacement(iterate.lambda, *solver), iterate.lambda);

@@ -88,9 +88,7 @@ int main(int argc, char *argv[])
     unsigned int steps        = 0;
     for (; steps < 40; ++steps)
       {
-        StoppingRule rule;
-        rule.max_iterations = 1;
-        method.solve(iterate, given, scaling, rule, [](const DualMethod::Step &) {});
+        method.solve(iterate, {given, scaling, {0., 0., 1}});
         const double energy = 0.5 * iterate.lambda.dot(*Q->matrix() * iterate.lambda) -
                               iterate.lambda.dot(Q->right_hand_side());
         falls = falls && energy <= last + 1e-12 * std::abs(last);

@@ -138,10 +138,9 @@ int main()
         Admm admm(op);
         DualIterate iterate{VectorXd::Zero(3 * m), -b};
         const auto &[x, r] = iterate;
-        not_converged += !admm
-                            .solve(iterate, SlipBound::given(g), scaling,
-                                   {1e-11, 1., 3000}, [](const DualMethod::Step &) {})
-                            .converged;
+        not_converged +=
+          !admm.solve(iterate, {SlipBound::given(g), scaling, {1e-11, 1., 3000}})
+             .converged;
         many_factors += admm.statistics().dense_factorizations > 4;
         error.add((x - best).norm() / best.norm());
         wrong_gradient.add((r - (A * x - b)).norm());

@@ -66,9 +66,8 @@ namespace
     const DenseDualOperator Q(problem.A, problem.b);
     Mpgp method(Q);
     Found found{{}, {start, problem.A * start - problem.b}, -Q.n_multiplications()};
-    static_cast<DualMethodResult &>(found) =
-      method.solve(found, SlipBound::given(problem.radii), problem.scaling,
-                   {tolerance, 1., 1000}, [](const DualMethod::Step &) {});
+    static_cast<DualMethodResult &>(found) = method.solve(
+      found, {SlipBound::given(problem.radii), problem.scaling, {tolerance, 1., 1000}});
     found.products += Q.n_multiplications();
     return found;
   }

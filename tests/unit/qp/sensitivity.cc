@@ -18,9 +18,8 @@ namespace
   {
     const DenseDualOperator dense(Q, h);
     DualIterate iterate{VectorXd::Zero(h.size()), -h};
-    const StoppingRule rule{1e-13, 1., 1000};
-    Newton(dense).solve(iterate, bound, {VectorXd::Ones(bound.n_nodes())}, rule,
-                        [](const auto &) {});
+    Newton(dense).solve(iterate,
+                        {bound, {VectorXd::Ones(bound.n_nodes())}, {1e-13, 1., 1000}});
     return iterate;
   }
 } // namespace

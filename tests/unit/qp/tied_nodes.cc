@@ -48,8 +48,7 @@ namespace
         const DenseDualOperator op(Q, Q * solution - r);
         DualIterate iterate{VectorXd::Zero(3 * m), -op.right_hand_side()};
         const auto result =
-          make(op)->solve(iterate, bound, {VectorXd::Ones(m), 1.}, {1e-9, 1., 10000},
-                          [](const DualMethod::Step &) {});
+          make(op)->solve(iterate, {bound, {VectorXd::Ones(m), 1.}, {1e-9, 1., 10000}});
         not_converged += result.converged ? 0 : 1;
         error.add((iterate.lambda - solution).norm() / solution.norm());
         wrong_gradient.add(

@@ -25,9 +25,7 @@ namespace stiction
     /// it has no matrix.
     explicit Admm(const DualOperator &Q);
 
-    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling, const StoppingRule &rule,
-                           const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const Task &task) override;
 
     bool solves_coulomb() const override { return true; }
 

@@ -18,9 +18,7 @@ namespace stiction
     /// @param given_friction the method for each approximation.
     explicit CoulombFixedPoint(std::unique_ptr<DualMethod> given_friction);
 
-    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling, const StoppingRule &rule,
-                           const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const Task &task) override;
 
     bool solves_coulomb() const override { return true; }
 

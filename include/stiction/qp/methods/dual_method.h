@@ -68,15 +68,29 @@ namespace stiction
     };
     using Observer = std::function<void(const Step &)>;
 
+    /// What is to be solved, and how far.
+    struct Task
+    {
+      const qp::SlipBound &slip_bound;
+      const qp::Scaling &scaling;
+      StoppingRule rule;
+      Observer observer = [](const Step &) {};
+
+      /// The natural residual of an iterate.
+      double residual(const DualIterate &iterate) const
+      {
+        return qp::natural_residual(iterate.lambda, iterate.gradient, slip_bound,
+                                    scaling);
+      }
+    };
+
     virtual ~DualMethod() = default;
 
     /// Improves the iterate until the stopping rule is met. May be called
     /// again, with a stricter rule or other scales.
     ///
     /// @param iterate in: any λ with its gradient; out: a feasible one.
-    virtual DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                                   const qp::Scaling &scaling, const StoppingRule &rule,
-                                   const Observer &observer) = 0;
+    virtual DualMethodResult solve(DualIterate &iterate, const Task &task) = 0;
 
     /// Whether solve() takes the slip bound of Coulomb friction. If not, the
     /// method is one for given friction, to be used in successive

@@ -32,9 +32,7 @@ namespace stiction
       const DualOperator &Q,
       std::optional<qp::DiscActiveSet::Variant> variant = std::nullopt);
 
-    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling, const StoppingRule &rule,
-                           const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const Task &task) override;
 
     bool solves_coulomb() const override { return true; }
 

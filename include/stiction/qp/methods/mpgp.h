@@ -22,9 +22,7 @@ namespace stiction
     /// Estimates the norm of Q. The operator must outlive the method.
     explicit Mpgp(const DualOperator &Q);
 
-    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling, const StoppingRule &rule,
-                           const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const Task &task) override;
 
     bool solves_coulomb() const override { return false; }
 

@@ -32,9 +32,7 @@ namespace stiction
     ///   where a test forces the fallbacks.
     explicit Newton(const DualOperator &Q, unsigned int max_steps_in_a_run = 1000);
 
-    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling, const StoppingRule &rule,
-                           const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const Task &task) override;
 
     bool solves_coulomb() const override { return true; }
 

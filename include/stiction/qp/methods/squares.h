@@ -20,9 +20,7 @@ namespace stiction
 
     /// The iterate ends feasible for the polygons, not for the discs, and the
     /// residual is that of the problem with polygons.
-    DualMethodResult solve(DualIterate &iterate, const qp::SlipBound &slip_bound,
-                           const qp::Scaling &scaling, const StoppingRule &rule,
-                           const Observer &observer) override;
+    DualMethodResult solve(DualIterate &iterate, const Task &task) override;
 
     bool solves_coulomb() const override { return false; }
 
