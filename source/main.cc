@@ -104,10 +104,10 @@ namespace
       program.parameters.read(arguments.file, arguments.settings, arguments.output,
                               arguments.export_directory, !arguments.problem);
     });
-    if (!arguments.problem && program.parameters.dual_operator.symmetric_part)
-      throw InputError(
-        program.parameters.source.describe("Dual operator/Symmetric part") +
-        ", is for problems from files (--problem), that of a body is symmetric.");
+    program.parameters.source.require(
+      arguments.problem || !program.parameters.dual_operator.symmetric_part,
+      "Dual operator/Symmetric part",
+      "is for problems from files (--problem), that of a body is symmetric");
     if (arguments.print_output_directory)
       {
         if (is_first_rank())

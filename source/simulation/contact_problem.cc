@@ -217,14 +217,14 @@ namespace stiction
                          " nodes face away from the obstacle and are none"));
     if (parameters_.output.export_directory.empty())
       return;
-    if (contact_surface().slip_bound().has_tied())
-      throw InputError(parameters_.source.describe("Output/Export directory") +
-                       ", problem files know no tied nodes, so 'Friction/Law' must not "
-                       "have 'tied'.");
-    if (contact_surface().slip_bound().is_mixed())
-      throw InputError(parameters_.source.describe("Output/Export directory") +
-                       ", problem files know one law of friction for all nodes, so "
-                       "'Friction/Law' must not have both 'given' and 'coulomb'.");
+    const std::string entry = "Output/Export directory";
+    parameters_.source.require(
+      !contact_surface().slip_bound().has_tied(), entry,
+      "problem files know no tied nodes, so 'Friction/Law' must not have 'tied'");
+    parameters_.source.require(
+      !contact_surface().slip_bound().is_mixed(), entry,
+      "problem files know one law of friction for all nodes, so 'Friction/Law' must not "
+      "have both 'given' and 'coulomb'");
   }
 
   void ContactProblem::open_output()

@@ -93,10 +93,9 @@ namespace stiction
       problem_ = import_problem(path_, parameters_.dual_operator.symmetric_part);
     });
     parameters_.check_method(problem_.slip_bound.is_coulomb());
-    if (parameters_.contact_solver.is_primal())
-      throw InputError(
-        parameters_.source.describe("Contact solver/Method") +
-        ", works on a mesh, must be another one for a problem from a file.");
+    parameters_.source.require(
+      !parameters_.contact_solver.is_primal(), "Contact solver/Method",
+      "works on a mesh, must be another one for a problem from a file");
     require_solvable(problem_, path_);
     Q_ =
       std::make_unique<DenseDualOperator>(std::move(problem_.Q), std::move(problem_.h));

@@ -314,9 +314,9 @@ namespace stiction
     for (const ContactPairs::List &list : pairs.lists(value_of))
       {
         const std::string entry = list.section + "/" + list.name;
-        if (places_.at(entry).where != not_set)
-          throw InputError(describe(entry) + ", must stand in the sections 'Contact "
-                                             "pair', or all that they say in lists.");
+        require(places_.at(entry).where == not_set, entry,
+                "must stand in the sections 'Contact pair', or all that they say in "
+                "lists");
         if (list.where.empty())
           continue;
         assign(list.where, list.section, list.name, trim(list.value), prm);
@@ -368,11 +368,16 @@ namespace stiction
                                               : locate(entry) + " is empty";
   }
 
+  void ParameterFile::refuse(const std::string &entry, const std::string &allowed) const
+  {
+    throw InputError(describe(entry) + ", " + allowed + ".");
+  }
+
   void ParameterFile::require(const bool condition, const std::string &entry,
                               const std::string &allowed) const
   {
     if (!condition)
-      throw InputError(describe(entry) + ", " + allowed + ".");
+      refuse(entry, allowed);
   }
 
   std::string ParameterFile::find_file(const std::string &entry,
@@ -386,10 +391,9 @@ namespace stiction
         if (fs::exists(path, none))
           return path;
       }
-    throw InputError(describe(entry) + ", cannot be read, there is " +
-                     (beside == name ? "no such file"
-                                     : "neither '" + name + "' nor '" + beside.string() +
-                                         "', beside the parameter file") +
-                     ".");
+    refuse(entry, "cannot be read, there is " +
+                    (beside == name ? "no such file"
+                                    : "neither '" + name + "' nor '" + beside.string() +
+                                        "', beside the parameter file"));
   }
 } // namespace stiction

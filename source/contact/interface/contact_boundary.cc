@@ -145,15 +145,15 @@ namespace stiction
         ContactBoundary boundary(entries, parameters.source.of_pair(boundaries.size()),
                                  body, time);
         const ParameterFile &source = *boundary.source_;
-        if (!boundary.is_pair() && !ids.insert(boundary.id_).second)
-          throw InputError(source.describe(boundary_entry) + ", boundary " +
-                           entries.name + " stands twice, must stand once.");
+        source.require(boundary.is_pair() || ids.insert(boundary.id_).second,
+                       boundary_entry,
+                       "boundary " + entries.name + " stands twice, must stand once");
         for (const auto partner : boundary.partners_)
-          if (!pairs.insert(std::minmax(boundary.id_, partner)).second)
-            throw InputError(source.describe(obstacle_entry) + ", the boundaries '" +
-                             boundary.name_ + "' and '" +
-                             body.boundary_names().name(partner) +
-                             "' are a pair already, must be one once.");
+          source.require(pairs.insert(std::minmax(boundary.id_, partner)).second,
+                         obstacle_entry,
+                         "the boundaries '" + boundary.name_ + "' and '" +
+                           body.boundary_names().name(partner) +
+                           "' are a pair already, must be one once");
         boundaries.push_back(std::move(boundary));
       }
     return boundaries;
@@ -198,19 +198,18 @@ namespace stiction
     });
     obstacle_ = Obstacle::read(obstacle, source_->locate(obstacle_entry), size_, time,
                                body.communicator());
-    if (slides_far() && !obstacle_)
-      throw InputError(source_->describe(sliding_entry) +
-                       ", must be little for the foundation of boundary '" + name_ +
+    source_->require(!slides_far() || obstacle_, sliding_entry,
+                     "must be little for the foundation of boundary '" + name_ +
                        "', which has no shape but that of the boundary; say what it is, "
-                       "such as 'Obstacle = plane : ...'.");
+                       "such as 'Obstacle = plane : ...'");
   }
 
   void ContactBoundary::require_one_of(const std::string &entry, const std::string &value,
                                        const std::vector<std::string> &allowed) const
   {
-    if (std::count(allowed.begin(), allowed.end(), value) == 0)
-      throw InputError(source_->describe(entry) + ", '" + value + "' must be one of " +
-                       listed(allowed) + did_you_mean(value, allowed) + ".");
+    source_->require(std::count(allowed.begin(), allowed.end(), value) > 0, entry,
+                     "'" + value + "' must be one of " + listed(allowed) +
+                       did_you_mean(value, allowed));
   }
 
   void ContactBoundary::describe(const Entries &entries)
@@ -229,15 +228,14 @@ namespace stiction
   void ContactBoundary::require_tied_pair(const bool has_partners,
                                           const std::string &gap) const
   {
-    if (!has_partners)
-      throw InputError(source_->describe("Friction/Law") + ", boundary '" + name_ +
+    source_->require(has_partners, "Friction/Law",
+                     "boundary '" + name_ +
                        "' can only be tied to another boundary of the mesh, say "
                        "'Obstacle = boundary : NAME', or hold it with 'Boundary "
-                       "conditions/Prescribed displacement'.");
-    if (!are_zero(gap))
-      throw InputError(source_->describe(gap_entry) + ", must be 0 for boundary '" +
-                       name_ +
-                       "', which is tied to what it is paired with as both are meshed.");
+                       "conditions/Prescribed displacement'");
+    source_->require(are_zero(gap), gap_entry,
+                     "must be 0 for boundary '" + name_ +
+                       "', which is tied to what it is paired with as both are meshed");
   }
 
   void ContactBoundary::pair_with(const std::vector<std::string> &others,
@@ -245,36 +243,30 @@ namespace stiction
   {
     for (const std::string &other : others)
       {
-        if (other.empty())
-          throw InputError(source_->describe(obstacle_entry) +
-                           ", has a comma too many: names of boundaries stand between "
-                           "them.");
+        source_->require(!other.empty(), obstacle_entry,
+                         "has a comma too many: names of boundaries stand between them");
         const auto id = body.boundary_names().id(other, source_->locate(obstacle_entry));
-        if (id == id_)
-          throw InputError(source_->describe(obstacle_entry) + ", boundary '" + name_ +
-                           "' cannot touch itself, must be another one.");
+        source_->require(id != id_, obstacle_entry,
+                         "boundary '" + name_ +
+                           "' cannot touch itself, must be another one");
         partner_name_ += (partners_.empty() ? "" : ", ") + body.boundary_names().name(id);
         partners_.push_back(id);
       }
-    if (others.size() > 1 && slave_side_ == "obstacle")
-      throw InputError(source_->describe(slave_entry) + ", of boundary '" + name_ +
+    source_->require(others.size() == 1 || slave_side_ != "obstacle", slave_entry,
+                     "of boundary '" + name_ +
                        "', which has several opposite to it, must be automatic or "
-                       "boundary; make a pair of each of them.");
+                       "boundary; make a pair of each of them");
     require_one_of(slave_entry, slave_side_, {"automatic", "boundary", "obstacle"});
     require_one_of(mesh_gap_entry, mesh_gap_, {"kept", "removed"});
-    const std::string reason =
-      ", must be zero for the pair of boundary '" + name_ +
-      "', whose sides move with their bodies, as loads and supports have it.";
-    if (slides_far())
-      throw InputError(source_->describe(sliding_entry) +
-                       ", must be little for the pair of boundary '" + name_ +
-                       "': what lies opposite is found where bodies are made.");
-    if (displacement_.norm() > 0.)
-      throw InputError(source_->describe(displacement_entry) + reason);
-    if (angle_ != 0.)
-      throw InputError(source_->describe(rotation_entry) + reason);
-    if (force_.norm() > 0.)
-      throw InputError(source_->describe(force_entry) + reason);
+    source_->require(!slides_far(), sliding_entry,
+                     "must be little for the pair of boundary '" + name_ +
+                       "': what lies opposite is found where bodies are made");
+    const std::string allowed =
+      "must be zero for the pair of boundary '" + name_ +
+      "', whose sides move with their bodies, as loads and supports have it";
+    source_->require(displacement_.norm() == 0., displacement_entry, allowed);
+    source_->require(angle_ == 0., rotation_entry, allowed);
+    source_->require(force_.norm() == 0., force_entry, allowed);
   }
 
   bool ContactBoundary::has_partner(const types::boundary_id id) const
@@ -311,9 +303,8 @@ namespace stiction
     angle_ = numbers[6];
     if (axis.norm() > 1e-30)
       axis_ = axis / axis.norm();
-    else if (angle_ != 0.)
-      throw InputError(source_->describe(rotation_entry) +
-                       ", its axis must not be zero.");
+    source_->require(axis_.norm() > 0. || angle_ == 0., rotation_entry,
+                     "its axis must not be zero");
     axis_point_ = Point<3>(numbers[0], numbers[1], numbers[2]);
   }
 
@@ -322,10 +313,10 @@ namespace stiction
     const Tensor<1, 3> arm = cross_product_3d(axis_, x - axis_point_);
     if (angle_ != 0. &&
         !(std::abs(n * arm) <= sine_of_round * arm.norm() + rounding * size_))
-      throw InputError(source_->describe(rotation_entry) +
-                       ", turns the obstacle of boundary '" + name_ +
-                       "' about an axis about which it is not round at (" + text_of(x) +
-                       ')' + ", must turn it about an axis of revolution.");
+      source_->refuse(rotation_entry,
+                      "turns the obstacle of boundary '" + name_ +
+                        "' about an axis about which it is not round at (" + text_of(x) +
+                        "), must turn it about an axis of revolution");
     return arm;
   }
 
@@ -335,22 +326,21 @@ namespace stiction
     if (!obstacle_)
       return true;
 
-    const auto refuse = [&](const std::string &reason) {
-      throw InputError(source_->describe(obstacle_entry) + ", " + reason + ".");
-    };
     const Obstacle::Value value =
       obstacle_->facing(node.position + node.moved, node.normal);
     const double slope = value.gradient.norm();
     // a formula's differences leave rounding where there is no slope
     if (!(slope > 0.) || slope * size_ < 1e-8 * std::abs(value.psi))
-      refuse("has no normal for the contact node at (" + text_of(node.position) +
-             "), the gradient of the distance must not vanish there");
+      source_->refuse(obstacle_entry,
+                      "has no normal for the contact node at (" + text_of(node.position) +
+                        "), the gradient of the distance must not vanish there");
 
     const double distance = node.gap + value.psi / slope;
     if (distance < -size_)
-      refuse("is deeper in the body at (" + text_of(node.position) +
-             ") than the body is large, must be outside but for a small "
-             "interference");
+      source_->refuse(obstacle_entry,
+                      "is deeper in the body at (" + text_of(node.position) +
+                        ") than the body is large, must be outside but for a small "
+                        "interference");
     const Tensor<1, 3> towards_obstacle = value.gradient / -slope;
     const bool is_facing                = towards_obstacle * node.normal >= facing_cosine;
     node.normal                         = towards_obstacle;
@@ -373,16 +363,14 @@ namespace stiction
   void ContactBoundary::require_outside(const ContactNode &node) const
   {
     if (node.gap - node.normal * node.moved < -rounding * size_)
-      throw InputError(
-        source_->describe(obstacle_entry) + ", contains the contact node at (" +
-        text_of(node.position) +
-        "), which faces away from its surface there, must face the "
-        "boundary '" +
-        name_ + "' wherever it is inside the body" +
-        (obstacle_->triangles() != nullptr
-           ? ", with triangles that go round counterclockwise as seen from "
-             "outside."
-           : "."));
+      source_->refuse(
+        obstacle_entry,
+        "contains the contact node at (" + text_of(node.position) +
+          "), which faces away from its surface there, must face the boundary '" + name_ +
+          "' wherever it is inside the body" +
+          (obstacle_->triangles() != nullptr
+             ? ", with triangles that go round counterclockwise as seen from outside"
+             : ""));
   }
 
   double ContactBoundary::initial_gap(const Point<3> &p) const { return gap_->value(p); }

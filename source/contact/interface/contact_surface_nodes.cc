@@ -113,16 +113,16 @@ namespace stiction
     const ContactBoundary &boundary = boundaries_[b];
     if (std::any_of(lenders_.begin(), lenders_.end(),
                     [&](const ContactNode &lender) { return lender.boundary == b; }))
-      throw InputError(boundary.source().describe(contact_boundary_entry) +
-                       ", all nodes of boundary '" + boundary.name() +
-                       "' bear the forces of one before it, must have nodes of its own: "
-                       "finer cells, or its place before that one.");
-    throw InputError(
-      boundary.source().describe(entry) +
-      (n.size() == 1 && !(boundary.is_pair() && entry == contact_boundary_entry)
-         ? ""
-         : ", boundary '" + boundary.name() + "'") +
-      ", " + reason + (boundary.is_pair() ? of_pair : "") + ".");
+      boundary.source().refuse(
+        contact_boundary_entry,
+        "all nodes of boundary '" + boundary.name() +
+          "' bear the forces of one before it, must have nodes of its own: finer cells, "
+          "or its place before that one");
+    boundary.source().refuse(
+      entry, (n.size() == 1 && !(boundary.is_pair() && entry == contact_boundary_entry)
+                ? ""
+                : "boundary '" + boundary.name() + "', ") +
+               reason + (boundary.is_pair() ? of_pair : ""));
   }
 
   bool ContactSurface::place(ContactNode &node) const
@@ -287,13 +287,13 @@ namespace stiction
         e(0) += node.gap;
         e.tail<2>() += seen_from(frame, node.turning).tail<2>();
         if (e(0) < -boundary.body_size() && !boundary.slides_far())
-          throw InputError(
-            boundary.source().describe(boundary.displacement().norm() > 0.
-                                         ? "Boundary conditions/Obstacle displacement"
-                                         : "Boundary conditions/Initial gap") +
-            ", has the obstacle of boundary '" + boundary.name() +
-            "' inside of the body by more than the body is large, must be small "
-            "like the displacements of the body.");
+          boundary.source().refuse(
+            boundary.displacement().norm() > 0.
+              ? "Boundary conditions/Obstacle displacement"
+              : "Boundary conditions/Initial gap",
+            "has the obstacle of boundary '" + boundary.name() +
+              "' inside of the body by more than the body is large, must be small like "
+              "the displacements of the body");
 
         set_at_node(offset, i, e);
         if (column[node.boundary] < 0)
@@ -306,11 +306,11 @@ namespace stiction
           std::max(largest_approach[node.boundary], -direction(0));
       }
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (column[b] >= 0 && largest_approach[b] <= least_approach)
-        throw InputError(
-          boundaries_[b].source().describe("Boundary conditions/Obstacle force") +
-          ", does not press the obstacle of boundary '" + boundaries_[b].name() +
-          "' against the body, must point from the obstacle into the body.");
+      boundaries_[b].source().require(
+        column[b] < 0 || largest_approach[b] > least_approach,
+        "Boundary conditions/Obstacle force",
+        "does not press the obstacle of boundary '" + boundaries_[b].name() +
+          "' against the body, must point from the obstacle into the body");
     motion_ = ObstacleMotion(std::move(offset), std::move(directions),
                              Eigen::Map<const Eigen::VectorXd>(
                                forces.data(), static_cast<Eigen::Index>(forces.size())));

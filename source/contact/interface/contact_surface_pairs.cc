@@ -1,6 +1,5 @@
 // The contact boundaries that are pairs: which side is the slave, and what is opposite.
 
-#include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
@@ -28,6 +27,8 @@ namespace stiction
 
   namespace
   {
+    const std::string obstacle_entry = "Boundary conditions/Obstacle";
+
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
 
@@ -42,13 +43,12 @@ namespace stiction
                        const std::vector<SurfaceFace> &slaves)
     {
       const double size = mean_diameter(slaves), distance = mortar.largest_gap();
-      if (distance > widest_tie * size)
-        throw InputError(
-          pair.source().describe("Friction/Law") + ", boundary '" + pair.name() +
-          "' is up to " + format("%.3g", distance) + " away from '" +
-          pair.partner_name() + "', to which it is tied, must be within " +
-          format("%.3g", widest_tie * size) +
-          ", a quarter of the size of its faces: what is between would count as rigid.");
+      pair.source().require(
+        distance <= widest_tie * size, "Friction/Law",
+        "boundary '" + pair.name() + "' is up to " + format("%.3g", distance) +
+          " away from '" + pair.partner_name() +
+          "', to which it is tied, must be within " + format("%.3g", widest_tie * size) +
+          ", a quarter of the size of its faces: what is between would count as rigid");
     }
 
     // Throws InputError if one of several that are opposite is not.
@@ -67,36 +67,35 @@ namespace stiction
               is_opposite ||
               std::all_of(face.dofs.begin(), face.dofs.begin() + face.n_nodes(),
                           [&](const auto dof) { return masters.count(dof) > 0; });
-          if (!is_opposite)
-            throw InputError(
-              pair.source().describe("Boundary conditions/Obstacle") + ", nothing of '" +
-              elasticity.body().boundary_names().name(id) +
-              "' lies opposite to boundary '" + pair.name() + "', must be left out.");
+          pair.source().require(
+            is_opposite, obstacle_entry,
+            "nothing of '" + elasticity.body().boundary_names().name(id) +
+              "' lies opposite to boundary '" + pair.name() + "', must be left out");
         }
     }
 
-    [[noreturn]] void refuse_lost_tie(const ContactBoundary &pair,
-                                      const unsigned int n_lost)
+    // Throws InputError if supports hold nodes of the slave alone.
+    void require_tie(const ContactBoundary &pair, const unsigned int n_held_alone)
     {
-      throw InputError(
-        pair.source().describe("Boundary conditions/Prescribed displacement") +
-        ", holds " + std::to_string(n_lost) + " nodes of boundary '" + pair.name() +
-        "', but not those of '" + pair.partner_name() +
-        "' to which they are tied, so that the tie would be lost there, must hold both" +
-        (pair.partners().size() == 1 ? ", or 'Slave side' must be the other one." : "."));
+      pair.source().require(
+        n_held_alone == 0, "Boundary conditions/Prescribed displacement",
+        "holds " + std::to_string(n_held_alone) + " nodes of boundary '" + pair.name() +
+          "', but not those of '" + pair.partner_name() +
+          "' to which they are tied, so that the tie would be lost there, must hold "
+          "both" +
+          (pair.partners().size() == 1 ? ", or 'Slave side' must be the other one" : ""));
     }
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick, all
     // over: two balls side by side do so where they look away from each other.
     void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar)
     {
-      if (mortar.slaves.empty() && mortar.deepest_left_out > 0.)
-        throw InputError(pair.source().describe("Boundary conditions/Obstacle") +
-                         ", boundary '" + pair.name() + "' is " +
-                         format("%.3g", mortar.deepest_left_out) + " behind '" +
-                         pair.partner_name() + "', and a body of both is only " +
-                         format("%.3g", mortar.thickness) +
-                         " thick, must lie opposite to it but for a small interference.");
+      pair.source().require(
+        !mortar.slaves.empty() || !(mortar.deepest_left_out > 0.), obstacle_entry,
+        "boundary '" + pair.name() + "' is " + format("%.3g", mortar.deepest_left_out) +
+          " behind '" + pair.partner_name() + "', and a body of both is only " +
+          format("%.3g", mortar.thickness) +
+          " thick, must lie opposite to it but for a small interference");
     }
 
     using Boundaries = std::vector<types::boundary_id>;
@@ -141,15 +140,13 @@ namespace stiction
       // Throws InputError if the slave of a pair bears other forces already.
       void require_one_contact(const ContactBoundary &pair) const
       {
-        if (bearing_.count(pair.id()) > 0)
-          throw InputError(pair.source().describe("Boundary conditions/Slave side") +
-                           ", boundary '" + pair.name() +
-                           "' would bear the forces of its pair with '" +
-                           pair.partner_name() +
-                           "' and those of another contact, must do so once: say the "
-                           "other side, name all that lies opposite in one 'Obstacle = "
-                           "boundary : NAME, NAME', or make boundaries of their own of "
-                           "the parts.");
+        pair.source().require(
+          bearing_.count(pair.id()) == 0, "Boundary conditions/Slave side",
+          "boundary '" + pair.name() + "' would bear the forces of its pair with '" +
+            pair.partner_name() +
+            "' and those of another contact, must do so once: say the other side, name "
+            "all that lies opposite in one 'Obstacle = boundary : NAME, NAME', or make "
+            "boundaries of their own of the parts");
       }
 
       void add(const ContactBoundary &pair)
@@ -270,8 +267,7 @@ namespace stiction
               pair.take_side(false, side.reason);
             }
           if (pair.is_tied())
-            if (const unsigned int lost = n_held_alone(elasticity, mortar); lost > 0)
-              refuse_lost_tie(pair, lost);
+            require_tie(pair, n_held_alone(elasticity, mortar));
           has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
           bearers.add(pair);
           require_side_by_side(pair, mortar);
@@ -292,11 +288,11 @@ namespace stiction
       return false;
     const ContactBoundary &boundary = boundary_of(node);
     if (boundary.partners().size() > 1 && mortar.areas(i) > covered_twice * node.area)
-      throw InputError(boundary.source().describe("Boundary conditions/Obstacle") +
-                       ", of '" + boundary.partner_name() +
-                       "' one lies behind another at (" + text_of(node.position) +
-                       "), must lie side by side: leave out what does not touch '" +
-                       boundary.name() + "'.");
+      boundary.source().refuse(
+        obstacle_entry, "of '" + boundary.partner_name() +
+                          "' one lies behind another at (" + text_of(node.position) +
+                          "), must lie side by side: leave out what does not touch '" +
+                          boundary.name() + "'");
     node.cover           = mortar.areas(i) / node.area;
     node.area            = mortar.areas(i);
     node.mesh_gap        = mortar.gaps(i);

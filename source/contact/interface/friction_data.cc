@@ -1,5 +1,5 @@
-#include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 namespace stiction
@@ -39,10 +38,9 @@ namespace stiction
     , entry(entry)
   {
     const auto n_formulas = 1 + std::count(expression.begin(), expression.end(), ';');
-    if (n_formulas > 2)
-      throw InputError(source.describe(entry) +
-                       ", must be one formula, or two separated by ';' for "
-                       "the two principal directions.");
+    source.require(n_formulas <= 2, entry,
+                   "must be one formula, or two separated by ';' for the two principal "
+                   "directions");
     function = std::make_unique<ParsedFunction>(
       expression, static_cast<unsigned int>(n_formulas), source.locate(entry), time,
       std::vector<std::string>{"pressure", "slip"});
@@ -62,15 +60,14 @@ namespace stiction
     const double first = value(0), second = is_one ? first : value(1);
 
     const auto refuse = [&](const std::string &allowed) {
-      std::ostringstream message;
-      message << source.describe(entry) << ", gives " << first;
-      if (!is_one)
-        message << " and " << second;
-      message << " at (" << p << ')' << function->time_in_words();
-      if (function->has_quantities())
-        message << ", pressure = " << rubbing.pressure << ", slip = " << rubbing.slip;
-      message << ", must be " << allowed << ".";
-      throw InputError(message.str());
+      source.refuse(
+        entry,
+        text_of("gives ", first, is_one ? "" : text_of(" and ", second), " at (", p, ')',
+                function->time_in_words(),
+                function->has_quantities()
+                  ? text_of(", pressure = ", rubbing.pressure, ", slip = ", rubbing.slip)
+                  : "",
+                ", must be ", allowed));
     };
     if (first < 0. || second < 0.)
       refuse(function->has_quantities() ? ">= 0 whatever the pressure and the slip"
@@ -127,9 +124,8 @@ namespace stiction
 
   void FrictionData::refuse_ratio() const
   {
-    throw InputError(source_.describe(bound_->entry) +
-                     ", the two formulas must have the same ratio whatever the "
-                     "pressure and the slip.");
+    source_.refuse(bound_->entry, "the two formulas must have the same ratio whatever "
+                                  "the pressure and the slip");
   }
 
   void FrictionData::set(ContactNode &node) const
@@ -166,13 +162,10 @@ namespace stiction
     const std::optional<double> radius =
       set_friction_ellipse(node, values[0], values[1], direction);
     if (!radius)
-      {
-        std::ostringstream message;
-        message << source_.describe(direction_entry) << ", gives (" << *direction
-                << ") at (" << node.position
-                << "), must have a part tangential to the contact boundary everywhere.";
-        throw InputError(message.str());
-      }
+      source_.refuse(direction_entry,
+                     text_of("gives (", *direction, ") at (", node.position,
+                             "), must have a part tangential to the contact boundary "
+                             "everywhere"));
     (is_coulomb ? node.coefficient : node.slip_stress) = *radius;
   }
 } // namespace stiction

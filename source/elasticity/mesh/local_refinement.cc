@@ -58,11 +58,12 @@ namespace stiction
                 if (is_wanted(cell, f) || is_below_wanted(cell, f))
                   is_any = is_cut[cell->active_cell_index()] = true;
         });
-        if (k == 0 && !dealii::Utilities::MPI::logical_or(is_any, body.communicator()))
-          throw InputError(source.describe(where) +
-                           ", is above 0 at the centre of no face of a contact boundary, "
-                           "must be at one: faces may be larger than what it speaks of, "
-                           "'Geometry/Global refinement' makes them smaller.");
+        source.require(
+          k > 0 || dealii::Utilities::MPI::logical_or(is_any, body.communicator()), where,
+          "is above 0 at the centre of no face of a contact boundary, must be at one: "
+          "faces may be larger than what it speaks of, 'Geometry/Global refinement' "
+          "makes "
+          "them smaller");
         body.refine(is_cut);
       }
   }

@@ -387,9 +387,8 @@ namespace stiction
     body.set_material_ids([&](const dealii::Point<3> &centre) {
       const double id = formula.value(centre);
       if (!(id >= 0. && id <= 1000. && id == std::floor(id)))
-        throw InputError(text_of(parameters.source.describe(entry), ", gives ", id,
-                                 " at (", centre,
-                                 "), must be an integer from 0 to 1000."));
+        parameters.source.refuse(entry, text_of("gives ", id, " at (", centre,
+                                                "), must be an integer from 0 to 1000"));
       return static_cast<material_id>(id);
     });
   }

@@ -86,11 +86,11 @@ namespace stiction
       {
         const auto now  = item.value().get<std::string>();
         const auto then = identity.at("entries").value(item.key(), std::string());
-        if (item.key() != mesh_file && without_blanks(now) != without_blanks(then))
-          throw InputError(
-            parameters.source.describe(item.key()) +
-            ", must be what it was in the checkpoint " + checkpoint +
-            (then.empty() ? ", where it has no value." : ", '" + then + "'."));
+        parameters.source.require(
+          item.key() == mesh_file || without_blanks(now) == without_blanks(then),
+          item.key(),
+          "must be what it was in the checkpoint " + checkpoint +
+            (then.empty() ? ", where it has no value" : ", '" + then + "'"));
       }
     if (here.value("mesh_files", json()) != identity.value("mesh_files", json()))
       throw InputError(parameters.source.file() +
@@ -98,9 +98,9 @@ namespace stiction
                        "had in the checkpoint " +
                        checkpoint + ".");
     if (here.value("mesh_file", json()) != identity.value("mesh_file", json()))
-      throw InputError(parameters.source.describe(mesh_file) +
-                       ", must have the content that it had in the checkpoint " +
-                       checkpoint + ", where its name was '" +
-                       identity.at("entries").value(mesh_file, std::string()) + "'.");
+      parameters.source.refuse(
+        mesh_file, "must have the content that it had in the checkpoint " + checkpoint +
+                     ", where its name was '" +
+                     identity.at("entries").value(mesh_file, std::string()) + "'");
   }
 } // namespace stiction

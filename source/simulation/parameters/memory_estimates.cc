@@ -86,12 +86,11 @@ namespace stiction
     const double bytes =
       memory_for_dual_operator(parameters, n_dual_unknowns, communicator);
     const double available = available_memory(communicator);
-    if (bytes > available)
-      throw InputError(parameters.source.describe("Dual operator/Form") +
-                       format(", needs %.3g GB of memory for %.0f dual "
-                              "unknowns, at most %.3g GB are here, must be "
-                              "'by solves' for a mesh as fine as this.",
-                              bytes / 1e9, n_dual_unknowns, available / 1e9));
+    parameters.source.require(
+      bytes <= available, "Dual operator/Form",
+      format("needs %.3g GB of memory for %.0f dual unknowns, at most %.3g GB are here, "
+             "must be 'by solves' for a mesh as fine as this",
+             bytes / 1e9, n_dual_unknowns, available / 1e9));
   }
 
   void print_memory(Log &log, const Parameters &parameters, const double n_cells,

@@ -140,13 +140,12 @@ namespace stiction
       if (const ContactBoundary &pair = surface.boundary_of(node);
           pair.is_pair() && pair.keeps_mesh_gap() && node.own_part == 1. &&
           node.gap < node.mesh_gap)
-        throw InputError(pair.source().describe("Boundary conditions/Initial gap") +
-                         ", closes no gap between '" + pair.name() + "' and '" +
-                         pair.partner_name() +
-                         format("', which their meshes have, up to %.3g, must be larger; "
-                                "'Mesh gap = removed' takes away what facets keep round "
-                                "surfaces apart.",
-                                node.mesh_gap));
+        pair.source().refuse(
+          "Boundary conditions/Initial gap",
+          "closes no gap between '" + pair.name() + "' and '" + pair.partner_name() +
+            format("', which their meshes have, up to %.3g, must be larger; 'Mesh gap = "
+                   "removed' takes away what facets keep round surfaces apart",
+                   node.mesh_gap));
     MissingEntries missing;
     add_load(missing, boundaries, examples_in(parameters.output.units));
     missing.refuse_if_any(parameters, boundaries);

@@ -1,4 +1,3 @@
-#include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/elasticity/mesh/placed_body.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -161,10 +160,10 @@ namespace stiction
 
   void Parameters::check_method(const bool is_coulomb) const
   {
-    if (contact_solver.method == "squares" && is_coulomb)
-      throw InputError(source.describe("Contact solver/Method") +
-                       ", is the comparison of the paper's experiment with given "
-                       "friction, must be another one for Coulomb friction.");
+    source.require(
+      contact_solver.method != "squares" || !is_coulomb, "Contact solver/Method",
+      "is the comparison of the paper's experiment with given friction, must "
+      "be another one for Coulomb friction");
   }
 
   bool Parameters::is_refused(const std::string &method, const bool has_body) const

@@ -1,4 +1,3 @@
-#include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/phases.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -73,12 +72,12 @@ namespace stiction
             dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
             return;
           }
-        throw InputError(
-          parameters.source.describe("Boundary conditions/Slave side") +
-          ", makes bodies follow each other in a circle where contact pairs meet at a "
+        parameters.source.refuse(
+          "Boundary conditions/Slave side",
+          "makes bodies follow each other in a circle where contact pairs meet at a "
           "node, must say 'boundary' or 'obstacle' for each pair so that they do not, "
           "for 'Contact solver/Method = newton multigrid'; the method 'newton' takes "
-          "these.");
+          "these");
       }
   }
 

@@ -68,8 +68,10 @@ namespace stiction
     /// about an entry that is empty.
     std::string describe_missing(const std::string &entry) const;
 
-    /// Throws InputError about the value of the entry, "..., must be positive.", unless
-    /// the condition holds.
+    /// Throws InputError about the value of the entry, "..., must be positive.".
+    [[noreturn]] void refuse(const std::string &entry, const std::string &allowed) const;
+
+    /// Does so unless the condition holds.
     void require(bool condition, const std::string &entry,
                  const std::string &allowed) const;
 
