@@ -11,13 +11,13 @@
 #include <stiction/contact/pairs/slave_side.h>
 #include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/contact/pairs/surface_face.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -309,19 +309,13 @@ namespace stiction
     const std::vector<ContactNode> &nodes) const
   {
     const auto n_rows = static_cast<Eigen::Index>(nodes.size());
-    std::map<types::global_dof_index, Eigen::Index> column;
+    std::vector<types::global_dof_index> masters;
     for (const auto &of_parts : mortars_)
       for (const Mortar &mortar : of_parts)
-        for (const auto dof : mortar.masters)
-          column.emplace(dof, 0);
-    if (column.empty())
+        masters.insert(masters.end(), mortar.masters.begin(), mortar.masters.end());
+    if (masters.empty())
       return {};
-    std::vector<types::global_dof_index> masters;
-    for (auto &[dof, number] : column)
-      {
-        number = static_cast<Eigen::Index>(masters.size());
-        masters.push_back(dof);
-      }
+    sort_once(masters);
     using Matrix          = decltype(Mortar::weights);
     const auto of_mortars = [&](const Matrix Mortar::*const of_mortar) {
       std::vector<Eigen::Triplet<double>> entries;
@@ -332,7 +326,8 @@ namespace stiction
             for (Matrix::InnerIterator a(mortar.*of_mortar,
                                          mortar.row_of(nodes[i].first_dof));
                  a; ++a)
-              entries.emplace_back(i, column.at(mortar.masters[a.col()]), a.value());
+              entries.emplace_back(i, place_in(masters, mortar.masters[a.col()]),
+                                   a.value());
           }
       Matrix matrix(n_rows, static_cast<Eigen::Index>(masters.size()));
       matrix.setFromTriplets(entries.begin(), entries.end());
@@ -360,11 +355,8 @@ namespace stiction
   {
     if (!B_.has_other_side())
       return; // Eigen knows no product of sparse matrices without columns
-    const auto &other = B_.other_side();
-    Eigen::VectorXd areas(n_nodes());
-    for (Eigen::Index i = 0; i < n_nodes(); ++i)
-      areas(i) = nodes_[i].area;
-    to_other_side_                 = other.weights.transpose() * areas.asDiagonal();
+    const auto &other              = B_.other_side();
+    to_other_side_                 = other.weights.transpose() * areas_.asDiagonal();
     const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
     for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
       to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;

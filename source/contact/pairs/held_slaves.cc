@@ -1,11 +1,11 @@
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stiction
@@ -32,8 +32,7 @@ namespace stiction
     std::vector<dealii::types::global_dof_index> nodes;
     for (const SurfaceFace &face : faces)
       nodes.insert(nodes.end(), face.dofs.begin(), face.dofs.begin() + face.n_nodes());
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_once(nodes);
     return !prescribed_of(elasticity, DofSubset::of_nodes(nodes)).isZero(0.);
   }
 

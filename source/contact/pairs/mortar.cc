@@ -3,6 +3,7 @@
 #include <stiction/base/all_gather.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/smooth_parts.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
@@ -30,14 +31,6 @@ namespace stiction
 
     // Entries of the weights that come of long chains of hanging nodes: less is rounding.
     constexpr double no_weight = 1e-15;
-
-    BoundingBox<3> box_of(const SurfaceFace &face)
-    {
-      std::vector<Point<3>> points;
-      for (unsigned int i = 0; i < face.n_nodes(); ++i)
-        points.push_back(face.node(i));
-      return {points};
-    }
 
     // What the face can see along its normal.
     BoundingBox<3> box_of_sight(const SurfaceFace &face, const double reach)
@@ -105,7 +98,7 @@ namespace stiction
       {
         std::vector<BoundingBox<3>> boxes;
         for (const SurfaceFace &face : faces)
-          boxes.push_back(box_of(face));
+          boxes.push_back(box_of_sight(face, 0.));
         return boxes;
       }
 
@@ -129,7 +122,7 @@ namespace stiction
     class Numbering
     {
     public:
-      Numbering(const LinearElasticity &elasticity, const std::set<Dof> &nodes)
+      Numbering(const LinearElasticity &elasticity, const std::vector<Dof> &nodes)
       {
         const Body &body = elasticity.body();
         struct Weight
@@ -145,19 +138,16 @@ namespace stiction
               own.push_back({node, other, weight});
         for (const Weight &entry : all_gather(own, body.communicator()))
           hanging_[entry.node].emplace_back(entry.other, entry.weight);
-        std::set<Dof> parents;
         for (const Dof node : nodes)
           {
             const auto hanging = hanging_.find(node);
             if (hanging == hanging_.end())
-              parents.insert(node);
+              dofs.push_back(node);
             else
               for (const auto &[other, weight] : hanging->second)
-                parents.insert(other);
+                dofs.push_back(other);
           }
-        dofs.assign(parents.begin(), parents.end());
-        for (std::size_t i = 0; i < dofs.size(); ++i)
-          number_[dofs[i]] = static_cast<Eigen::Index>(i);
+        sort_once(dofs);
       }
 
       // C: the given nodes by those that do not hang.
@@ -168,10 +158,10 @@ namespace stiction
           {
             const auto hanging = hanging_.find(nodes[i]);
             if (hanging == hanging_.end())
-              entries.emplace_back(i, number_.at(nodes[i]), 1.);
+              entries.emplace_back(i, place_in(dofs, nodes[i]), 1.);
             else
               for (const auto &[other, weight] : hanging->second)
-                entries.emplace_back(i, number_.at(other), weight);
+                entries.emplace_back(i, place_in(dofs, other), weight);
           }
         SparseMatrix C(static_cast<Eigen::Index>(nodes.size()),
                        static_cast<Eigen::Index>(dofs.size()));
@@ -185,7 +175,6 @@ namespace stiction
 
     private:
       std::map<Dof, std::vector<std::pair<Dof, double>>> hanging_;
-      std::map<Dof, Eigen::Index> number_;
     };
 
     std::vector<FaceShare> integrate(const LinearElasticity &elasticity,
@@ -195,7 +184,6 @@ namespace stiction
                                      double &left_out)
     {
       const MasterSurface masters(master_faces);
-
       // each rank takes its share of the list
       MPI_Comm communicator      = elasticity.body().communicator();
       const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
@@ -210,73 +198,81 @@ namespace stiction
       left_out = Utilities::MPI::max(left_out, communicator);
       return all_gather(shares, communicator);
     }
+
+    // What the shares add up to at all nodes that they are of, hanging ones too.
+    struct Integrals
+    {
+      explicit Integrals(const std::vector<FaceShare> &shares)
+      {
+        for (const FaceShare &share : shares)
+          if (share.master == numbers::invalid_dof_index)
+            slaves.push_back(share.slave);
+          else
+            masters.push_back(share.master);
+        sort_once(slaves);
+        sort_once(masters);
+        const auto n = static_cast<Eigen::Index>(slaves.size());
+        D = gaps = moduli        = Eigen::VectorXd::Zero(n);
+        opposite                 = Eigen::MatrixX3d::Zero(n, 3);
+        Eigen::VectorXd smallest = Eigen::VectorXd::Constant(n, 1e300),
+                        largest  = -smallest;
+        std::vector<Eigen::Triplet<double>> entries, common;
+        for (const FaceShare &share : shares)
+          {
+            const auto i = static_cast<Eigen::Index>(place_in(slaves, share.slave));
+            if (share.master != numbers::invalid_dof_index)
+              {
+                const std::size_t j = place_in(masters, share.master);
+                entries.emplace_back(i, j, share.value);
+                common.emplace_back(i, j, share.overlap);
+                continue;
+              }
+            D(i) += share.value;
+            gaps(i) += share.gap;
+            smallest(i) = std::min(smallest(i), share.smallest);
+            largest(i)  = std::max(largest(i), share.largest);
+            moduli(i)   = std::max(moduli(i), share.modulus);
+            opposite.row(i) += Eigen::RowVector3d::Map(share.normal.data());
+          }
+        M.resize(n, static_cast<Eigen::Index>(masters.size()));
+        overlaps = M;
+        M.setFromTriplets(entries.begin(), entries.end());
+        overlaps.setFromTriplets(common.begin(), common.end());
+        for (Eigen::Index i = 0; i < n; ++i)
+          if (D(i) > 0.)
+            gaps(i) = D(i) * std::clamp(gaps(i) / D(i), smallest(i), largest(i));
+      }
+
+      std::vector<Dof> slaves, masters;
+      Eigen::VectorXd D, gaps, moduli; // gaps: times D
+      Eigen::MatrixX3d opposite;
+      SparseMatrix M, overlaps;
+    };
   } // namespace
 
   Mortar::Mortar(const LinearElasticity &elasticity,
                  const std::vector<SurfaceFace> &slave_faces,
                  const std::vector<SurfaceFace> &master_faces)
   {
-    std::set<Dof> slave_nodes, master_nodes;
     if (slave_faces.empty() || master_faces.empty())
       return;
     const double reach =
       std::min(slave_faces.front().surface_size, master_faces.front().surface_size);
     thickness = std::min(slave_faces.front().thickness, master_faces.front().thickness);
     facets    = depth_of_facets(slave_faces) + depth_of_facets(master_faces);
-    const auto shares = integrate(elasticity, slave_faces, master_faces, reach, thickness,
-                                  deepest_left_out);
-    for (const FaceShare &share : shares)
-      if (share.master == numbers::invalid_dof_index)
-        slave_nodes.insert(share.slave);
-      else
-        master_nodes.insert(share.master);
-    const std::vector<Dof> on_slave(slave_nodes.begin(), slave_nodes.end());
-    const std::vector<Dof> on_master(master_nodes.begin(), master_nodes.end());
-    const auto number = [](const std::vector<Dof> &list, const Dof dof) {
-      return std::lower_bound(list.begin(), list.end(), dof) - list.begin();
-    };
-
-    const auto n      = static_cast<Eigen::Index>(on_slave.size());
-    Eigen::VectorXd D = Eigen::VectorXd::Zero(n), weighted = D, moduli = D,
-                    smallest = Eigen::VectorXd::Constant(n, 1e300), largest = -smallest;
-    Eigen::MatrixX3d opposite = Eigen::MatrixX3d::Zero(n, 3);
-    std::vector<Eigen::Triplet<double>> entries, common;
-    for (const FaceShare &share : shares)
-      {
-        const auto i = number(on_slave, share.slave);
-        if (share.master != numbers::invalid_dof_index)
-          {
-            const auto j = number(on_master, share.master);
-            entries.emplace_back(i, j, share.value);
-            common.emplace_back(i, j, share.overlap);
-            continue;
-          }
-        D(i) += share.value;
-        weighted(i) += share.gap;
-        smallest(i) = std::min(smallest(i), share.smallest);
-        largest(i)  = std::max(largest(i), share.largest);
-        moduli(i)   = std::max(moduli(i), share.modulus);
-        opposite.row(i) += Eigen::RowVector3d::Map(share.normal.data());
-      }
-    SparseMatrix M(n, static_cast<Eigen::Index>(on_master.size())), W = M;
-    M.setFromTriplets(entries.begin(), entries.end());
-    W.setFromTriplets(common.begin(), common.end());
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (D(i) > 0.)
-        weighted(i) = D(i) * std::clamp(weighted(i) / D(i), smallest(i), largest(i));
-
-    const Numbering of_slave(elasticity, slave_nodes),
-      of_master(elasticity, master_nodes);
+    const Integrals all(integrate(elasticity, slave_faces, master_faces, reach, thickness,
+                                  deepest_left_out));
+    const Numbering of_slave(elasticity, all.slaves), of_master(elasticity, all.masters);
     slaves  = of_slave.dofs;
     masters = of_master.dofs;
     if (slaves.empty())
       return;
-    const SparseMatrix C         = of_slave.matrix(on_slave);
-    const SparseMatrix C_master  = of_master.matrix(on_master);
-    const SparseMatrix M_hanging = C.transpose() * M * C_master;
-    overlaps                     = C.cwiseAbs().transpose() * W * C_master.cwiseAbs();
-    areas                        = C.transpose() * D;
-    normals = (C.cwiseAbs().transpose() * opposite).rowwise().normalized();
+    const SparseMatrix C         = of_slave.matrix(all.slaves);
+    const SparseMatrix C_master  = of_master.matrix(all.masters);
+    const SparseMatrix M_hanging = C.transpose() * all.M * C_master;
+    overlaps = C.cwiseAbs().transpose() * all.overlaps * C_master.cwiseAbs();
+    areas    = C.transpose() * all.D;
+    normals  = (C.cwiseAbs().transpose() * all.opposite).rowwise().normalized();
     const std::set<Dof> rim = rim_of(slave_faces);
     for (std::size_t i = 0; i < slaves.size(); ++i)
       if (rim.count(slaves[i]) == 0)
@@ -284,27 +280,28 @@ namespace stiction
     youngs_moduli = Eigen::VectorXd::Zero(areas.size());
     for (Eigen::Index j = 0; j < C.cols(); ++j)
       for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
-        youngs_moduli(j) = std::max(youngs_moduli(j), moduli(entry.row()));
+        youngs_moduli(j) = std::max(youngs_moduli(j), all.moduli(entry.row()));
     if (of_slave.has_hanging_nodes())
       {
-        const SparseMatrix D_hanging = C.transpose() * D.asDiagonal() * C;
+        const SparseMatrix D_hanging = C.transpose() * all.D.asDiagonal() * C;
         const Eigen::SparseLU<SparseMatrix> inverse(D_hanging);
         weights = SparseMatrix(inverse.solve(M_hanging));
-        gaps    = inverse.solve(C.transpose() * weighted);
+        gaps    = inverse.solve(C.transpose() * all.gaps);
       }
     else
       {
         const Eigen::VectorXd inverse = areas.cwiseInverse();
         weights                       = inverse.asDiagonal() * M_hanging;
-        gaps                          = inverse.cwiseProduct(C.transpose() * weighted);
+        gaps                          = inverse.cwiseProduct(C.transpose() * all.gaps);
       }
     weights.prune(1., no_weight);
   }
 
   Eigen::Index Mortar::row_of(const types::global_dof_index slave) const
   {
-    const auto row = std::lower_bound(slaves.begin(), slaves.end(), slave);
-    return row != slaves.end() && *row == slave ? row - slaves.begin() : -1;
+    const std::size_t row = place_in(slaves, slave);
+    return row < slaves.size() && slaves[row] == slave ? static_cast<Eigen::Index>(row)
+                                                       : -1;
   }
 
   bool Mortar::is_of_both(const types::global_dof_index slave) const

@@ -1,6 +1,7 @@
 #include <stiction/base/all_gather.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/levels/level_transfer.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
@@ -196,21 +197,16 @@ namespace stiction
               {coarse.first_dof(nodes[k]), static_cast<unsigned int>(j) - 1, n});
       });
     weights = all_gather(weights, coarse.communicator());
-    std::map<types::global_dof_index, std::size_t> column;
-    for (const Weight &weight : weights)
-      column[weight.coarse] = 0;
     Dofs masters;
-    for (auto &[dof, number] : column)
-      {
-        number = masters.size();
-        masters.push_back(dof);
-      }
+    for (const Weight &weight : weights)
+      masters.push_back(weight.coarse);
+    sort_once(masters);
     std::vector<Eigen::Triplet<double>> interpolated, chosen;
     Eigen::VectorXd ground =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(masters.size()));
     for (const Weight &weight : weights)
       {
-        const std::size_t j = column[weight.coarse];
+        const std::size_t j = place_in(masters, weight.coarse);
         interpolated.emplace_back(weight.fine, j, 1. / weight.n);
         ground(static_cast<Eigen::Index>(j)) += ground_(weight.fine) / weight.n;
       }

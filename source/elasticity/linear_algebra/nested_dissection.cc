@@ -1,4 +1,5 @@
 #include <stiction/elasticity/linear_algebra/nested_dissection.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,12 +17,6 @@ namespace stiction
     using Edge  = std::array<int, 2>;
     using Edges = std::vector<Edge>;
 
-    void make_unique(Edges &edges)
-    {
-      std::sort(edges.begin(), edges.end());
-      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    }
-
     // The edges of the graph of the nodes, all of them on rank 0.
     Edges gather_node_graph(const std::vector<int> &rows, const std::vector<int> &columns,
                             MPI_Comm communicator)
@@ -33,7 +28,7 @@ namespace stiction
           if (edge[0] != edge[1] && (mine.empty() || mine.back() != edge))
             mine.push_back(edge);
         }
-      make_unique(mine);
+      sort_once(mine);
 
       Edges all;
       for (const Edges &theirs : dealii::Utilities::MPI::gather(communicator, mine, 0))
@@ -42,7 +37,7 @@ namespace stiction
             all.push_back(edge);
             all.push_back({{edge[1], edge[0]}});
           }
-      make_unique(all);
+      sort_once(all);
       return all;
     }
 

@@ -1,4 +1,5 @@
 #include <stiction/elasticity/kernels/cell_stiffness.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 
@@ -6,7 +7,6 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <algorithm>
 #include <set>
 
 namespace stiction
@@ -100,8 +100,7 @@ namespace stiction
     else if (Utilities::MPI::n_mpi_processes(body_.communicator()) > 1)
       for_each_own_cell(add_with_siblings);
 
-    std::sort(ghosts.begin(), ghosts.end());
-    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    sort_once(ghosts);
     IndexSet ghost_set(owned.size());
     ghost_set.add_indices(ghosts.begin(), ghosts.end());
     partitioner_ = std::make_shared<const Utilities::MPI::Partitioner>(

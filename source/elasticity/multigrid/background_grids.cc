@@ -1,5 +1,6 @@
 #include "cube_lattices.h"
 
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/multigrid/background_grids.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -117,9 +118,7 @@ namespace stiction
         if (const auto [low, high] = std::minmax(grid.of_piece[a], grid.of_piece[b]);
             low != high)
           grid.links.emplace_back(low, high);
-      std::sort(grid.links.begin(), grid.links.end());
-      grid.links.erase(std::unique(grid.links.begin(), grid.links.end()),
-                       grid.links.end());
+      sort_once(grid.links);
     }
 
     // Corners at one place of cubes that hang together are one vertex.
@@ -134,8 +133,7 @@ namespace stiction
 
       void unite(std::vector<unsigned int> &cubes)
       {
-        std::sort(cubes.begin(), cubes.end());
-        cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
+        sort_once(cubes);
         if (cubes.size() < 2)
           return;
         corners_.clear();

@@ -2,6 +2,7 @@
 #include "springs_between_bodies.h"
 
 #include <stiction/base/all_gather.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
@@ -83,8 +84,7 @@ namespace stiction
       for (const unsigned int i : numbers)
         for (Interpolation::InnerIterator entry(matrix, i); entry; ++entry)
           columns.push_back(static_cast<unsigned int>(entry.col()));
-      std::sort(columns.begin(), columns.end());
-      columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+      sort_once(columns);
       return columns;
     }
 
@@ -116,10 +116,7 @@ namespace stiction
             weights_[i].clear();
             for (Interpolation::InnerIterator entry(interpolation_, nodes[i]); entry;
                  ++entry)
-              weights_[i].emplace_back(
-                std::lower_bound(vertices.begin(), vertices.end(), entry.col()) -
-                  vertices.begin(),
-                entry.value());
+              weights_[i].emplace_back(place_in(vertices, entry.col()), entry.value());
             for (unsigned int j = 0; j < n; ++j)
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
@@ -299,8 +296,7 @@ namespace stiction
           to_finer = &grid.to_finer();
         for (std::size_t i = 0; i < rows.size(); ++i)
           for (Interpolation::InnerIterator entry(*to_finer, rows[i]); entry; ++entry)
-            springs[std::lower_bound(touched.begin(), touched.end(), entry.col()) -
-                    touched.begin()] += entry.value() * finer[i];
+            springs[place_in(touched, entry.col())] += entry.value() * finer[i];
         grid.set_springs(springs, between.empty() ? nullptr
                                                   : std::make_unique<BlockMatrix>(
                                                       std::move(between[g])));

@@ -2,6 +2,7 @@
 #include <stiction/elasticity/linear_algebra/host_vector.h>
 #include <stiction/elasticity/linear_algebra/matrix_rows.h>
 #include <stiction/elasticity/linear_algebra/mumps_factorization.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
@@ -62,8 +63,7 @@ namespace stiction
             for (unsigned int c = 0; c < 3; ++c)
               columns.push_back(column / 3 * 3 + c);
           });
-          std::sort(columns.begin(), columns.end());
-          columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+          sort_once(columns);
           for (const auto of_same_node : of_node)
             pattern.add_entries(of_same_node, columns.begin(), columns.end(), true);
         }

@@ -1,6 +1,7 @@
 #include "springs_between_bodies.h"
 
-#include <algorithm>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
+
 #include <map>
 
 namespace stiction
@@ -8,13 +9,6 @@ namespace stiction
   namespace
   {
     using Interpolation = BackgroundMultigrid::Interpolation;
-
-    unsigned int place_in(const std::vector<unsigned int> &sorted,
-                          const Eigen::Index vertex)
-    {
-      return static_cast<unsigned int>(
-        std::lower_bound(sorted.begin(), sorted.end(), vertex) - sorted.begin());
-    }
   } // namespace
 
   BackgroundMultigrid::SpringsBetweenBodies::SpringsBetweenBodies(
