@@ -238,15 +238,12 @@ namespace stiction
                              const std::map<std::string, MeshNames::Id> &materials,
                              const std::string &how_to_name)
   {
-    std::set<MeshNames::Id> boundary_ids, material_ids;
+    std::set<MeshNames::Id> material_ids;
     for (const auto &cell : triangulation_.active_cell_iterators())
-      {
-        material_ids.insert(cell->material_id());
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            boundary_ids.insert(face->boundary_id());
-      }
-    origin_.boundary_names = MeshNames("boundary", boundary_ids, boundaries, how_to_name);
+      material_ids.insert(cell->material_id());
+    const auto boundary_ids = triangulation_.get_boundary_ids();
+    origin_.boundary_names  = MeshNames(
+       "boundary", {boundary_ids.begin(), boundary_ids.end()}, boundaries, how_to_name);
     origin_.material_names = MeshNames("material", material_ids, materials);
   }
 

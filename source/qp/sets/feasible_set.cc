@@ -119,9 +119,8 @@ namespace stiction::qp
                                            const unsigned int n_intervals)
     : Intervals(half_widths, n_intervals)
   {
-    for (const double half_width : half_widths)
-      if (!(half_width >= 0.))
-        throw std::invalid_argument("the half-width of a box must be >= 0");
+    if (!(half_widths.array() >= 0.).all())
+      throw std::invalid_argument("the half-width of a box must be >= 0");
   }
 
   // ---------------------------------------------------------------- Discs
@@ -130,9 +129,8 @@ namespace stiction::qp
     : FeasibleSet(radii.size(), 2)
     , radii_(std::move(radii))
   {
-    for (const double radius : radii_)
-      if (!(radius >= 0.))
-        throw std::invalid_argument("the radius of a disc must be >= 0");
+    if (!(radii_.array() >= 0.).all())
+      throw std::invalid_argument("the radius of a disc must be >= 0");
   }
 
   void Discs::project(Eigen::VectorXd &x) const
