@@ -27,6 +27,9 @@ namespace stiction
     // Times the size of the body: an obstacle in other units is farther away.
     constexpr double far_away = 10.;
 
+    // Of what a body is thick: obstacles that reach deeper into it are on the wrong side.
+    constexpr double deep = 0.5;
+
     // Between a normal and the mean of a boundary's: facets of a flat one have less.
     constexpr double cosine_of_flat = 0.99;
 
@@ -144,11 +147,19 @@ namespace stiction
     const Eigen::VectorXd gaps = contact_surface().gaps();
     const double rounding      = 1e-9 * body_->diameter();
     const auto n               = (gaps.array() < -rounding).count();
+    double thickness           = body_->diameter();
+    for (const Piece &piece : body_->pieces())
+      for (unsigned int c = 0; c < 3; ++c)
+        thickness = std::min(thickness, piece.box.side_length(c));
     if (n > 0)
       log_->line(text_of("  ", n,
                          n == 1 ? " contact node overlaps" : " contact nodes overlap",
                          " the obstacle before the body gives way, by up to ",
-                         with_unit(format("%.3g", -gaps.minCoeff()), units_.length)));
+                         with_unit(format("%.3g", -gaps.minCoeff()), units_.length),
+                         -gaps.minCoeff() > deep * thickness
+                           ? ", more than half of what a body is thick: is the obstacle "
+                             "on the right side?"
+                           : ""));
     if (gaps.size() > 0 && gaps.minCoeff() > far_away * body_->diameter())
       log_->line("  the nearest obstacle is " +
                  with_unit(format("%.3g", gaps.minCoeff()), units_.length) +

@@ -75,7 +75,8 @@ namespace stiction
                   "factor of two or more, otherwise that with smaller cells; the other "
                   "one if supports hold nodes of this one alone, which lack friction, or "
                   "if this one stands on an edge and is not 30 times softer; the "
-                  "boundary itself if several are opposite. Either gives the same answer "
+                  "boundary itself if several are opposite or 'Initial gap' is a formula "
+                  "of its places. Either gives the same answer "
                   "but for the error of the mesh, unless this side stands on an edge: "
                   "pressures act along its normals.");
     add_parameter("Mesh gap", mesh_gap,

@@ -175,23 +175,35 @@ namespace stiction
       SlaveOrder order_;
     };
 
+    // Whether either side may be the slave, as the user says: 'Initial gap' as a formula
+    // is one of the places of the boundary itself.
+    bool is_open(const ContactBoundary &pair, const std::vector<SurfaceFace> &own)
+    {
+      return pair.slave_side() == "automatic" && pair.partners().size() == 1 &&
+             std::all_of(own.begin(), own.end(), [&](const SurfaceFace &face) {
+               return pair.initial_gap(face.node(0)) ==
+                      pair.initial_gap(own.front().node(0));
+             });
+    }
+
     // The side that the user says, or the best one, unless another bears fewer forces or
     // closes no circle.
     SlaveSide choose_side(const ContactBoundary &pair, const SlaveSide &best,
-                          const Bearers &bearers)
+                          const Bearers &bearers, const bool may_choose)
     {
       const Boundaries own{pair.id()};
       const Boundaries &slave  = best.is_first ? own : pair.partners();
       const Boundaries &master = best.is_first ? pair.partners() : own;
       const unsigned int rank = bearers.rank(slave), other = bearers.rank(master);
       SlaveSide side = best;
-      if (pair.partners().size() > 1 || pair.slave_side() != "automatic")
+      if (!may_choose)
         {
           const bool is_best = (pair.slave_side() != "obstacle") == best.is_first;
           side               = is_best ? best : best.other("");
-          side.reason        = pair.slave_side() != "automatic"
-                                 ? "as 'Slave side' says"
-                                 : "the side that is one boundary";
+          side.reason        = pair.slave_side() != "automatic" ? "as 'Slave side' says"
+                               : pair.partners().size() > 1
+                                 ? "the side that is one boundary"
+                                 : "the side of whose places 'Initial gap' is a formula";
         }
       else if (rank > other)
         side = best.other("the side that bears no other ones");
@@ -225,10 +237,9 @@ namespace stiction
     bool may_change_sides(const ContactBoundary &pair, const SlaveSide &side,
                           const Bearers &bearers)
     {
-      return pair.partners().size() == 1 && pair.slave_side() == "automatic" &&
-             (pair.is_tied() ||
-              (!side.is_much_softer() && bearers.rank(pair.partners()) == 0 &&
-               !bearers.closes_circle(pair.partners(), {pair.id()})));
+      return pair.is_tied() ||
+             (!side.is_much_softer() && bearers.rank(pair.partners()) == 0 &&
+              !bearers.closes_circle(pair.partners(), {pair.id()}));
     }
   } // namespace
 
@@ -242,13 +253,13 @@ namespace stiction
         parts_.split(surface_faces(elasticity, {pair.id()}));
       else
         {
-          auto first           = surface_faces(elasticity, {pair.id()});
-          auto second          = surface_faces(elasticity, pair.partners());
-          const bool is_open   = pair.slave_side() == "automatic";
-          const SlaveSide best = is_open && pair.partners().size() == 1
-                                   ? automatic_slave_side(elasticity, first, second)
-                                   : choose_slave_side(first, second);
-          SlaveSide side       = choose_side(pair, best, bearers);
+          auto first            = surface_faces(elasticity, {pair.id()});
+          auto second           = surface_faces(elasticity, pair.partners());
+          const bool may_choose = is_open(pair, first);
+          const SlaveSide best  = may_choose
+                                    ? automatic_slave_side(elasticity, first, second)
+                                    : choose_slave_side(first, second);
+          SlaveSide side        = choose_side(pair, best, bearers, may_choose);
           pair.take_side(side.is_first, side.reason);
           bearers.require_one_contact(pair);
           if (!side.is_first)
@@ -257,7 +268,7 @@ namespace stiction
           if (pair.is_tied())
             require_close(pair, mortar, first);
           require_all_opposite(elasticity, pair, mortar);
-          if (may_change_sides(pair, side, bearers) &&
+          if (may_choose && may_change_sides(pair, side, bearers) &&
               !is_contact_boundary(pair.partners().front()) &&
               is_held_less(elasticity, pair, mortar, first, second))
             {

@@ -22,6 +22,9 @@ namespace stiction
     // Of the size of a cell: what is this near to it is on its surface.
     constexpr double same_place = 1e-6;
 
+    // Of the size of a cell.
+    constexpr double rounding = 1e-8;
+
     // Whether a point is in a coarse cell or on its surface.
     bool is_in(const Triangulation<3>::cell_iterator &cell, const Point<3> &p)
     {
@@ -74,6 +77,9 @@ namespace stiction
         const unsigned int piece             = place.first->second;
         piece_of_coarse_cell_[cell->index()] = piece;
         labels[piece].insert(name(cell));
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            at_boundary_[face->boundary_id()].insert(piece);
       }
     pieces_.clear();
     for (const std::string &name : names_of(labels))
@@ -99,8 +105,11 @@ namespace stiction
     std::vector<std::pair<BoundingBox<3>, Cell>> boxes;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       boxes.emplace_back(cell->bounding_box(), cell);
-    const auto tree     = pack_rtree(boxes);
-    const auto find_one = [&](const unsigned int piece, const Point<3> &p) {
+    const auto tree        = pack_rtree(boxes);
+    const double tolerance = rounding * triangulation.begin()->diameter();
+    const auto find_one    = [&](const unsigned int piece, const Point<3> &p) {
+      BoundingBox<3> at(std::make_pair(p, p));
+      at.extend(tolerance);
       for (unsigned int other = 0; other < pieces_.size(); ++other)
         {
           const auto pair = std::minmax(piece, other);
@@ -108,7 +117,7 @@ namespace stiction
               !pieces_[other].box.point_inside(p, same_place))
             continue;
           namespace bgi = boost::geometry::index;
-          for (auto found = tree.qbegin(bgi::intersects(p)); found != tree.qend();
+          for (auto found = tree.qbegin(bgi::intersects(at)); found != tree.qend();
                ++found)
             if (of(found->second) == other && is_in(found->second, p))
               pairs.insert(pair);
@@ -125,15 +134,12 @@ namespace stiction
     return {pairs.begin(), pairs.end()};
   }
 
-  std::set<unsigned int> MeshPieces::at_boundary(const Triangulation<3> &triangulation,
-                                                 const types::boundary_id id) const
+  std::set<unsigned int> MeshPieces::at_boundary(const types::boundary_id id) const
   {
-    std::set<unsigned int> pieces;
-    for (const auto &cell : triangulation.cell_iterators_on_level(0))
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && face->boundary_id() == id)
-          pieces.insert(of(cell));
-    return pieces;
+    if (pieces_.size() == 1)
+      return {0};
+    const auto found = at_boundary_.find(id);
+    return found != at_boundary_.end() ? found->second : std::set<unsigned int>();
   }
 
   void MeshPieces::find_boxes(const Triangulation<3> &triangulation,

@@ -6,11 +6,14 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/deformation.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/simulation/warnings/body_warnings.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
+
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -135,9 +138,27 @@ namespace stiction
         }
     }
 
-    // Σ λ_ν ‖x − c‖ of the nodes at which a body is touched, with the centre c of these
-    // forces, Nm: about the moment that contact can bear. No node is closer to c than a
-    // part of the distance of nodes.
+    // What a vector has along the axes about which a body is free to turn.
+    Tensor<1, 3> along_free_axes(const FreeMotions &free, const unsigned int piece,
+                                 const Tensor<1, 3> &moment)
+    {
+      const auto [begin, n] = free.of(piece);
+      Eigen::Matrix3Xd axes(3, n);
+      for (Eigen::Index j = 0; j < n; ++j)
+        {
+          const auto motions = free.motions(Eigen::VectorXd::Unit(free.n(), begin + j));
+          for (unsigned int c = 0; c < 3; ++c)
+            axes(c, j) = motions[piece].rotation[c];
+        }
+      const Eigen::Vector3d along =
+        axes * axes.completeOrthogonalDecomposition().solve(
+                 Eigen::Vector3d(moment[0], moment[1], moment[2]));
+      return Tensor<1, 3>({along(0), along(1), along(2)});
+    }
+
+    // Σ |λ| ‖x − c‖ of the nodes at which a body is touched or tied, with the centre c of
+    // these forces, Nm: about the moment that contact can bear. No node is closer to c
+    // than a part of the distance of nodes.
     double moment_of_contact(const ContactSurface &surface, const Body &body,
                              const State &state, const unsigned int piece)
     {
@@ -146,13 +167,15 @@ namespace stiction
       double sum = 0.;
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         {
-          const ContactNode &node = surface.nodes()[i];
-          if (state.lambda(i) <= 0. ||
-              surface.boundaries()[node.boundary].pieces(body).count(piece) == 0)
+          const ContactNode &node         = surface.nodes()[i];
+          const ContactBoundary &boundary = surface.boundary_of(node);
+          const double force =
+            boundary.is_tied() ? at_node(state.lambda, i).norm() : state.lambda(i);
+          if (force <= 0. || boundary.pieces(body).count(piece) == 0)
             continue;
-          pressed.emplace_back(&node, state.lambda(i));
-          centre += state.lambda(i) * node.position;
-          sum += state.lambda(i);
+          pressed.emplace_back(&node, force);
+          centre += force * node.position;
+          sum += force;
         }
       double moment = 0.;
       for (const auto &[node, force] : pressed)
@@ -172,7 +195,8 @@ namespace stiction
           if (elasticity.free_motions().of(p).second == 0)
             continue;
           const double borne = moment_of_contact(surface, body, state, p);
-          const double part  = moments[p].norm() / borne;
+          const double part =
+            along_free_axes(elasticity.free_motions(), p, moments[p]).norm() / borne;
           if (borne > 0. && part > much_of_arm)
             warnings.push_back(
               {"moment of " + body.pieces()[p].name, part,

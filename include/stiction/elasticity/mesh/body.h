@@ -164,7 +164,7 @@ namespace stiction
     /// The places in pieces() of those with cells at a boundary.
     std::set<unsigned int> pieces_at(const dealii::types::boundary_id id) const
     {
-      return pieces_.at_boundary(triangulation_, id);
+      return pieces_.at_boundary(id);
     }
 
     /// The place in pieces() of a cell of any level.
@@ -173,8 +173,8 @@ namespace stiction
       return pieces_.of(cell);
     }
 
-    /// Names of elastic bodies that have nodes at the same places though none of these
-    /// pairs of boundaries is of both.
+    /// Names of elastic bodies that touch or overlap though none of these pairs of
+    /// boundaries is of both.
     std::vector<std::pair<std::string, std::string>> touching_without(
       const std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>>
         &pairs) const;

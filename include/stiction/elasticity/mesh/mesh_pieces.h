@@ -5,6 +5,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -59,8 +60,7 @@ namespace stiction
       const dealii::Triangulation<3> &triangulation) const;
 
     /// The pieces with coarse cells at a boundary.
-    std::set<unsigned int> at_boundary(const dealii::Triangulation<3> &triangulation,
-                                       dealii::types::boundary_id id) const;
+    std::set<unsigned int> at_boundary(dealii::types::boundary_id id) const;
 
     /// Makes the boxes hold the cells that this rank knows and these points, of all
     /// ranks. Collective.
@@ -72,5 +72,6 @@ namespace stiction
   private:
     std::vector<Piece> pieces_ = {{"body", {}}};
     std::vector<unsigned int> piece_of_coarse_cell_; // by index()
+    std::map<dealii::types::boundary_id, std::set<unsigned int>> at_boundary_;
   };
 } // namespace stiction
