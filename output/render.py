@@ -73,7 +73,7 @@ def render_frames(directory, sharpness=SHARPNESS):
     if not steps or not steps[0][1]:
         raise Unusable(f"{directory} has no steps, frames are made of a run with "
                        "several 'Time/Steps'.")
-    scale = SimpleNamespace(displacement=0, stress=0, pressure=0)
+    scale = SimpleNamespace(displacement=0, stress=0, pressure=0, peak=0)
     for time, tag in steps:  # read again below: all may be too much for memory
         for name, value in vars(results.read(directory, tag, time).scale).items():
             setattr(scale, name, max(value, getattr(scale, name)))

@@ -15,6 +15,7 @@ from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from . import headline
 from . import panels as contact_panels
 from .words import ROUNDING, exponent_of, label, number, plain, quantity
 
@@ -72,14 +73,20 @@ class Page:
                          fontsize=size, va="top",
                          **{"color": TEXT, **options})
 
-    def color_bar(self, left, top, width, colors, largest, words, unit):
-        """A scale from zero to the largest value, the words below."""
+    def color_bar(self, left, top, width, colors, largest, words, unit, peak=0):
+        """A scale from zero to the largest value, the words below; peak: the largest
+        of a few nodes beyond the scale."""
+        if not largest > 0:
+            self.text(left, top, "no " + words)
+            return
         exponent = exponent_of(largest)
         axes = self.axes(left, top, width, THICK)
         bar = self.figure.colorbar(
-            ScalarMappable(Normalize(0, largest or 1), colors), cax=axes,
-            orientation="horizontal")
+            ScalarMappable(Normalize(0, largest), colors), cax=axes,
+            orientation="horizontal", extend="max" if peak > largest else "neither")
         style(bar.ax.xaxis, exponent, width)
+        if peak > largest:
+            words += f", up to {number(peak / 10.0**exponent)}"
         bar.set_label(label(words, unit, exponent), size=NORMAL, color=TEXT,
                       labelpad=2)
 
@@ -96,7 +103,7 @@ def style(axis, exponent, length):
 class Slot:
     """The room of one contact panel: two maps, side by side or stacked."""
 
-    def __init__(self, panel):
+    def __init__(self, panel, peak):
         self.panel = panel
         self.counts = contact_panels.counts(panel)
         # four to a row, or three where there are long names
@@ -113,7 +120,7 @@ class Slot:
         width, self.column = (below, whole) if self.stacked \
             else (beside, COLUMN)
         self.size = np.array([width, width / shown])
-        self.choose_arrows()
+        self.choose_arrows(peak)
         self.size *= min(1, (self.column - 2 * self.reach) / width)
         if self.usual:
             self.shorten_arrows()
@@ -122,15 +129,18 @@ class Slot:
         if self.stacked:
             self.height += self.map_height + KEY
 
-    def choose_arrows(self):
-        """Arrows, friction an inch, and how far they reach out of the map."""
+    def choose_arrows(self, peak):
+        """Arrows, friction an inch, and how far they reach out of the map.
+
+        peak: the largest pressure anywhere, beside which friction may be rounding.
+        """
         low, high = self.panel.window
         scale = self.size / (high - low)
         self.places, self.friction, distance = contact_panels.some_arrows(
             self.panel, scale, 0.16)
         self.reach, sizes = 0, np.linalg.norm(self.friction, axis=1)
         self.usual = np.percentile(sizes, 95) if len(sizes) else 0
-        if self.usual <= 1e-6 * max(self.panel.pressure.max(), 0):
+        if self.usual <= ROUNDING * peak:
             self.usual = 0
             return
         self.per_inch = max(self.usual / min(1.2 * distance, 0.4), sizes.max() / 0.6)
@@ -163,7 +173,7 @@ def draw(run, panels, body_picture):
     body_picture: function of a width and a height in inches that returns what
     body.picture() does.
     """
-    slots = [Slot(panel) for panel in panels]
+    slots = [Slot(panel, run.scale.peak) for panel in panels]
     body_height = min(max(5, slots[0].height), 6.5)
     tops = {RIGHT: HEADER, LEFT: HEADER + body_height + GAP}
     places = []
@@ -194,24 +204,6 @@ def names_of(run):
     return {i: named.get(i, str(i)) for i in ids}
 
 
-def contact_force(run, contact):
-    """That on the one body, or on one of the bodies of a single pair."""
-    parts, where = contact["boundaries"], "the body"
-    if all(part.get("opposite") for part in parts):
-        if len(parts) > 1:
-            return f"{len(parts)} pairs"
-        contact, where = parts[0], plain(parts[0]["name"])
-    what, values = "force", contact["force_on_body"]
-    if max(map(abs, values)) < ROUNDING * contact["normal_force"]:  # those of a fit
-        what, values = "moment", contact["moment"]
-        # the root of the area is a length; bodies that are only squeezed have neither
-        if max(map(abs, values)) < (ROUNDING * contact["normal_force"]
-                                    * math.sqrt(contact["area"])):
-            return "contact presses with " + quantity(run.units["force"],
-                                                      contact["normal_force"])
-    return f"contact {what} on {where} " + quantity(run.units[what], *values)
-
-
 def draw_header(page, run):
     """Title and the numbers that matter."""
     page.text(LEFT, 0.16, plain(run.name), LARGE, fontweight="bold")
@@ -221,16 +213,7 @@ def draw_header(page, run):
     if run.time is not None:
         page.text(LEFT, 0.53, f"t = {number(run.time)}")
         return
-    contact, steps = run.summary["contact"], run.summary.get("steps")
-    page.text(LEFT, 0.53, "   ".join([
-        *([f"t = {number(steps[-1]['t'])}"] if steps and run.certified else []),
-        "largest pressure "
-        + quantity(run.units["stress"], contact["max_pressure"]),
-        contact_force(run, contact),
-        "nodes: " + ", ".join(
-            f"{status} {contact[status]}" for status in
-            ("open", "closed", "slip", "stick", "tied", "undecided")
-            if contact.get(status))]))
+    page.text(LEFT, 0.53, headline.numbers(run))
 
 
 def draw_body(page, run, body_picture, height):
@@ -299,8 +282,7 @@ def draw_slot(page, slot, place, name, units, largest, certified):
     if (slot.panel.pressure[slot.panel.kind == contact_panels.TIED] < 0).any():
         words += ", green: tension"
     page.color_bar(left + TICKS, top + slot.map_height + 0.02, COLUMN, PRESSURE,
-                   largest, words,
-                   units["stress"])
+                   largest, words, units["stress"], slot.panel.pressure.max())
 
 
 def draw_legend(page, slot, left, top):
@@ -401,8 +383,9 @@ def draw_arrows(page, axes, slot, corner, unit):
                          color=TEXT, headwidth=4.5, headlength=5,
                          headaxislength=4.5, minlength=0.5, clip_on=False)
     key = float(f"{slot.usual:.0e}")
+    what = "shear" if (slot.panel.kind == contact_panels.TIED).any() else "friction"
     axes.quiverkey(quiver, (left + key / slot.per_inch / 2) / WIDTH,
                    1 - (top + 0.08) / page.height, key,
-                   quantity(unit, key) + " of friction on the body",
+                   quantity(unit, key) + f" of {what} on the body",
                    coordinates="figure", labelpos="E", labelcolor=TEXT,
                    labelsep=0.08, fontproperties={"size": SMALL})

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import meshes
+from .words import number
 
 # what a node is drawn as, by its normal and its tangential status
 (OPEN, CLOSED, SLIP, STICK, OPEN_SLIP, OPEN_STICK, MAYBE_SLIP, MAYBE_STICK,
@@ -19,6 +20,8 @@ KIND = {(0, 0): OPEN, (1, 0): CLOSED, (1, 1): SLIP, (1, 2): STICK,
 AXES = "xyz"
 NOTHING = 1e-6  # parts of the largest pressure that are none
 EVEN = 1e-3  # of all forces: with less of a resultant a cylinder is pressed all around
+AT_EDGES = 0.1  # of the force: what a few nodes at an edge bear
+PEAK = 3  # times the pressure elsewhere: with more of it at edges they set no scale
 OPEN_ARC = 0.1  # of the area: a closed cylinder's area vectors add to nothing
 WIDE = 0.65  # the cosine of half an arc: beyond it a view has its ends edge-on
 
@@ -28,6 +31,15 @@ def shown_pressure(contact, certified):
     rounding alone; of a run that is not certified all nodes may, and theirs is shown."""
     return np.where(np.isin(contact.normal_status, (0, 3)) & certified, 0,
                     contact.pressure)
+
+
+def scale_of(pressure, areas):
+    """The largest pressure that has a colour of its own: of all, but where a few nodes
+    have several times that under which most of the force is borne, this."""
+    order = np.argsort(pressure)
+    borne = np.cumsum((np.maximum(pressure, 0) * areas)[order])
+    usual, largest = pressure[order][[np.searchsorted(borne, (1 - AT_EDGES) * borne[-1]), -1]]
+    return 1.2 * usual if largest > PEAK * usual > 0 else max(largest, 0)
 
 
 def panels_of(contact, points, certified=True):
@@ -196,7 +208,7 @@ def name_of(direction, signed=False):
     if abs(direction[largest]) > 1 - 1e-6:
         sign = "-" if direction[largest] < 0 else "+" if signed else ""
         return sign.replace("-", "\N{MINUS SIGN}") + AXES[largest]
-    return "(" + ", ".join(f"{c + 0:.2g}" for c in direction) + ")"
+    return "(" + ", ".join(number(round(c, 2)) for c in direction) + ")"
 
 
 def loaded(panel):

@@ -116,8 +116,8 @@ def read(directory, tag="", time=None):
     contact: faces of the same points, and fields at their corners, (n, 4) or
     (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
     what is shown, as steps with files are; released: whether only rounding is left at
-    the end; scale: the largest displacement, stress and pressure, which everything is
-    drawn with.
+    the end, which then is zero; scale: the largest displacement, stress and pressure,
+    which everything is drawn with, and peak, of a few nodes with more than that.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -140,14 +140,22 @@ def read(directory, tag="", time=None):
         raise Unusable("solution.pvtu and contact.pvtu are not of the same run.")
     faces = meshes.outer_faces(number[:n][solution.cells], len(first),
                                number[n:][contact.cells])
+    released = time is None and is_released(summary)
+    if released:  # what is rounding beside the history is nothing
+        solution.von_Mises_stress_averaged[:] = 0
+        contact.pressure[:] = 0
+        contact.tangential_traction[:] = 0
     body = body_of(solution, faces, first, number[:n])
+    pressure = panels.shown_pressure(contact, certified)[contact.cells].reshape(-1)
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
-        time=time, certified=certified, released=time is None and is_released(summary),
+        time=time, certified=certified, released=released,
         scale=SimpleNamespace(
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
-            pressure=panels.shown_pressure(contact, certified)[contact.cells].max()),
+            pressure=panels.scale_of(pressure, np.repeat(np.linalg.norm(
+                meshes.vector_areas(contact.points[contact.cells]), axis=1), 4)),
+            peak=max(pressure.max(), 0)),
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),

@@ -2,8 +2,6 @@
 """Tests of the picture of a run: the surface, the panels, and the page."""
 
 import itertools
-import os
-import tempfile
 import unittest
 from types import SimpleNamespace
 
@@ -12,7 +10,7 @@ from shapes import contact_on, cylinder_side, hexahedra, joined, mesh_of, side
 # found by shapes, which ends with "skipped" where there is no numpy
 import matplotlib
 import numpy as np
-from render_parts import history, meshes, page, panels, results, words
+from render_parts import headline, meshes, page, panels, words
 
 
 class Surface(unittest.TestCase):
@@ -177,6 +175,21 @@ class Panels(unittest.TestCase):
             self.assertTrue(panel.enlarged)
             np.testing.assert_allclose(panel.window, [[0, 0], [1.15, 1.15]])
 
+    def test_names_of_directions(self):
+        self.assertEqual(panels.name_of(np.array([1, -1, 4e-17]) / np.sqrt(2)),
+                         "(0.71, \N{MINUS SIGN}0.71, 0)")
+        self.assertEqual(panels.name_of(np.array([-1, 0, 0]), signed=True),
+                         "\N{MINUS SIGN}x")
+
+    def test_scale_of_pressure(self):
+        """A node at an edge does not set it, the middle of a small contact does."""
+        belt, areas = np.append(np.linspace(4, 8, 100), 40), np.append(np.ones(100), 0.1)
+        self.assertAlmostEqual(panels.scale_of(belt, areas), 1.2 * 7.7, delta=0.2)
+        ball = np.append(np.full(1000, 1.0), np.linspace(0, 400, 50))
+        self.assertEqual(panels.scale_of(ball, np.ones(ball.size)), 400)
+        for nothing in (np.zeros(3), -np.ones(3)):
+            self.assertEqual(panels.scale_of(nothing, np.ones(3)), 0)
+
     def test_corners_share_out_a_face(self):
         panel, = panels.panels_of(contact_on(side(self.points, self.faces, 2, 0),
                                              4), self.points)
@@ -189,7 +202,7 @@ class Page(unittest.TestCase):
     """Nothing on the page is over anything else, whatever is shown."""
 
     def texts_of(self, lengths, sides, friction, converged=True, status=None,
-                 time=None, cells=(4, 4, 4)):
+                 time=None, cells=(4, 4, 4), pressure=2.0):
         """The boxes of all texts of the page of a brick with these sides."""
         points, faces = mesh_of(hexahedra(cells, high=lengths))
         contact = joined(*[
@@ -201,8 +214,10 @@ class Page(unittest.TestCase):
         units = {"length": "mm", "force": "N", "stress": "MPa"}
         boundaries = [{"name": f"side {i}", "id": i} for i in range(len(sides))]
         run = SimpleNamespace(name="a brick", n_bodies=1, contact=contact, units=units,
-                              time=time,
-                              certified=converged or time is not None, scale=SimpleNamespace(pressure=contact.pressure.max()),
+                              time=time, released=False,
+                              certified=converged or time is not None,
+                              scale=SimpleNamespace(pressure=pressure,
+                                                    peak=contact.pressure.max()),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
                                   "force_on_body": [1e8, -1e8, 1e-9], "normal_force": 1e8,
@@ -286,99 +301,44 @@ class Page(unittest.TestCase):
         self.assertIn("pressure [MPa]", words)
 
     def test_no_friction(self):
-        self.assertIn("no friction",
-                      self.check((4, 3, 1), [(2, 1)], (0, 0, 0)))
+        for friction in 0, 1e-9:  # which is rounding beside a pressure of 2
+            self.assertIn("no friction",
+                          self.check((4, 3, 1), [(2, 1)], (friction, 0, 0)))
+
+    def test_a_few_nodes_beyond_the_scale(self):
+        self.assertIn("pressure, up to 2 [MPa]",
+                      self.check((4, 3, 1), [(2, 1)], (1, 0, 0), pressure=0.5))
+
+    def test_nothing_pressed(self):
+        self.assertIn("no pressure",
+                      self.check((4, 3, 1), [(2, 1)], (1, 0, 0), pressure=0))
+
+    def test_a_tie(self):
+        words = self.check((4, 3, 1), [(2, 0)], (1, 0, 0), status=([1], [4]))
+        self.assertIn("tied 25", words)
 
 
-class Released(unittest.TestCase):
-    """Whether a history ends with a body that was let go."""
+class Headline(unittest.TestCase):
+    """The numbers above the picture."""
 
-    def check(self, energies, released):
-        steps = [{} if energy is None else {"energy": {"elastic_energy": energy}}
-                 for energy in energies]
-        self.assertEqual(results.is_released({"steps": steps}), released)
+    def numbers(self, released=False, **boundary):
+        """The line of a pair with these numbers."""
+        boundary = {"name": "a", "opposite": "b", "force_on_body": [0, 0, -1],
+                    "normal_force": 1, **boundary}
+        return headline.numbers(SimpleNamespace(
+            certified=True, released=released, units={"force": "N", "stress": "MPa"},
+            summary={"contact": {"boundaries": [boundary], "max_pressure": 0,
+                                 "tied": 9}}))
 
-    def test_energies(self):
-        self.check([1, 2, 1e-20], True)
-        self.check([1, 2, 1e-3], False)
-        self.check([0], False)
-        self.assertFalse(results.is_released({}))
+    def test_what_is_largest(self):
+        self.assertEqual(self.numbers(max_pressure=3, max_tension=2),
+                         "largest pressure 3 MPa   contact force on a (0, 0, "
+                         "\N{MINUS SIGN}1) N   nodes: tied 9")
+        self.assertIn("largest tension 2 MPa", self.numbers(max_tension=2))
 
-    def test_a_last_step_that_is_not_certified(self):
-        self.check([1, 2, None], False)
-
-
-class Curves(unittest.TestCase):
-    """The diagrams of a history."""
-
-    PRESSED = "normal_force,moment_x,moment_y,moment_z,open_area,slip_area,stick_area,"
-    HEADER = "t,boundary,force_x,force_y,force_z,center_x," \
-        "obstacle_x,obstacle_y,obstacle_z,obstacle_angle,torque,dissipated_total\n"
-
-    def read(self, rows, pressed="5,0,0,0,0,0,1,"):
-        """What a directory with these rows has, each with how it is pressed."""
-        rows = "".join(pressed + row for row in rows.splitlines(keepends=True))
-        with tempfile.TemporaryDirectory() as directory:
-            with open(os.path.join(directory, "history.csv"), "w",
-                      encoding="utf-8") as stream:
-                stream.write(self.PRESSED + self.HEADER + rows)
-            return history.read(directory)
-
-    def test_diagrams(self):
-        boundaries = self.read('1,"a,b",0,0,0,,0,0,0,0,0,0\n1,c,1,0,2,1,0,0,0,0,4,0\n'
-                               '2,"a,b",1,0,-5,1,0.1,0,0,0,0,3\n2,c,1,0,2,1,0,0,0,0.2,5,0\n')
-        self.assertEqual(list(boundaries), ["a,b", "c"])
-        self.assertTrue(np.isnan(boundaries["a,b"]["center_x"][0]))
-        figure = history.draw(boundaries, words.units_of(
-            {"units": {"length": "mm", "force": "N", "moment": "N mm", "stress": "MPa"}}))
-        figure.canvas.draw()
-        over_t, over_x, over_angle = figure.axes
-        self.assertEqual(over_t.get_xlabel(), "t")
-        self.assertIn("along x [mm]", over_x.get_xlabel())
-        self.assertEqual([text.get_text() for text in over_x.get_legend().texts],
-                         ["x", "z"])
-        self.assertEqual(len(over_t.get_legend().texts), 4)
-        self.assertEqual(over_angle.get_xlabel(), "obstacle turned by [rad]")
-        self.assertIn("torque on the body [N mm]", over_angle.get_ylabel())
-        self.assertIsNone(over_angle.get_legend())
-
-    def test_nothing_moves_and_no_force(self):
-        figure = history.draw(self.read("1,a,0,0,0,,0,0,0,0,0,0\n"),
-                              words.units_of({}))
-        figure.canvas.draw()
-        self.assertEqual(len(figure.axes), 1)
-
-    def test_twist_by_a_punch_under_a_force(self):
-        """What it settles while it turns is hardly a part of its way: no curve over it."""
-        boundaries = self.read("1,a,0,0,-5,1,0,0,-0.1119,0,0,0\n"
-                               "2,a,0,0,-5,1,0,0,-0.1120,0.012,1.8,1\n"
-                               "3,a,0,0,-5,1,0,0,-0.1121,0.024,2.1,2\n")
-        for summary in ({}, {"units": {"length": "mm", "moment": "N mm"}}):
-            figure = history.draw(boundaries, words.units_of(summary))
-            figure.canvas.draw()
-            _, over_angle = figure.axes
-            curve, = [line for line in over_angle.lines if len(line.get_xdata()) == 3]
-            np.testing.assert_allclose(curve.get_xdata(), [0, 0.012, 0.024])
-            np.testing.assert_allclose(curve.get_ydata(), [0, 1.8, 2.1])
-
-    def test_fit(self):
-        """Of forces that add up to rounding the moments are shown, and of moments that
-        do as well how hard bodies are pressed together."""
-        for moment, shown in (("-3", "moment on the body [N mm]"),
-                              ("1e-8", "normal force [N]")):
-            figure = history.draw(
-                self.read("1,a,1e-9,0,0,,0,0,0,0,0,0\n2,a,0,0,1e-9,,0,0,0,0,0,7\n",
-                          f"5,0,0,{moment},0,1,0,"),
-                words.units_of({"units": {"force": "N", "moment": "N mm",
-                                          "energy": "mJ"}}))
-            figure.canvas.draw()
-            over_t, dissipated = figure.axes
-            self.assertEqual(over_t.get_ylabel(), shown)
-            self.assertEqual(dissipated.get_ylabel(), "dissipated by friction [mJ]")
-
-    def test_line_that_was_being_written(self):
-        rows = self.read("1,a,0,0,1,,0,0,0,0,0,0\n2,a,0,0,1,,0")["a"]
-        self.assertEqual(list(rows["t"]), [1])
+    def test_a_body_that_was_let_go(self):
+        self.assertEqual(self.numbers(released=True, max_pressure=1e-12),
+                         "nothing is pressed   nodes: tied 9")
 
 
 class Numbers(unittest.TestCase):
