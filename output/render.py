@@ -12,8 +12,8 @@ screen.
 
 Left: the deformed body, exaggerated, with the von Mises stress (the values of
 all cells at a node averaged), its outline before loading, and the obstacle,
-with gaps exaggerated as much above a flat contact boundary, and bent to touch a
-curved one where it does. Right: each contact boundary, seen along its
+moved along with what it touches, and bent only where the exaggerated body would
+cover it; above a flat boundary with a deep dent its gaps are exaggerated as much. Right: each contact boundary, seen along its
 mean normal or, if it is the side of a cylinder, unrolled; where forces act
 only in a small part, this part. The first map shows the status: every node
 colours the part of the boundary nearest to it, so that no status is ever

@@ -1,15 +1,17 @@
 """Where an obstacle is drawn beside a body whose displacement is exaggerated.
 
-Its place is that of the nearest point of the contact boundary as it is drawn, and
-the gap from there: as many times larger as the displacement above a flat boundary, so
-that it can be seen, and true beside a curved one, where it would give the obstacle
-another shape. So what touches in truth does so in the picture. Numpy alone.
+It has its own shape, moved along with what it touches, and is bent where the body as it
+is drawn would cover it: a dent is as many times deeper as all displacements. Above a
+flat boundary that is dented deeply its place is that of the nearest point there and the
+gap from it, as many times larger as well. So what touches in truth does so in the
+picture. Numpy alone.
 """
 
 import numpy as np
 
 from . import meshes
 
+LITTLE = 0.003  # parts of the body by which an obstacle is drawn off it, to be seen
 
 def has_flat_sides(areas):
     """Whether these are the vector areas of a plane, or of sides of a brick."""
@@ -29,7 +31,7 @@ def is_round(points, triangles):
     away = np.linalg.norm(meshes.unit(sums)[triangles] - meshes.unit(areas)[:, None],
                           axis=-1).max(axis=1)
     share = np.linalg.norm(areas, axis=1) / np.linalg.norm(areas, axis=1).sum()
-    return share[away > 0.3].sum() < 0.01 and share[away > 1e-6].sum() > 0.5
+    return share[away > 0.5].sum() < 0.01 and share[away > 1e-6].sum() > 0.5
 
 
 def weights_of(corners, places):
@@ -43,29 +45,49 @@ def weights_of(corners, places):
     return np.where(sums > 0, parts / np.where(sums > 0, sums, 1), 1 / 3)
 
 
-def bent(places, near, factor, is_curved, is_flat, little):
-    """The places of an obstacle in the picture, and how far off they are there.
+def rigid_way(normals, displacement, weights, sticks):
+    """How far an obstacle moves along with what it touches, (3,).
+
+    It goes with nodes that stick to it, and along the normals with all others; where
+    hardly any of these look there is no telling, and it stays.
+    """
+    held = np.where(sticks[:, None, None], np.eye(3),
+                    normals[:, :, None] * normals[:, None, :])
+    moved = weights @ (held @ displacement[:, :, None])[..., 0]
+    return np.linalg.pinv((weights[:, None, None] * held).sum(axis=0), rcond=0.04,
+                          hermitian=True) @ moved
+
+
+def out_of_body(places, near, size):
+    """Where a rigid obstacle is bent to, out of the body as it is drawn and onto its
+    nodes that touch, and by how much.
+
+    near: places, unit normals and closed, from 0 to 1, of the nearest points of the
+    contact boundary; size: of the body.
+    """
+    way = places - near.place
+    gap = (way * near.normal).sum(axis=1, keepdims=True)
+    beside = np.linalg.norm(way - gap * near.normal, axis=1, keepdims=True)
+    # what is far above is another side of the obstacle
+    touches = near.closed * np.clip(2 - gap / (0.05 * size), 0, 1)
+    way = -gap * np.where(gap < 0, 1, touches) * np.clip(
+        1 - (beside / (0.1 * size))**2, 0, 1)
+    return places + (way + LITTLE * size) * near.normal, np.abs(way).max(initial=0)
+
+
+def with_large_gaps(places, near, factor, is_flat, size):
+    """An obstacle above a flat boundary, and how far off it is.
 
     near: place before loading, displacement and unit normal of the nearest points of
-    the contact boundary; is_curved: this boundary; is_flat: boundary and obstacle,
-    then the obstacle is not drawn along with the body, which would bend its rim.
-    little: by how much further off it is drawn, so that it does not shine through
-    where it is touched.
+    the contact boundary; is_flat: the obstacle as well, then it is not drawn along
+    with the body, which would bend its rim.
     """
     way = places - near.place - near.displacement
     gap = (way * near.normal).sum(axis=1, keepdims=True)
-    lift = np.full(gap.shape, little)
-    displacement = near.displacement
-    if is_flat:
-        displacement = (displacement * near.normal).sum(
-            axis=1, keepdims=True) * near.normal
-    if is_curved:  # between their nodes faces are chords, and may be cut
-        lift -= np.minimum(gap, 0)
-        off = np.linalg.norm(way, axis=1)
-    else:
-        displacement = displacement + gap * near.normal
-        off = factor * np.abs((displacement * near.normal).sum(axis=1))
-    return places + (factor - 1) * displacement + lift * near.normal, off
+    along = (near.displacement * near.normal).sum(axis=1, keepdims=True) + gap
+    moved = along * near.normal if is_flat else near.displacement + gap * near.normal
+    return (places + (factor - 1) * moved + LITTLE * size * near.normal,
+            factor * np.abs(along[:, 0]))
 
 
 def widened(places):

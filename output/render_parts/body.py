@@ -104,11 +104,9 @@ def picture(run, colors, box):
         actors.append(actor_of(lines_of(moved, outline), EDGE, LineWidth=2))
     how = None
     if run.obstacle is not None:
-        how = obstacles.how(run, factor)
-        obstacle, rim = obstacles.drawn(run, factor)
-        beside, covering = obstacles.split_by_sight(obstacle, run, deformed, basis[2])
-        actors += [actor_of(beside, OBSTACLE, 0.6, Opacity=0.4),
-                   actor_of(covering, OBSTACLE, 0.6, Opacity=0.1),
+        obstacle, rim, how = obstacles.drawn(run, factor)
+        faint = obstacles.covers(obstacle, run, deformed, basis[2])
+        actors += [actor_of(obstacle, OBSTACLE, 0.6, Opacity=0.2 if faint else 0.4),
                    actor_of(rim, OBSTACLE, LineWidth=2)]
     camera, extents = camera_of(basis, actors)
     image = rendered(actors, camera, extents, box)

@@ -11,6 +11,8 @@ from .data import points_of, set_up, surface_of
 
 CELLS = vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS
 MOST_TRIANGLES = 10000  # of which smaller ones are made
+COVERING = 0.1  # parts of an obstacle that make it one to look through
+BENT = 0.02  # parts of the body: an obstacle that is bent by less has its shape
 
 
 def curved(run):
@@ -23,53 +25,32 @@ def curved(run):
     return result
 
 
-def how(run, factor):
-    """What is to be said of how the obstacles are drawn."""
-    if factor == 1:
-        return ""
-    return " bent to touch" if curved(run).any() else " with its gaps as large"
-
-
-def split_by_sight(obstacle, run, deformed, towards):
-    """What of the obstacles does not cover curved contact faces to who looks, and
-    what does. Above flat ones it has to be, or one would see nothing of it."""
-    covered = run.contact.faces[curved(run)]
-    if not len(covered) or not obstacle.GetNumberOfPolys():
-        return obstacle, vtk.vtkPolyData()
-    n_points = len(run.body.points)
-    is_covered = np.isin(meshes.face_keys(run.body.faces, n_points),
-                         meshes.face_keys(covered, n_points))
+def covers(obstacle, run, deformed, towards):
+    """Whether obstacles cover curved contact faces to who looks. Above flat ones one would
+    see nothing of them if they did not."""
+    faces = run.contact.faces[curved(run)]
+    if not len(faces) or not obstacle.GetNumberOfPolys():
+        return False
+    points, n = run.body.points, len(run.body.points)
+    to_be_seen = np.isin(meshes.face_keys(run.body.faces, n), meshes.face_keys(faces, n)) & (
+        meshes.vector_areas(points[run.body.faces]) @ towards > 0)
     locator = set_up(vtk.vtkCellLocator(), DataSet=deformed)
     locator.BuildLocator()
     centers = set_up(vtk.vtkCellCenters(), InputData=obstacle)
     centers.Update()
-    starts = vtk_to_numpy(centers.GetOutput().GetPoints().GetData()).astype(float)
-    way = 10 * np.linalg.norm(np.ptp(run.body.points, axis=0)) * towards
+    way = 10 * np.linalg.norm(np.ptp(points, axis=0)) * towards
     # from a little before the obstacle, which may be in the face that it touches
     at, numbers = [0.0] * 3, (vtk.reference(0.0), vtk.reference(0), vtk.reference(0))
-    covers = [bool(locator.IntersectWithLine(
-        start + 0.002 * way, start - way, 0, numbers[0], at, [0.0] * 3, numbers[1], numbers[2]))
-        and is_covered[numbers[2].get()] for start in starts]
-    return [chosen_cells(obstacle, np.array(covers) == side) for side in (False, True)]
-
-
-def chosen_cells(surface, chosen):
-    """A surface of some of the polygons."""
-    marked = vtk.vtkPolyData()
-    marked.ShallowCopy(surface)
-    marked.GetCellData().SetScalars(numpy_to_vtk(chosen.astype(float), deep=True))
-    part = set_up(vtk.vtkThreshold(), InputData=marked, LowerThreshold=0.5,
-                  UpperThreshold=1.5)
-    part.SetInputArrayToProcess(0, 0, 0, CELLS, vtk.vtkDataSetAttributes.SCALARS)
-    result = vtk.vtkGeometryFilter()
-    result.SetInputConnection(part.GetOutputPort())
-    result.Update()
-    return result.GetOutput()
+    return np.mean([bool(locator.IntersectWithLine(
+        start + 0.002 * way, start - way, 0, numbers[0], at, [0.0] * 3, numbers[1],
+        numbers[2])) and to_be_seen[numbers[2].get()]
+                    for start in places_of(centers.GetOutput())]) > COVERING
 
 
 def drawn(run, factor):
-    """All obstacles, without what is far off in the picture, and their edges."""
-    surfaces, edges = vtk.vtkAppendPolyData(), vtk.vtkAppendPolyData()
+    """All obstacles, without what is far off in the picture, their edges, and what is to
+    be said of how they are drawn."""
+    surfaces, edges, how = vtk.vtkAppendPolyData(), vtk.vtkAppendPolyData(), set()
     for boundary in np.unique(run.contact.boundary):
         part = set_up(vtk.vtkThreshold(), InputData=run.obstacle,
                       LowerThreshold=boundary, UpperThreshold=boundary)
@@ -82,45 +63,128 @@ def drawn(run, factor):
             surface.GetOutput().GetPolys().GetMaxCellSize() == 3))
         merged.SetInputConnection(surface.GetOutputPort())
         merged.Update()
-        if not merged.GetOutput().GetNumberOfPolys():
+        merged = merged.GetOutput()
+        if not merged.GetNumberOfPolys():
             continue
-        is_smooth = is_round(merged.GetOutput())
-        clip = set_up(vtk.vtkClipPolyData(), InsideOut=True,
-                      Value=0.3 * np.ptp(run.body.points, axis=0).max(),
-                      InputData=bent(
-                          merged.GetOutput(), is_smooth, run.body,
-                          run.contact.faces[run.contact.boundary == boundary], factor))
-        surfaces.AddInputConnection(clip.GetOutputPort())
+        is_smooth = is_round(merged)
+        result, words = bent(merged, is_smooth, run, boundary, factor)
+        how.add(words)
+        surfaces.AddInputData(result)
         # smaller triangles may be so thin that they seem folded
-        edge = set_up(vtk.vtkFeatureEdges(), FeatureEdges=not is_smooth)
-        edge.SetInputConnection(clip.GetOutputPort())
+        edge = set_up(vtk.vtkFeatureEdges(), FeatureEdges=not is_smooth, InputData=result)
         edges.AddInputConnection(edge.GetOutputPort())
     surfaces.Update()
     edges.Update()
-    return surfaces.GetOutput(), edges.GetOutput()
+    return surfaces.GetOutput(), edges.GetOutput(), max(how, key=len, default="")
 
 
 def is_round(surface):
     """Whether a surface of triangles is folded everywhere a little, nowhere sharply."""
     return surface.GetPolys().GetMaxCellSize() == 3 and bending.is_round(
-        vtk_to_numpy(surface.GetPoints().GetData()).astype(float),
+        places_of(surface),
         vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3))
 
 
-def bent(obstacle, is_smooth, body, faces, factor):
-    """An obstacle bent to its contact boundary, scalars: how far off it is."""
-    areas = meshes.vector_areas(body.points[faces])
-    is_curved = not bending.has_flat_sides(areas)
-    is_flat = not is_curved and bending.has_flat_sides(areas_of(obstacle))
+def bent(obstacle, is_smooth, run, boundary, factor):
+    """An obstacle at its contact boundary as this is drawn, and words for it."""
+    body, size = run.body, np.ptp(run.body.points, axis=0).max()
+    faces = run.contact.faces[run.contact.boundary == boundary]
+    is_flat = bending.has_flat_sides(meshes.vector_areas(body.points[faces]))
+    if is_flat and bending.has_flat_sides(areas_of(obstacle)):
+        return with_large_gaps(obstacle, body, faces, factor, True)
+    obstacle = cut(refined(obstacle, is_smooth), body.points[faces].reshape(-1, 3),
+                   0.3 if is_flat else 0.2, size)
+    places, off, way = rigid(obstacle, run, boundary, factor)
+    if way > BENT * size and is_flat:
+        return with_large_gaps(obstacle, body, faces, factor, False)
+    result = at_places(obstacle, places)
+    # far from it a foundation, known along normals of the body, is no obstacle's shape
+    if result.GetPolys().GetMaxCellSize() > 3:
+        result = near_by(result, off, 0.3 * size)
+    return result, " bent where it overlaps" * bool(way > BENT * size)
+
+
+def near_by(surface, off, most):
+    """A surface without what is further off."""
+    surface.GetPointData().SetScalars(numpy_to_vtk(off, deep=True))
+    rim = vtk.vtkFeatureEdges()
+    set_up(rim, InputData=surface, FeatureEdges=False, NonManifoldEdges=False).Update()
+    ends = rim.GetOutput().GetPointData().GetScalars()
+    if ends is not None and ends.GetNumberOfTuples():  # where it was cut, not much nearer
+        nearest_end = vtk_to_numpy(ends).min()
+        most = nearest_end if 0.5 * most < nearest_end < most else most
+    clip = set_up(vtk.vtkClipPolyData(), InsideOut=True, Value=most, InputData=surface)
+    clip.Update()
+    return clip.GetOutput()
+
+
+def rigid(obstacle, run, boundary, factor):
+    """The places of an obstacle moved along with what it touches, how far off they are,
+    and by how much it is bent out of the body."""
+    body, contact = run.body, run.contact
+    chosen = contact.boundary == boundary
+    faces, n = contact.faces[chosen], len(body.points)
+
+    def at_nodes(values):
+        return np.bincount(faces.reshape(-1), values.reshape(-1), n)
+
+    normals = meshes.node_normals(faces, meshes.vector_areas(body.points[faces]), n)
+    areas = np.linalg.norm(meshes.vector_areas(body.points[faces]), axis=1)
+    way = bending.rigid_way(
+        normals, body.displacement,
+        at_nodes(areas[:, None] * np.maximum(contact.pressure[chosen], 0)),
+        at_nodes(contact.tangential_status[chosen] == 2) > 0)
+    drawn_points = body.points + factor * body.displacement
+    closed = at_nodes(contact.normal_status[chosen] == 1) > 0
+    places = places_of(obstacle) + (factor - 1) * way
+    place, normal, closed = nearest(places, drawn_points, faces, drawn_points, normals,
+                                    closed[:, None])
+    moved, bent_by = bending.out_of_body(places, SimpleNamespace(
+        place=place, normal=meshes.unit(normal), closed=closed),
+                                        np.ptp(body.points, axis=0).max())
+    return moved, np.linalg.norm(moved - place, axis=1), bent_by
+
+
+def with_large_gaps(obstacle, body, faces, factor, is_flat):
+    """An obstacle with gaps that are as many times larger as the displacement."""
+    size, places = np.ptp(body.points, axis=0).max(), places_of(obstacle)
+    normals = meshes.node_normals(faces, meshes.vector_areas(body.points[faces]),
+                                  len(body.points))
+    place, displacement, normal = nearest(places, body.points + body.displacement, faces,
+                                          body.points, body.displacement, normals)
+    moved, off = bending.with_large_gaps(places, SimpleNamespace(
+        place=place, displacement=displacement, normal=meshes.unit(normal)),
+                                         factor, is_flat, size)
+    result = near_by(at_places(obstacle, bending.widened(moved)), off, 0.3 * size)
+    return result, " with its gaps as large" * (factor > 1)
+
+
+def cut(obstacle, points, share, size):
+    """An obstacle without what is beyond these points of a boundary by more than a
+    share of their extent."""
+    for c, length in enumerate(np.ptp(points, axis=0)):
+        room = max(share * length, 0.05 * size)
+        if length < 1e-3 * size:  # above and below a plane
+            room = 0.3 * size
+        for sign, most in ((1, points[:, c].max()), (-1, -points[:, c].min())):
+            normal = -sign * np.eye(3)[c]
+            plane = set_up(vtk.vtkPlane(), Normal=normal, Origin=-(most + room) * normal)
+            clip = set_up(vtk.vtkClipPolyData(), ClipFunction=plane, InputData=obstacle)
+            clip.Update()
+            obstacle = clip.GetOutput()
+    return obstacle
+
+
+def places_of(surface):
+    """The points of a surface."""
+    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+
+
+def at_places(surface, places):
+    """A surface with its points elsewhere."""
     result = vtk.vtkPolyData()
-    result.DeepCopy(obstacle if is_flat else refined(obstacle, is_smooth))
-    places = vtk_to_numpy(result.GetPoints().GetData()).astype(float)
-    normals = meshes.node_normals(faces, areas, len(body.points))
-    moved, off = bending.bent(
-        places, nearest(places, body, faces, normals), factor, is_curved, is_flat,
-        0.003 * np.ptp(body.points, axis=0).max())
-    result.SetPoints(points_of(bending.widened(moved)))
-    result.GetPointData().SetScalars(numpy_to_vtk(off, deep=True))
+    result.DeepCopy(surface)
+    result.SetPoints(points_of(places))
     return result
 
 
@@ -129,9 +193,10 @@ def refined(surface, is_smooth):
 
     They are round where it is: where a gap is drawn much larger, so are chords.
     """
-    if (surface.GetPolys().GetMaxCellSize() > 3
+    # lines: of triangles that were too thin, smaller ones beside them would be folded
+    if (surface.GetPolys().GetMaxCellSize() > 3 or surface.GetNumberOfLines()
             or surface.GetNumberOfPolys() > MOST_TRIANGLES):
-        return surface
+        return set_up(surface, Verts=None, Lines=None)
     finer = set_up(vtk.vtkButterflySubdivisionFilter() if is_smooth
                    else vtk.vtkLinearSubdivisionFilter(),
                    InputData=surface, NumberOfSubdivisions=2)
@@ -148,13 +213,12 @@ def areas_of(surface):
     return vtk_to_numpy(normals.GetOutput().GetCellData().GetNormals()).astype(float)
 
 
-def nearest(places, body, faces, normals):
-    """The points of deformed faces nearest to places: place before loading,
-    displacement and unit normal there."""
+def nearest(places, points, faces, *fields):
+    """What fields at points, (n, ...), are where faces between these are nearest to
+    places."""
     triangles = faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)
-    deformed = body.points + body.displacement
     locator = set_up(vtk.vtkCellLocator(), DataSet=surface_of(
-        deformed, triangles, body.stress))
+        points, triangles, np.zeros(len(points))))
     locator.BuildLocator()
     cell, number = vtk.vtkGenericCell(), vtk.reference(0)
     sub, distance = vtk.reference(0), vtk.reference(0.0)
@@ -163,9 +227,5 @@ def nearest(places, body, faces, normals):
         locator.FindClosestPoint(place, found[i], cell, number, sub, distance)
         numbers[i] = number
     corners = triangles[numbers]
-    weights = bending.weights_of(deformed[corners], found)[..., None]
-    place, displacement, normal = (
-        (weights * values[corners]).sum(axis=1)
-        for values in (body.points, body.displacement, normals))
-    return SimpleNamespace(place=place, displacement=displacement,
-                           normal=meshes.unit(normal))
+    weights = bending.weights_of(points[corners], found)[..., None]
+    return [(weights * values[corners]).sum(axis=1) for values in fields]

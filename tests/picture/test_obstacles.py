@@ -19,50 +19,60 @@ except ImportError:
 class Obstacles(unittest.TestCase):
     """What touches the body touches it in the picture."""
 
-    FACTOR, LITTLE = 20, 1e-9
+    FACTOR = 20
 
     def near(self, place, displacement, normal):
-        """Nearest points of a contact boundary."""
+        """Nearest points of a flat contact boundary."""
         return SimpleNamespace(place=np.array(place, dtype=float),
                                displacement=np.array(displacement, dtype=float),
                                normal=np.array(normal, dtype=float))
 
-    def bent(self, near, gap, is_curved, is_flat):
-        """An obstacle with these gaps: how far from the drawn body it is drawn."""
-        gap = np.array(gap, dtype=float)[:, None]
-        places = near.place + near.displacement + gap * near.normal
-        moved, off = bending.bent(places, near, self.FACTOR, is_curved, is_flat,
-                                  self.LITTLE)
-        return moved - near.place - self.FACTOR * near.displacement, off
+    def test_an_obstacle_slides_along_a_wedge_and_goes_with_what_sticks(self):
+        angle = np.linspace(0, np.pi / 2, 9)
+        normals = np.stack([np.cos(angle), np.sin(angle), -np.ones(9)], axis=1) / np.sqrt(2)
+        down = np.stack([-np.cos(angle), -np.sin(angle), -np.ones(9)], axis=1)
+        weights, nothing = np.ones(9), np.zeros(9, dtype=bool)
+        np.testing.assert_allclose(bending.rigid_way(normals, down, weights, nothing), 0,
+                                   atol=1e-12)
+        np.testing.assert_allclose(bending.rigid_way(
+            normals, np.tile([1.0, 2, 3], (9, 1)), weights, ~nothing), [1, 2, 3])
+        np.testing.assert_allclose(bending.rigid_way(normals, down, 0 * weights, nothing), 0)
 
-    def test_a_foundation_touches_a_ball_and_keeps_its_true_gap(self):
-        angle = np.linspace(0, 1, 7)
-        normal = np.stack([np.sin(angle), 0 * angle, -np.cos(angle)], axis=1)
-        gap = 0.1 * angle**2
-        near = self.near(normal, -0.02 * angle[:, None] * [0.3, 0, 1], normal)
-        away, off = self.bent(near, gap, True, False)
-        np.testing.assert_allclose(away, gap[:, None] * normal, atol=1e-8)
-        np.testing.assert_allclose(off, gap)
+    def test_a_dent_of_a_roller_does_not_drive_a_plane_sideways(self):
+        x = np.linspace(0, 0.75, 9)
+        normals = meshes.unit(np.stack([x, 0 * x, x - 50], axis=1))
+        dent = np.stack([0 * x, 0 * x, 0.02 - x**2 / 100], axis=1)
+        way = bending.rigid_way(normals, dent, np.ones(9), np.zeros(9, dtype=bool))
+        self.assertLess(abs(way[0]), 1e-3)
+        self.assertTrue(dent[-1, 2] < way[2] < dent[0, 2])
 
-    def test_a_pin_that_cuts_chords_of_its_hole_does_not_in_the_picture(self):
-        near = self.near([[1, 0, 0]], [[0.1, 0, 0.2]], [[-1, 0, 0]])
-        away, _ = self.bent(near, [-0.03], True, False)
-        np.testing.assert_allclose(away, [[-self.LITTLE, 0, 0]], atol=1e-12)
+    def test_a_plane_is_bent_out_of_a_body_only_where_this_covers_it(self):
+        """Over x there are touched nodes, a bulge below the plane, and nothing below it."""
+        near = SimpleNamespace(
+            place=np.array([[0, 0, 0.1], [1, 0, -0.2], [2, 0, 1], [3, 0, -0.2]]),
+            normal=np.tile([0, 0, -1.0], (4, 1)), closed=np.array([[1.0], [0], [1], [0]]))
+        places = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [4, 0, 0]])
+        moved, way = bending.out_of_body(places, near, 10)
+        np.testing.assert_allclose(moved[:, 2] + 10 * bending.LITTLE, [0.1, -0.2, 0, 0])
+        np.testing.assert_allclose(moved[:, :2], places[:, :2])
+        self.assertAlmostEqual(way, 0.2)
 
     def test_gaps_above_a_flat_boundary_are_as_large_as_the_displacement(self):
         near = self.near([[0, 0, 0], [1, 0, 0]], [[0.03, 0, -0.01], [0.01, 0, -0.02]],
                          [[0, 0, 1]] * 2)
-        away, off = self.bent(near, [0, 0.05], False, False)
-        np.testing.assert_allclose(away, [[0, 0, 0], [0, 0, self.FACTOR * 0.05]],
-                                   atol=1e-8)
+        gap = np.array([[0], [0.05]]) * near.normal
+        moved, off = bending.with_large_gaps(near.place + near.displacement + gap, near,
+                                             self.FACTOR, False, 0)
+        np.testing.assert_allclose(moved - near.place - self.FACTOR * near.displacement,
+                                   self.FACTOR * gap, atol=1e-12)
         np.testing.assert_allclose(off, [self.FACTOR * 0.01, self.FACTOR * 0.03])
 
     def test_a_foundation_under_a_flat_boundary_stays_a_plane(self):
         near = self.near([[0, 0, 0], [1, 0, 0]], [[0.03, 0, 0.01], [0.01, 0, 0]],
                          [[0, 0, -1]] * 2)
         places = np.array([[0, 0, 0], [1, 0, 0]], dtype=float)
-        moved, off = bending.bent(places, near, self.FACTOR, False, True, self.LITTLE)
-        np.testing.assert_allclose(moved, places, atol=1e-8)
+        moved, off = bending.with_large_gaps(places, near, self.FACTOR, True, 0)
+        np.testing.assert_allclose(moved, places, atol=1e-12)
         np.testing.assert_allclose(off, 0, atol=1e-12)
 
     def test_which_boundaries_are_flat(self):
@@ -97,7 +107,7 @@ class Obstacles(unittest.TestCase):
 
 @unittest.skipIf(obstacles is None, "needs VTK")
 class Sight(unittest.TestCase):
-    """What is in front of a contact face, or bent to it."""
+    """What is in front of a contact face, nearest to it, or beside it."""
 
     def setUp(self):
         points, faces = cylinder_side(2, 3)
@@ -111,19 +121,24 @@ class Sight(unittest.TestCase):
     def test_an_obstacle_that_covers_the_contact_face(self):
         body = self.run_of.body
         deformed = data.surface_of(body.points, body.faces, body.stress)
-        for side, covering in ((1, 1), (-1, 0)):
-            parts = obstacles.split_by_sight(self.plane, self.run_of, deformed,
-                                             np.array([side, 0, 0]))
-            self.assertEqual([part.GetNumberOfPolys() for part in parts],
-                             [1 - covering, covering])
+        for side in 1, -1:
+            self.assertEqual(obstacles.covers(self.plane, self.run_of, deformed,
+                                              np.array([side, 0, 0])), side == 1)
 
-    def test_a_plane_is_bent_to_what_is_nearest(self):
-        places = np.array([[2.5, 0, 1.5], [2, 0, 0.2]])
-        normals = np.tile([1.0, 0, 0], (len(self.run_of.body.points), 1))
-        near = obstacles.nearest(places, self.run_of.body, self.run_of.contact.faces,
-                                 normals)
-        np.testing.assert_allclose(near.place, [[2, 0, 1.5], [2, 0, 0.2]], atol=1e-6)
-        np.testing.assert_allclose(near.displacement, [[-0.01, 0, 0]] * 2)
+    def test_what_is_nearest(self):
+        body = self.run_of.body
+        moved = body.points + body.displacement
+        place, displacement = obstacles.nearest(
+            np.array([[2.5, 0, 1.5], [2, 0, 0.2]]), moved, self.run_of.contact.faces,
+            body.points, body.displacement)
+        np.testing.assert_allclose(place, [[2, 0, 1.5], [2, 0, 0.2]], atol=1e-6)
+        np.testing.assert_allclose(displacement, [[-0.01, 0, 0]] * 2)
+
+    def test_a_plane_is_cut_beside_the_boundary(self):
+        points = np.array([[2.4, -0.5, 1], [2.4, 0.5, 2]])
+        ends = obstacles.places_of(obstacles.cut(self.plane, points, 0.2, 2))
+        np.testing.assert_allclose(np.abs(ends[:, 1]), 0.7)
+        np.testing.assert_allclose(np.ptp(ends[:, 2]), 1)
 
 
 if __name__ == "__main__":
