@@ -168,9 +168,10 @@ def write_page():
              "Made by `./run gallery`; `./run FILE.prm --picture` makes such a "
              "picture of any", "run. Read it so: on the left the deformed body "
              "with its von Mises stress, grey", "lines where it was before, and "
-             "the obstacle, all gaps exaggerated as much as the", "displacement, or "
-             "bent to touch a curved boundary where it does. On the right each",
-             "contact boundary: the status of its nodes with arrows of friction "
+             "the obstacle, bent where the body would cover", "it, or, above a flat "
+             "boundary with a deep dent, all gaps exaggerated as much", "as the "
+             "displacement. On the right each contact boundary: the status of its",
+             "nodes with arrows of friction "
              "(hatched: open),", "and the pressure.", ""]
     for name, sentence in PICTURES.items():
         lines += [f"## {name}", "", sentence, "",
