@@ -10,6 +10,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 from . import meshes, obstacles
 from .data import lines_of, set_up, surface_of
 
+TOO_FAR = 10  # sizes of the body
 OUTLINE, OBSTACLE, MESH, EDGE = 0x555555, 0xA8A8A8, 0xFFFFFF, 0x000000
 
 
@@ -25,8 +26,11 @@ def rounded(number):
 
 
 def exaggeration(points, largest):
-    """How many times larger than it is the displacement is drawn."""
+    """How many times larger than it is the displacement is drawn, not at all where
+    nothing else would be seen: of a body that flew off."""
     size = np.ptp(points, axis=0).max()
+    if largest > TOO_FAR * size:
+        return 0
     return max(1, rounded(0.1 * size / largest)) if largest > 0 else 1
 
 

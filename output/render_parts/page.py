@@ -223,11 +223,15 @@ def draw_body(page, run, body_picture, height):
     body = body_picture(width, room)
     words = (f"displacement {body.factor:.0f} times as large"
              if body.factor > 1 else "released" if run.released
-             else "displacement true to scale")
-    words += ", lines: before loading"
+             else "displacement true to scale" if body.factor == 1
+             else "displacement not drawn, up to " + quantity(
+                 run.units["length"], run.scale.displacement))
+    if body.factor:
+        words += ", lines: before loading"
     if body.obstacle is not None:
         words += f", grey: obstacle{body.obstacle}"
-    page.text(left, HEADER, "Deformed bodies" if run.n_bodies > 1 else "Deformed body",
+    title = "Bodies" if run.n_bodies > 1 else "Body"
+    page.text(left, HEADER, f"Deformed {title.lower()}" if body.factor else title,
               fontweight="bold")
     page.text(left, HEADER + 0.2, words, SMALL)
     rows, columns = body.image.shape[:2]

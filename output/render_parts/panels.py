@@ -51,7 +51,8 @@ def panels_of(contact, points, certified=True):
     normals = meshes.vector_areas(corners)
     result = []
     for boundary in np.unique(contact.boundary):
-        for faces in visible_parts(normals, contact.boundary == boundary):
+        parts = visible_parts(normals, contact.boundary == boundary)
+        for faces in parts:
             panel = SimpleNamespace(boundary=boundary, **{
                 name: values[faces] for name, values in vars(contact).items()
                 if name != "boundary"})
@@ -61,6 +62,8 @@ def panels_of(contact, points, certified=True):
             panel.kind[(panel.kind == UNDECIDED) & (panel.normal_status == 3) & (
                 panel.pressure > NOTHING * contact.pressure.max())] = PRESSED
             lay_flat(panel, corners[faces], normals[faces])
+            if len(parts) > 1:  # opposite ones are seen from the same side
+                panel.seen = f"facing {main_direction(normals[faces])}, {panel.seen}"
             panel.window = window_of(panel)
             result.append(panel)
     return result
@@ -209,6 +212,13 @@ def name_of(direction, signed=False):
         sign = "-" if direction[largest] < 0 else "+" if signed else ""
         return sign.replace("-", "\N{MINUS SIGN}") + AXES[largest]
     return "(" + ", ".join(number(round(c, 2)) for c in direction) + ")"
+
+
+def main_direction(normals):
+    """The coordinate axis, with its sign, along which most of these look."""
+    mean = normals.sum(axis=0)
+    axis = np.argmax(np.abs(mean))
+    return name_of(np.sign(mean[axis]) * np.eye(3)[axis], signed=True)
 
 
 def loaded(panel):

@@ -11,7 +11,7 @@ import numpy as np
 from render_parts import bending, meshes
 
 try:
-    from render_parts import data, obstacles
+    from render_parts import body, data, obstacles
 except ImportError:
     obstacles = None
 
@@ -103,6 +103,16 @@ class Obstacles(unittest.TestCase):
         corners = np.array([[[0, 0, 1], [2, 0, 1], [0, 4, 1]], np.zeros((3, 3))])
         weights = bending.weights_of(corners, np.array([[0.5, 1, 1], [0, 0, 0]]))
         np.testing.assert_allclose(weights, [[0.5, 0.25, 0.25], [1 / 3] * 3])
+
+
+@unittest.skipIf(obstacles is None, "needs VTK")
+class Exaggeration(unittest.TestCase):
+    """How many times larger displacements are drawn."""
+
+    def test_it_is_seen_and_does_not_hide_the_body(self):
+        points = np.array([[0, 0, 0], [20.0, 10, 5]])
+        for largest, factor in ((0.001, 2000), (0.3, 7), (5, 1), (0, 1), (2e4, 0)):
+            self.assertEqual(body.exaggeration(points, largest), factor)
 
 
 @unittest.skipIf(obstacles is None, "needs VTK")

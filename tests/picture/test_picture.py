@@ -88,7 +88,9 @@ class Panels(unittest.TestCase):
 
     def test_all_sides_of_a_brick_are_apart(self):
         shown = panels.panels_of(contact_on(self.faces, 0), self.points)
-        self.assertEqual(len(shown), 6)
+        self.assertEqual(len({panel.seen for panel in shown}), 6)
+        self.assertIn("facing \N{MINUS SIGN}x, seen from +x",
+                      [panel.seen for panel in shown])
 
     def test_side_of_a_cylinder_is_unrolled(self):
         points, faces = cylinder_side(2, 3)
