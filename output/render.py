@@ -13,15 +13,17 @@ screen.
 Left: the deformed body, exaggerated, with the von Mises stress (the values of
 all cells at a node averaged), its outline before loading, and the obstacle,
 moved along with what it touches, and bent only where the exaggerated body would
-cover it; above a flat boundary with a deep dent its gaps are exaggerated as much. Right: each contact boundary, seen along its
-mean normal or, if it is the side of a cylinder, unrolled; where forces act
-only in a small part, this part. The first map shows the status: every node
-colours the part of the boundary nearest to it, so that no status is ever
-interpolated. The colour tells what friction does, white lines over it that the
-node is open all the same (given friction), white dots that rounding would
-decide whether it is; of a run that is not certified, as the page says, the
-pressure is shown of undecided nodes as well, and which of them it presses; arrows of friction start at their nodes, on fine meshes at
-some of them. The second one shows the pressure, and where tied boundaries are pulled.
+cover it; above a flat boundary with a deep dent its gaps are exaggerated as
+much. Right: each contact boundary, seen along its mean normal or, if it is the
+side of a cylinder, unrolled; where forces act only in a small part, this part.
+The first map shows the status: every node colours the part of the boundary
+nearest to it, so that no status is ever interpolated. The colour tells what
+friction does, white lines over it that the node is open all the same (given
+friction), white dots that rounding would decide whether it is; of a run that is
+not certified, as the page says, the pressure is shown of undecided nodes as
+well, and which of them it presses; arrows of friction start at their nodes, on
+fine meshes at some of them. The second one shows the pressure, and where tied
+boundaries are pulled.
 
 Of a run of several steps this is the last one, and history.png beside it
 (PICTURE_history.png, if the picture has another name) has the curves of

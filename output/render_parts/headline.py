@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 from .words import ROUNDING, number, plain, quantity
 
 
@@ -19,11 +21,15 @@ def numbers(run):
 
 
 def largest_traction(run, contact):
-    """The largest pressure or, where more is pulled than pressed, tension."""
+    """The largest pressure or, where more is pulled than pressed, tension; shear of a tie
+    that is neither."""
     pressure, tension = (max(part.get(name, 0) for part in [contact, *contact["boundaries"]])
                          for name in ("max_pressure", "max_tension"))
-    return (f"largest {'tension' if tension > pressure else 'pressure'} "
-            + quantity(run.units["stress"], max(pressure, tension)))
+    largest, what = max((pressure, "pressure"), (tension, "tension"), key=lambda of: of[0])
+    shear = np.linalg.norm(run.contact.tangential_traction, axis=-1).max()
+    if largest <= ROUNDING * shear:
+        largest, what = shear, "shear"
+    return f"largest {what} " + quantity(run.units["stress"], largest)
 
 
 def contact_force(run, contact):

@@ -130,10 +130,11 @@ def rigid(obstacle, run, boundary, factor):
 
     normals = meshes.node_normals(faces, meshes.vector_areas(body.points[faces]), n)
     areas = np.linalg.norm(meshes.vector_areas(body.points[faces]), axis=1)
+    used = np.unique(faces)
     way = bending.rigid_way(
-        normals, body.displacement,
-        at_nodes(areas[:, None] * np.maximum(contact.pressure[chosen], 0)),
-        at_nodes(contact.tangential_status[chosen] == 2) > 0)
+        normals[used], body.displacement[used],
+        at_nodes(areas[:, None] * np.maximum(contact.pressure[chosen], 0))[used],
+        at_nodes(contact.tangential_status[chosen] == 2)[used] > 0)
     drawn_points = body.points + factor * body.displacement
     closed = at_nodes(contact.normal_status[chosen] == 1) > 0
     places = places_of(obstacle) + (factor - 1) * way

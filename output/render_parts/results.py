@@ -145,6 +145,8 @@ def read(directory, tag="", time=None):
         solution.von_Mises_stress_averaged[:] = 0
         contact.pressure[:] = 0
         contact.tangential_traction[:] = 0
+    shear = np.linalg.norm(contact.tangential_traction, axis=1).max()
+    contact.pressure[np.abs(contact.pressure) <= words.ROUNDING * shear] = 0  # of a tie
     body = body_of(solution, faces, first, number[:n])
     pressure = panels.shown_pressure(contact, certified)[contact.cells].reshape(-1)
     return SimpleNamespace(

@@ -328,7 +328,8 @@ class Headline(unittest.TestCase):
         boundary = {"name": "a", "opposite": "b", "force_on_body": [0, 0, -1],
                     "normal_force": 1, **boundary}
         return headline.numbers(SimpleNamespace(
-            certified=True, released=released, units={"force": "N", "stress": "MPa"},
+            certified=True, released=released, contact=SimpleNamespace(
+                tangential_traction=np.array([[[0, 3e-6, 4e-6]]])), units={"force": "N", "stress": "MPa"},
             summary={"contact": {"boundaries": [boundary], "max_pressure": 0,
                                  "tied": 9}}))
 
@@ -337,6 +338,8 @@ class Headline(unittest.TestCase):
                          "largest pressure 3 MPa   contact force on a (0, 0, "
                          "\N{MINUS SIGN}1) N   nodes: tied 9")
         self.assertIn("largest tension 2 MPa", self.numbers(max_tension=2))
+        self.assertIn("largest shear 5$\\times10^{-6}$ MPa",
+                      self.numbers(max_pressure=1e-14, max_tension=1e-13))
 
     def test_a_body_that_was_let_go(self):
         self.assertEqual(self.numbers(released=True, max_pressure=1e-12),
