@@ -77,15 +77,19 @@ def render_frames(directory, sharpness=SHARPNESS):
                        "several 'Time/Steps'.")
     scale = SimpleNamespace(displacement=0, stress=0, pressure=0, peak=0)
     for time, tag in steps:  # read again below: all may be too much for memory
-        for name, value in vars(results.read(directory, tag, time).scale).items():
-            setattr(scale, name, max(value, getattr(scale, name)))
-    pictures = []
-    for time, tag in steps:
-        run = results.read(directory, tag, time)
-        run.scale = scale
-        pictures.append(os.path.join(directory, f"frame{tag}.png"))
-        write(draw(run, sharpness), pictures[-1], sharpness)
-    return pictures
+        one = results.read(directory, tag, time).scale
+        for name, value in vars(scale).items():
+            setattr(scale, name, max(value, getattr(one, name)))
+    scale.dented = set()
+    pictures = {os.path.join(directory, f"frame{tag}.png"): -1 for _, tag in steps}
+    for _ in range(2):  # once more before a dent that was found in a later step
+        for (picture, known), (time, tag) in zip(pictures.items(), steps):
+            if known < len(scale.dented) or known < 0:
+                run = results.read(directory, tag, time)
+                run.scale = scale
+                write(draw(run, sharpness), picture, sharpness)
+                pictures[picture] = len(scale.dented)
+    return list(pictures)
 
 
 def draw(run, sharpness):

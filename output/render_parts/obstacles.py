@@ -96,6 +96,8 @@ def bent(obstacle, is_smooth, run, boundary, factor):
                    0.3 if is_flat else 0.2, size)
     places, off, way = rigid(obstacle, run, boundary, factor)
     if way > BENT * size and is_flat:
+        run.scale.dented.add(boundary)
+    if boundary in run.scale.dented:
         return with_large_gaps(obstacle, body, faces, factor, False)
     result = at_places(obstacle, places)
     # far from it a foundation, known along normals of the body, is no obstacle's shape

@@ -117,7 +117,8 @@ def read(directory, tag="", time=None):
     (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
     what is shown, as steps with files are; released: whether only rounding is left at
     the end, which then is zero; scale: the largest displacement, stress and pressure,
-    which everything is drawn with, and peak, of a few nodes with more than that.
+    which everything is drawn with, peak, of a few nodes with more than that, and dented,
+    flat boundaries with a dent that is deep in the picture.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -157,7 +158,7 @@ def read(directory, tag="", time=None):
             stress=body.stress[np.unique(body.faces)].max(),
             pressure=panels.scale_of(pressure, np.repeat(np.linalg.norm(
                 meshes.vector_areas(contact.points[contact.cells]), axis=1), 4)),
-            peak=max(pressure.max(), 0)),
+            peak=max(pressure.max(), 0), dented=set()),
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),
