@@ -3,6 +3,7 @@
 #include <stiction/base/text/did_you_mean.h>
 #include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
+#include <stiction/base/text/read_line.h>
 #include <stiction/base/text/utf8.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -116,21 +117,19 @@ namespace stiction
     bool next_statement(std::istream &in, const std::string &file, unsigned int &number,
                         std::string &where, std::string &line)
     {
-      for (line.clear(); line.empty() && std::getline(in, line);)
+      for (line.clear(); line.empty() && read_line(in, line);)
         {
           where = file + ", line " + std::to_string(++number);
           if (std::any_of(line.begin(), line.end(), [](const unsigned char c) {
-                return std::iscntrl(c) != 0 && c != '\t' && c != '\r';
+                return std::iscntrl(c) != 0 && c != '\t';
               }))
             throw InputError(where + ": is no statement but has bytes that are "
                                      "no text, must be a text file in UTF-8.");
-          if (number == 1 && line.rfind("\xef\xbb\xbf", 0) == 0)
-            line.erase(0, 3); // the mark some editors put before UTF-8
           line = trim(line.substr(0, line.find('#')));
           while (!line.empty() && line.back() == '\\')
             {
               std::string next;
-              std::getline(in, next);
+              read_line(in, next);
               ++number;
               line.pop_back();
               line = trim(line + trim(next.substr(0, next.find('#'))));
@@ -195,7 +194,7 @@ namespace stiction
   {
     std::ifstream in(file);
     std::vector<std::string> all;
-    for (std::string line; std::getline(in, line);)
+    for (std::string line; read_line(in, line);)
       {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string keyword, first, rest;

@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/read_line.h>
 #include <stiction/base/text/text_scanner.h>
 
 #include <algorithm>
@@ -36,8 +37,7 @@ namespace stiction
     position_ = 0;
     do
       {
-        line_.clear();
-        if (!std::getline(in_, line_))
+        if (!stiction::read_line(in_, line_))
           return false;
         ++line_number_;
       }

@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/text/read_line.h>
 #include <stiction/contact/obstacles/stl_file.h>
 
 #include <deal.II/base/tensor.h>
@@ -48,7 +49,7 @@ namespace stiction
       std::istringstream in(content);
       std::string line, word;
       Corners corners;
-      for (unsigned int number = 1; std::getline(in, line); ++number)
+      for (unsigned int number = 1; read_line(in, line); ++number)
         {
           std::istringstream words(line);
           if (!(words >> word))
@@ -81,7 +82,7 @@ namespace stiction
         throw InputError("is empty");
       if (is_binary(content))
         return read_binary(content);
-      const std::size_t first = content.find_first_not_of(" \t\r\n");
+      const std::size_t first = content.find_first_not_of(" \t\r\n" + byte_order_mark);
       if (first == std::string::npos || content.compare(first, 5, "solid") != 0)
         throw InputError("is no STL file");
       return read_text(content);

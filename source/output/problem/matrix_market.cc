@@ -1,5 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/files.h>
+#include <stiction/base/text/read_line.h>
 #include <stiction/base/text/text_scanner.h>
 #include <stiction/output/problem/matrix_market.h>
 #include <stiction/output/problem/problem_check.h>
@@ -134,10 +135,16 @@ namespace stiction
         // a binary file may be one long line
         std::ifstream in(path_);
         std::string text(banner.size(), ' ');
-        if (!in.read(text.data(), static_cast<std::streamsize>(text.size())) ||
+        const auto is_read = [&]() {
+          return bool(in.read(text.data(), static_cast<std::streamsize>(text.size())));
+        };
+        if (!is_read() ||
+            (text.rfind(byte_order_mark, 0) == 0 &&
+             !(in.seekg(static_cast<std::streamoff>(byte_order_mark.size())) &&
+               is_read())) ||
             upper(text) != banner)
           throw InputError(path_ + ", line 1: is no Matrix Market file, " + rule + ".");
-        std::getline(in, text);
+        stiction::read_line(in, text);
         std::istringstream words(upper(text));
         std::string object, format, field, symmetry, more;
         words >> object >> format >> field >> symmetry >> more;

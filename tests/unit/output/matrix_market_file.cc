@@ -42,7 +42,7 @@ namespace
                                      "3 1\r\n"
                                      "1 +2 -3\r\n");
     write_text(directory + "/friction_coefficient.mtx",
-               "%%MatrixMarket matrix array real symmetric\n1 1\n0.25");
+               "\xef\xbb\xbf%%MatrixMarket matrix array real symmetric\r1 1\r0.25");
   }
 
   void refused_text(const std::string &what, const std::string &file,
