@@ -126,8 +126,11 @@ namespace stiction
 
   double TextScanner::to_real(const std::string &word) const
   {
+    std::string number = word;
+    std::replace(number.begin(), number.end(), 'D', 'e');
+    std::replace(number.begin(), number.end(), 'd', 'e');
     char *end          = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
+    const double value = std::strtod(number.c_str(), &end);
     // no hexadecimal digits, which no other program takes in such a file
     if (word.empty() || *end != '\0' || !(std::abs(value) <= 1e30) ||
         word.find_first_of("xX") != std::string::npos)

@@ -143,6 +143,8 @@ namespace
     refused("no face", "all, S1", "all, S7");
     refused("no set", "all, S1", "none, S1");
     refused("no element", "all, S1", "7, S1");
+    refused("an exponent of Fortran", "3, 2, 0, 0", "3, 0.2D1, 0.d0, 0D+00");
+    refused("two exponents", "3, 2, 0, 0", "3, 0.2D1D1, 0, 0");
     read("a set that is written wrong", "inp",
          abaqus + "*SURFACE, NAME=a\nal, S1\n" + surface);
     read("a set without name", "inp", abaqus + "*ELSET\n1\n");

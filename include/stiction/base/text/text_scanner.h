@@ -62,7 +62,8 @@ namespace stiction
     /// A word as a whole number >= 0.
     std::uint64_t to_count(const std::string &word) const;
 
-    /// A word as a number of at most 1e30. Throws InputError if it is none.
+    /// A word as a number of at most 1e30, with an exponent that begins with e or, as
+    /// Fortran writes it, with d. Throws InputError if it is none.
     double to_real(const std::string &word) const;
 
     /// A beginning of a line.
