@@ -124,6 +124,10 @@ namespace stiction
               {
                 const std::uint64_t n_vertices =
                   i == 0 ? text_.to_count(first) : text_.count();
+                if (n_vertices == 0)
+                  text_.refuse("a cell without nodes stands here, must begin with how "
+                               "many it has, or 'OFFSETS' must stand right below "
+                               "'CELLS', as files of version 5.1 have it");
                 cells_.push_back(text_.integers(n_vertices));
               }
             return;
