@@ -34,6 +34,9 @@ namespace stiction
       {
         if (!has_format_ && name != "$MeshFormat")
           text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
+        if (name == "$Elements" && !has_nodes_)
+          text_.refuse("section '$Elements' stands here and no section '$Nodes' before "
+                       "it, nodes must stand before the elements that have them");
         if (name == "$MeshFormat")
           read_format();
         else if (name == "$PhysicalNames")
@@ -41,7 +44,10 @@ namespace stiction
         else if (name == "$Entities")
           read_entities();
         else if (name == "$Nodes")
-          is_4_ ? read_nodes_4() : read_nodes_2();
+          {
+            is_4_ ? read_nodes_4() : read_nodes_2();
+            has_nodes_ = true;
+          }
         else if (name == "$Elements")
           is_4_ ? read_elements_4() : read_elements_2();
         else if (name[0] != '$')
@@ -185,7 +191,18 @@ namespace stiction
       // Once for each group that it is in.
       void read_element(const std::int64_t type, const std::set<std::int64_t> &groups)
       {
-        const auto nodes = text_.integers(mesh_.element_kind(type).n_nodes);
+        const std::size_t line     = text_.line_number();
+        const unsigned int n_nodes = mesh_.element_kind(type).n_nodes;
+        MeshBuilder::Nodes nodes;
+        while (nodes.size() < n_nodes && text_.word()[0] != '$')
+          nodes.push_back(text_.to_integer(text_.this_word()));
+        // it may go on in the next line, but then ends with a line
+        if (nodes.size() < n_nodes ||
+            (text_.line_number() != line && !text_.rest_of_line().empty()))
+          text_.refuse("the element that begins in line " + std::to_string(line) +
+                       " has fewer than the " + std::to_string(n_nodes) +
+                       " nodes of Gmsh's type " + std::to_string(type) +
+                       ", must have as many before the next one begins");
         for (const std::int64_t group : groups)
           mesh_.add_element(type, group, nodes);
       }
@@ -193,8 +210,7 @@ namespace stiction
       TextScanner &text_;
       MeshBuilder mesh_;
       std::array<std::map<std::int64_t, std::set<std::int64_t>>, 4> groups_of_;
-      bool has_format_ = false;
-      bool is_4_       = false;
+      bool has_format_ = false, has_nodes_ = false, is_4_ = false;
     };
   } // namespace
 
