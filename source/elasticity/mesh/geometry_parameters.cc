@@ -117,7 +117,7 @@ namespace stiction
         location = bodies.front()->location;
         return check_size(source);
       }
-    if (type.empty() && table_1_level > 0)
+    if (type.empty() && table_1_level > 0 && mesh_file.empty())
       type = "brick";
     locate(source);
     apply_table_1_level(source);

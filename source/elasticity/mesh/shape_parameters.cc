@@ -141,6 +141,10 @@ namespace stiction
 
   void ShapeParameters::locate(const ParameterFile &source)
   {
+    source.require(!type.empty() || lengths.empty() || mesh_file.empty(),
+                   entry("Mesh file"),
+                   "says what the body is, as 'Lengths' do too, must be the only one of "
+                   "the two, or 'Type' must say which of them counts");
     // no other body has such edges
     if (type.empty() && !lengths.empty())
       type = "brick";
