@@ -65,6 +65,8 @@ namespace stiction
   {
     for (const std::string &what : body_->left_out())
       log_->line(what);
+    for (const std::string &what : body_->damages())
+      log_->line("WARNING: " + what);
     std::string elements;
     for (const auto &[kind, n] : body_->cut_elements())
       elements += (elements.empty() ? "" : ", ") + std::to_string(n) + ' ' + kind;

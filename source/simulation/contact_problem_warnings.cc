@@ -220,7 +220,7 @@ namespace stiction
 
   std::vector<std::string> ContactProblem::warnings() const
   {
-    std::vector<std::string> sentences;
+    std::vector<std::string> sentences = body_->damages();
     if (parameters_.has_locking())
       sentences.push_back(
         format("with a Poisson ratio of %g trilinear elements lock, bodies and "

@@ -124,6 +124,8 @@ namespace stiction
             origin_.cut_elements    = mesh.cut_elements;
             for (const std::string &what : mesh.left_out)
               origin_.left_out.push_back("Left out of " + shape.mesh_file + ": " + what);
+            for (const std::string &what : mesh.damages)
+              origin_.damages.push_back("in " + shape.mesh_file + ' ' + what + '.');
             boundaries    = mesh.boundary_names;
             materials     = mesh.material_names;
             body_names_   = mesh.body_names;

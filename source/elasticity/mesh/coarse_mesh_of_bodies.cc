@@ -96,7 +96,7 @@ namespace stiction
     std::map<std::string, MeshNames::Id> boundaries, materials;
     std::map<types::material_id, std::string> body_names;
     std::map<std::string, std::size_t> cut_elements;
-    std::vector<std::string> left_out;
+    std::vector<std::string> left_out, damages;
     bool is_quadratic = false;
   };
 
@@ -121,6 +121,7 @@ namespace stiction
       origin_.quadratic_cells = QuadraticCells(std::move(parts.nodes));
     origin_.cut_elements   = parts.cut_elements;
     origin_.left_out       = parts.left_out;
+    origin_.damages        = parts.damages;
     origin_.boundary_names = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
     origin_.material_names = MeshNames("material", parts.material_ids, parts.materials);
     body_of_material_      = parts.body_names;
@@ -200,9 +201,14 @@ namespace stiction
                      placed.name + '.' + origin_.material_names.name(id));
     for (const auto &[kind, n] : origin_.cut_elements)
       parts.cut_elements[kind] += n;
-    for (const std::string &what : origin_.left_out)
-      if (std::find(parts.left_out.begin(), parts.left_out.end(), what) ==
-          parts.left_out.end())
-        parts.left_out.push_back(what);
+    // of a file that several bodies are made of once
+    const auto add = [](const std::vector<std::string> &of_body,
+                        std::vector<std::string> &all) {
+      for (const std::string &what : of_body)
+        if (std::find(all.begin(), all.end(), what) == all.end())
+          all.push_back(what);
+    };
+    add(origin_.left_out, parts.left_out);
+    add(origin_.damages, parts.damages);
   }
 } // namespace stiction

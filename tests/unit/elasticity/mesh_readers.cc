@@ -47,6 +47,8 @@ namespace
                   << " of body " << mesh.body_names[b];
         for (const std::string &what : mesh.left_out)
           out() << ", without " << what;
+        for (const std::string &what : mesh.damages)
+          out() << ", " << what;
         if (mesh.material_names.empty())
           for (const auto &cell : mesh.cells)
             out() << ", material " << cell.material_id;
@@ -224,6 +226,51 @@ namespace
     read("no axis", "inp", part("p") + instance("one", moved + "1, 1, 1, 1, 1, 1, 90\n"));
   }
 
+  // The bottom of 4 x 4 x 1 cells without some of its faces, of cells or of prisms.
+  void abaqus_holes()
+  {
+    std::string cells = "*NODE\n", prisms;
+    for (unsigned int n = 0; n < 50; ++n)
+      cells += std::to_string(n + 1) + ", " + std::to_string(n % 5) + ", " +
+               std::to_string(n / 5 % 5) + ", " + std::to_string(n / 25) + '\n';
+    prisms = cells += "*ELEMENT, TYPE=";
+    cells += "C3D8, ELSET=all\n";
+    prisms += "C3D6, ELSET=all\n";
+    for (unsigned int e = 0; e < 16; ++e)
+      {
+        const auto add = [&](std::string &to, const unsigned int number,
+                             const std::vector<unsigned int> &corners) {
+          to += std::to_string(number);
+          for (const unsigned int layer : {0, 25})
+            for (const unsigned int corner : corners)
+              to += ", " + std::to_string(5 * (e / 4) + e % 4 + corner + layer);
+          to += '\n';
+        };
+        add(cells, e + 1, {1, 2, 7, 6});
+        add(prisms, 2 * e + 1, {1, 2, 7});
+        add(prisms, 2 * e + 2, {1, 7, 6});
+      }
+    const auto without = [](const std::string &name, const std::string &elements,
+                            const unsigned int n, const std::set<unsigned int> &missing) {
+      std::string text = elements + "*SURFACE, NAME=floor\n";
+      for (unsigned int e = 1; e <= n; ++e)
+        if (missing.count(e) == 0)
+          text += std::to_string(e) + ", S1\n";
+      read(name, "inp", text + "*SOLID SECTION, ELSET=all, MATERIAL=steel\n");
+    };
+    without("all faces", cells, 16, {});
+    without("one missing inside", cells, 16, {6});
+    without("one at an edge, two in all", cells, 16, {2, 16});
+    without("a square left out", cells, 16, {6, 7, 10, 11});
+    without("a strip left out", cells, 16, {5, 6, 7, 8});
+    without("half of it left out", cells, 16, {1, 2, 3, 4, 5, 6, 7, 8});
+    without("all triangles", prisms, 32, {});
+    without("two missing inside, and two that are neighbours", prisms, 32,
+            {11, 22, 27, 28});
+    without("a square of triangles left out", prisms, 32,
+            {11, 12, 13, 14, 19, 20, 21, 22});
+  }
+
   const std::string points    = "# vtk DataFile Version 3.0\ntwo cubes\nASCII\n"
                                 "DATASET UNSTRUCTURED_GRID\nPOINTS 12 double\n0 0 0 1 0 0\n"
                                 "2 0 0 0 1 0\n1 1 0 2 1 0\n0 0 1 1 0 1\n2 0 1 0 1 1 1 1 1\n"
@@ -287,6 +334,8 @@ int main(int argc, char *argv[])
   abaqus_files();
   out() << "Abaqus, parts and instances" << std::endl;
   abaqus_assemblies();
+  out() << "Abaqus, holes in boundaries" << std::endl;
+  abaqus_holes();
   out() << "VTK" << std::endl;
   vtk_files();
 }

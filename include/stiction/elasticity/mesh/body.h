@@ -189,6 +189,9 @@ namespace stiction
     /// What of mesh files is left out, a line each with the file's name.
     const std::vector<std::string> &left_out() const { return origin_.left_out; }
 
+    /// Where mesh files seem to be damaged, a sentence each with the file's name.
+    const std::vector<std::string> &damages() const { return origin_.damages; }
+
     /// The boundaries of the mesh, with their names.
     const MeshNames &boundary_names() const { return origin_.boundary_names; }
 

@@ -21,7 +21,7 @@ namespace stiction
   {
     QuadraticCells quadratic_cells; ///< of a file with elements of second order
     std::map<std::string, std::size_t> cut_elements;
-    std::vector<std::string> left_out;
+    std::vector<std::string> left_out, damages;
     MeshNames boundary_names, material_names;
   };
 

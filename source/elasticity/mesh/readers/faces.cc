@@ -26,6 +26,9 @@ namespace stiction
     constexpr unsigned int no_vertex = std::numeric_limits<unsigned int>::max();
     constexpr std::size_t no_cell    = std::numeric_limits<std::size_t>::max();
 
+    // Of the angle between normals of faces that are in line, 10 degrees.
+    constexpr double cosine_in_line = 0.985;
+
     Point<3> centre_of(const MeshData &mesh, const std::vector<unsigned int> &vertices)
     {
       Point<3> centre;
@@ -195,6 +198,73 @@ namespace stiction
     return lost;
   }
 
+  std::vector<std::string> Faces::holes_in(const std::vector<CellData<2>> &boundary) const
+  {
+    std::map<Key, types::boundary_id> ids;
+    for (const CellData<2> &quad : boundary)
+      ids.emplace(sorted(quad.vertices), quad.boundary_id);
+
+    struct Outer
+    {
+      std::vector<unsigned int> around;
+      Tensor<1, 3> normal;
+      types::boundary_id id; // 0: of none
+    };
+    std::vector<Outer> outer;
+    std::map<Part, std::vector<std::size_t>> at_edge; // places in these
+    const auto edge = [](const std::vector<unsigned int> &around, const std::size_t e) {
+      const auto [low, high] = std::minmax(around[e], around[(e + 1) % around.size()]);
+      return Part{{low, high}};
+    };
+    for (const Face &face : faces_)
+      if (face.second == no_cell)
+        {
+          auto around = vertices_of_face(face.first, face.number);
+          if (around.size() == 4)
+            std::swap(around[2], around[3]);
+          for (std::size_t e = 0; e < around.size(); ++e)
+            at_edge[edge(around, e)].push_back(outer.size());
+          const Tensor<1, 3> normal = normal_of(face) / normal_of(face).norm();
+          const auto id             = ids.find(face.vertices);
+          outer.push_back({around, side_of(face.first, face) < 0. ? normal : -normal,
+                           id == ids.end() ? 0 : id->second});
+        }
+
+    std::map<types::boundary_id, std::size_t> missing;
+    std::map<types::boundary_id, Point<3>> places;
+    for (const Outer &face : outer)
+      {
+        if (face.id != 0)
+          continue;
+        std::map<types::boundary_id, std::size_t> n_edges; // with faces in line
+        for (std::size_t e = 0; e < face.around.size(); ++e)
+          for (const std::size_t other : at_edge[edge(face.around, e)])
+            if (&outer[other] != &face &&
+                outer[other].normal * face.normal > cosine_in_line)
+              ++n_edges[outer[other].id];
+        for (const auto &[id, n] : n_edges)
+          if (id != 0 && 2 * n > face.around.size())
+            {
+              ++missing[id];
+              if (n_edges.size() == 1)
+                places.emplace(id, centre_of(mesh_, face.around));
+            }
+      }
+    std::vector<std::string> holes;
+    for (const auto &[id, place] : places)
+      {
+        const std::string name = mesh_.name_of_boundary(id);
+        const bool is_one      = missing[id] == 1;
+        holes.push_back(text_of(
+          missing[id], is_one ? " face" : " faces", " in the midst of boundary ", name,
+          is_one ? ", at (" : ", such as that at (", place, is_one ? "), is" : "), are",
+          " of no boundary: no contact, load or support of ", name,
+          " acts there; if the file has lost them, write it anew with all faces of ",
+          name));
+      }
+    return holes;
+  }
+
   Faces::Key Faces::sorted(const std::vector<unsigned int> &vertices)
   {
     Key key;
@@ -223,17 +293,21 @@ namespace stiction
     return face != faces_.end() && face->vertices == vertices ? &*face : nullptr;
   }
 
+  Tensor<1, 3> Faces::normal_of(const Face &face) const
+  {
+    const auto &at      = mesh_.vertices;
+    const auto vertices = vertices_of_face(face.first, face.number);
+    return vertices.size() == 3 ? cross_product_3d(at[vertices[1]] - at[vertices[0]],
+                                                   at[vertices[2]] - at[vertices[0]])
+                                : cross_product_3d(at[vertices[3]] - at[vertices[0]],
+                                                   at[vertices[2]] - at[vertices[1]]);
+  }
+
   double Faces::side_of(const std::size_t cell, const Face &face) const
   {
-    const auto &at            = mesh_.vertices;
-    const auto vertices       = vertices_of_face(face.first, face.number);
-    const Tensor<1, 3> normal = vertices.size() == 3
-                                  ? cross_product_3d(at[vertices[1]] - at[vertices[0]],
-                                                     at[vertices[2]] - at[vertices[0]])
-                                  : cross_product_3d(at[vertices[3]] - at[vertices[0]],
-                                                     at[vertices[2]] - at[vertices[1]]);
-    return (centre_of(mesh_, mesh_.cells[cell].vertices) - centre_of(mesh_, vertices)) *
-           normal;
+    return (centre_of(mesh_, mesh_.cells[cell].vertices) -
+            centre_of(mesh_, vertices_of_face(face.first, face.number))) *
+           normal_of(face);
   }
 
   std::vector<Faces::Part> Faces::edges_of(const CellData<3> &cell)

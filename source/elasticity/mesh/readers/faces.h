@@ -40,6 +40,17 @@ namespace stiction
       std::vector<dealii::CellData<2>> &boundary,
       const std::set<dealii::types::boundary_id> &in_use) const;
 
+    /// Where faces of boundaries seem to be missing: a face of none has more than half of
+    /// its edges in common with faces of one that are in line with it, and the others
+    /// with none in line. A sound mesh that leaves a part of a plane out has more faces
+    /// there.
+    ///
+    /// @param boundary as require_boundaries_fit() leaves it.
+    ///
+    /// @return a clause for each such boundary, which begins with the number of faces.
+    std::vector<std::string> holes_in(
+      const std::vector<dealii::CellData<2>> &boundary) const;
+
   private:
     // Sorted; the last entry of a triangle is larger than any vertex.
     using Key = std::array<unsigned int, 4>;
@@ -63,6 +74,9 @@ namespace stiction
     std::vector<unsigned int> vertices_of_face(std::size_t cell, unsigned int face) const;
 
     void require_different_nodes() const;
+
+    // Across the face, to either side.
+    dealii::Tensor<1, 3> normal_of(const Face &face) const;
 
     // On which side of the first cell's face a cell is.
     double side_of(std::size_t cell, const Face &face) const;

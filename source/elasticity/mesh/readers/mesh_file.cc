@@ -102,6 +102,7 @@ namespace stiction
       for (std::string &what :
            faces.require_boundaries_fit(mesh.faces.boundary_quads, ids))
         mesh.left_out.push_back(std::move(what));
+      mesh.damages = faces.holes_in(mesh.faces.boundary_quads);
     }
     cut_into_hexahedra(mesh);
     GridTools::consistently_order_cells(mesh.cells);

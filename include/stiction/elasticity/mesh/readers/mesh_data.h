@@ -39,6 +39,9 @@ namespace stiction
     /// What of the file is left out, a sentence each without the file's name.
     std::vector<std::string> left_out;
 
+    /// Where the file seems to be damaged, likewise.
+    std::vector<std::string> damages;
+
     /// How many elements of the file were cut into the cells, by kinds:
     /// "tetrahedra". Empty if the cells are those of the file.
     std::map<std::string, std::size_t> cut_elements;
