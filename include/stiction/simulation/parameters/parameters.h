@@ -61,10 +61,7 @@ namespace stiction
     void check_method(bool is_coulomb) const;
 
     /// See MaterialParameters::has_mean_dilatation().
-    bool has_mean_dilatation() const
-    {
-      return material.has_mean_dilatation();
-    }
+    bool has_mean_dilatation() const { return material.has_mean_dilatation(); }
 
     /// Whether the elements lock: trilinear ones, a Poisson ratio near 0.5 and
     /// 'Volume strain = pointwise'.
