@@ -108,7 +108,7 @@ namespace stiction
         entries_.vertices = vertices;
         const auto m      = static_cast<Eigen::Index>(entries_.vertices.size());
         const auto n      = static_cast<unsigned int>(nodes.size());
-        Eigen::VectorXf row(9 * n);
+        Eigen::VectorXd row(9 * n);
         half_.setZero(9 * n, m);
         weights_.resize(n);
         for (unsigned int i = 0; i < n; ++i)
@@ -120,20 +120,20 @@ namespace stiction
             for (unsigned int j = 0; j < n; ++j)
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
-                  row(9 * j + 3 * a + b) = static_cast<float>(K(3 * i + a, 3 * j + b));
+                  row(9 * j + 3 * a + b) = K(3 * i + a, 3 * j + b);
             for (const auto &[vertex, weight] : weights_[i])
               half_.col(vertex) += weight * row;
           }
         entries_.blocks.setZero(9 * m, m);
         for (unsigned int j = 0; j < n; ++j)
           {
-            const Eigen::Matrix<float, 9, Eigen::Dynamic> of_node =
+            const Eigen::Matrix<double, 9, Eigen::Dynamic> of_node =
               half_.middleRows<9>(9 * j);
             for (const auto &[vertex, weight] : weights_[j])
               {
                 const Eigen::Index length = 9 * (m - vertex);
                 entries_.blocks.col(vertex).tail(length) +=
-                  weight * Eigen::Map<const Eigen::VectorXf>(&of_node(0, vertex), length);
+                  weight * Eigen::Map<const Eigen::VectorXd>(&of_node(0, vertex), length);
               }
           }
         return entries_;
@@ -142,8 +142,8 @@ namespace stiction
     private:
       const Interpolation &interpolation_;
       BlockMatrix::Entries entries_;
-      std::vector<std::vector<std::pair<Eigen::Index, float>>> weights_; // of each node
-      Eigen::MatrixXf half_;
+      std::vector<std::vector<std::pair<Eigen::Index, double>>> weights_; // of each node
+      Eigen::MatrixXd half_;
     };
 
     void drop_fixed(FullMatrix<double> &K, const std::vector<unsigned int> &nodes,
@@ -234,6 +234,7 @@ namespace stiction
       drop_fixed(K, cell, is_left_out);
       A.add(galerkin(nodes, sets[n_cells++], K));
     });
+    A.end_of_sums();
     Utilities::MPI::sum(stiffness_of_supported_, mesh.communicator(),
                         stiffness_of_supported_);
 

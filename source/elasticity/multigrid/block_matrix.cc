@@ -41,7 +41,7 @@ namespace stiction
                   columns_.end());
         begin_[i + 1] = columns_.size();
       }
-    blocks_.assign(9 * columns_.size() + 1, 0.f);
+    sums_.assign(9 * columns_.size() + 1, 0.);
   }
 
   BlockMatrix::BlockMatrix(const BlockMatrix &A, const Interpolation &P)
@@ -65,7 +65,7 @@ namespace stiction
     const Interpolation restriction = P.transpose();
     const auto n                    = static_cast<unsigned int>(P.cols());
     std::vector<unsigned int> row_of(n, none); // the last row that has the column
-    std::vector<Block> row(n, Block::Zero());
+    std::vector<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> row(n);
     for (unsigned int i = 0; i < n; ++i)
       {
         const auto reach = [&](const unsigned int j) {
@@ -82,11 +82,11 @@ namespace stiction
               if (const auto j = static_cast<unsigned int>(p.col()); j <= i)
                 {
                   reach(j);
-                  const float weight = r.value() * p.value();
+                  const double weight = static_cast<double>(r.value()) * p.value();
                   if (entry.is_transposed)
-                    row[j] += weight * A.block(entry.place).transpose();
+                    row[j] += weight * A.block(entry.place).transpose().cast<double>();
                   else
-                    row[j] += weight * A.block(entry.place);
+                    row[j] += weight * A.block(entry.place).cast<double>();
                 }
         reach(i);
         const auto first = columns_.begin() + static_cast<std::ptrdiff_t>(begin_[i]);
@@ -107,13 +107,19 @@ namespace stiction
           {
             while (columns_[place] != entries.vertices[b])
               ++place;
-            const float *const from = &entries.blocks(static_cast<Eigen::Index>(9 * a),
-                                                      static_cast<Eigen::Index>(b));
-            float *const to         = &blocks_[9 * place];
+            const double *const from = &entries.blocks(static_cast<Eigen::Index>(9 * a),
+                                                       static_cast<Eigen::Index>(b));
+            double *const to         = &sums_[9 * place];
             for (unsigned int k = 0; k < 9; ++k)
               to[k] += from[k];
           }
       }
+  }
+
+  void BlockMatrix::end_of_sums()
+  {
+    blocks_.assign(sums_.begin(), sums_.end());
+    sums_ = {};
   }
 
   void BlockMatrix::vmult(BlockVector &y, const BlockVector &x) const

@@ -24,7 +24,7 @@ namespace stiction
     {
       std::vector<unsigned int> vertices; ///< by number
       /// Row 9i + 3a + b, column j: entry (a, b) of block (i, j), for j ≤ i.
-      Eigen::MatrixXf blocks;
+      Eigen::MatrixXd blocks;
     };
 
     /// Zero, with room where any of these sets of vertices meet.
@@ -35,7 +35,12 @@ namespace stiction
 
     Eigen::Index n() const { return static_cast<Eigen::Index>(begin_.size()) - 1; }
 
+    /// Before end_of_sums(): they are kept in double precision. What single precision
+    /// leaves of many equal terms is enough to hold a stiff body that only soft ones
+    /// hold.
     void add(const Entries &entries);
+
+    void end_of_sums();
 
     /// y = A x.
     void vmult(BlockVector &y, const BlockVector &x) const;
@@ -59,6 +64,7 @@ namespace stiction
 
     std::vector<std::size_t> begin_;
     std::vector<unsigned int> columns_; ///< sorted in each row, the last is the row
+    std::vector<double> sums_;          ///< as blocks_, until they are complete
     std::vector<float> blocks_;         ///< nine numbers each, by rows, one to spare
 
     /// Vectors four numbers a vertex, as registers have them.

@@ -72,12 +72,14 @@ namespace stiction
             const Eigen::Matrix3f force = row[a].second.transpose() * S[i];
             for (Eigen::Index b = 0; b <= a; ++b)
               {
-                Eigen::Map<BlockMatrix::Block> block(&entries.blocks(9 * a, b));
-                block.noalias() = force * row[b].second;
+                Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
+                  &entries.blocks(9 * a, b));
+                block = (force * row[b].second).cast<double>();
               }
           }
         matrices.front().add(entries);
       }
+    matrices.front().end_of_sums();
     for (const Interpolation &P : to_finer_)
       matrices.emplace_back(matrices.back(), P);
     return matrices;
