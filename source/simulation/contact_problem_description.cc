@@ -17,6 +17,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <map>
 
@@ -26,6 +27,22 @@ namespace stiction
   {
     // Times the size of the body: an obstacle in other units is farther away.
     constexpr double far_away = 10.;
+
+    // Of loads, obstacles and friction: whether t stands in one as a word.
+    bool has_formula_in_time(const ParameterFile &source)
+    {
+      const auto is_in_word = [](const char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+      };
+      for (const auto &[entry, text] : source.given())
+        if (entry.rfind("Boundary conditions/", 0) == 0 ||
+            entry.rfind("Friction/", 0) == 0 || entry.rfind("Contact pair ", 0) == 0)
+          for (std::size_t i = 0; i < text.size(); ++i)
+            if (text[i] == 't' && (i == 0 || !is_in_word(text[i - 1])) &&
+                (i + 1 == text.size() || !is_in_word(text[i + 1])))
+              return true;
+      return false;
+    }
 
     // Of what a body is thick: obstacles that reach deeper into it are on the wrong side.
     constexpr double deep = 0.5;
@@ -121,6 +138,11 @@ namespace stiction
     if (parameters_.time.has_steps())
       log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
     print_applied(*log_, elasticity(), surface);
+    if (!parameters_.time.has_steps() && has_formula_in_time(parameters_.source))
+      log_->line(
+        format("  time       t = %.6g in all formulas: one step; 'Time/Steps' goes "
+               "there in several, on which friction depends",
+               elasticity().time()));
     for (const std::string &entry : unused_entries(parameters_))
       log_->line("  not used   " + entry);
     for (std::size_t b = 0; b < surface.boundaries().size(); ++b)
