@@ -85,7 +85,7 @@ namespace
                   << yes((K * u - f).norm() < 1e-13 * f.norm());
           }
 
-        // u linear in space: its strain is constant, and so its own mean
+        // u linear in space: its strain is constant, and so its own projection
         Eigen::VectorXd u(K.rows());
         dealii::Tensor<2, 3> H;
         for (unsigned int a = 0; a < 3; ++a)
@@ -109,8 +109,9 @@ namespace
                    (K - mean).norm() > 1e-3 * K.norm() &&
                    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K - mean).eigenvalues()(
                      0) > -1e-12 * K.norm())
-              << ", one volume a cell "
-              << yes(rank(to_eigen(stiffness(begin, fluid))) == 1) << std::endl;
+              << (degree == 1 ? ", one volume a cell " : ", volumes linear in the cell ")
+              << yes(rank(to_eigen(stiffness(begin, fluid))) == (degree == 1 ? 1 : 4))
+              << std::endl;
       }
   }
 
