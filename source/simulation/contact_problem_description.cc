@@ -4,6 +4,7 @@
 #include <stiction/base/cores.h>
 #include <stiction/base/log.h>
 #include <stiction/base/text/in_words.h>
+#include <stiction/base/text/numbers.h>
 #include <stiction/base/units.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -17,7 +18,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 
@@ -28,20 +28,18 @@ namespace stiction
     // Times the size of the body: an obstacle in other units is farther away.
     constexpr double far_away = 10.;
 
-    // Of loads, obstacles and friction: whether t stands in one as a word.
+    // Of loads, obstacles and friction.
     bool has_formula_in_time(const ParameterFile &source)
     {
-      const auto is_in_word = [](const char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-      };
-      for (const auto &[entry, text] : source.given())
-        if (entry.rfind("Boundary conditions/", 0) == 0 ||
-            entry.rfind("Friction/", 0) == 0 || entry.rfind("Contact pair ", 0) == 0)
-          for (std::size_t i = 0; i < text.size(); ++i)
-            if (text[i] == 't' && (i == 0 || !is_in_word(text[i - 1])) &&
-                (i + 1 == text.size() || !is_in_word(text[i + 1])))
-              return true;
-      return false;
+      const auto entries = source.given();
+      return std::any_of(entries.begin(), entries.end(), [](const auto &entry) {
+        const auto is_in = [&](const std::string &section) {
+          return entry.first.rfind(section, 0) == 0;
+        };
+        return (is_in("Boundary conditions/") || is_in("Friction/") ||
+                is_in("Contact pair ")) &&
+               has_variable(entry.second, "t");
+      });
     }
 
     // Of what a body is thick: obstacles that reach deeper into it are on the wrong side.
@@ -171,19 +169,21 @@ namespace stiction
     const Eigen::VectorXd gaps = contact_surface().gaps();
     const double rounding      = 1e-9 * body_->diameter();
     const auto n               = (gaps.array() < -rounding).count();
-    double thickness           = body_->diameter();
-    for (const Piece &piece : body_->pieces())
-      for (unsigned int c = 0; c < 3; ++c)
-        thickness = std::min(thickness, piece.box.side_length(c));
+    bool is_deep               = false;
+    for (Eigen::Index i = 0; i < gaps.size(); ++i)
+      for (const unsigned int piece :
+           contact_surface().boundary_of(contact_surface().nodes()[i]).pieces(*body_))
+        for (unsigned int c = 0; c < 3; ++c)
+          is_deep =
+            is_deep || -gaps(i) > deep * body_->pieces()[piece].box.side_length(c);
     if (n > 0)
-      log_->line(text_of("  ", n,
-                         n == 1 ? " contact node overlaps" : " contact nodes overlap",
-                         " the obstacle before the body gives way, by up to ",
-                         with_unit(format("%.3g", -gaps.minCoeff()), units_.length),
-                         -gaps.minCoeff() > deep * thickness
-                           ? ", more than half of what a body is thick: is the obstacle "
-                             "on the right side?"
-                           : ""));
+      log_->line(
+        text_of("  ", n, n == 1 ? " contact node overlaps" : " contact nodes overlap",
+                " the obstacle before the body gives way, by up to ",
+                with_unit(format("%.3g", -gaps.minCoeff()), units_.length),
+                is_deep ? ", more than half of what a body is thick: is the obstacle "
+                          "on the right side?"
+                        : ""));
     if (gaps.size() > 0 && gaps.minCoeff() > far_away * body_->diameter())
       log_->line("  the nearest obstacle is " +
                  with_unit(format("%.3g", gaps.minCoeff()), units_.length) +

@@ -194,7 +194,8 @@ namespace stiction
           add_warnings_of_pair(pair, surface, figures, *body_, *certificate_, units_,
                                warnings);
         }
-    add_warnings_of_bodies(elasticity(), surface, state_, units_, warnings);
+    add_warnings_of_bodies(elasticity(), surface, state_, units_, steps_ != nullptr,
+                           warnings);
     const auto motions =
       elasticity().free_motions().motions(elasticity().free_motion_of(state_.u));
     for (const unsigned int piece : bodies_at_friction_limit(

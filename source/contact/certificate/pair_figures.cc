@@ -32,6 +32,13 @@ namespace stiction
     // theirs.
     constexpr double much_left_out = 0.5;
 
+    // Nodes: of fewer that bear, as of a ball on coarse cells, the pressures differ from
+    // their means.
+    constexpr Eigen::Index enough_to_waver = 30;
+
+    // Of the pressing force: less friction is rounding.
+    constexpr double no_friction = 1e-6;
+
     // Of the product of a force and its arm: nodes along an axis have no moment about it.
     constexpr double least_moment = 0.01;
 
@@ -117,7 +124,8 @@ namespace stiction
       Eigen::RowVector3d across = Eigen::RowVector3d::Zero();
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
         across += pressed.gaps(k) * pressed.normals.row(k).cross(pressed.friction.row(k));
-      if (across.norm() == 0.)
+      if (pressed.friction.norm() <= no_friction * pressed.pressing.norm() ||
+          across.norm() == 0.)
         return;
       double moment = 0.;
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
@@ -159,8 +167,10 @@ namespace stiction
           forces.row(i) = at_node(lambda, i);
         else
           areas(i) = 0.;
-      const double all = forces.rowwise().norm().sum();
-      if (all <= least_force * force_scale)
+      const double all            = forces.rowwise().norm().sum();
+      const Eigen::VectorXd sizes = forces.rowwise().norm();
+      if (all <= least_force * force_scale ||
+          (sizes.array() > least_share * sizes.maxCoeff()).count() < enough_to_waver)
         return 0.;
       // of degree 2 some weights are negative
       const auto W    = surface.B().other_side().weights.cwiseAbs().eval();
@@ -197,8 +207,8 @@ namespace stiction
     };
     // 'Initial gap' may have the gaps of round bodies, but for facets
     if (spread(pressed.left_out) > much_left_out * spread(pressed.gaps))
-      figures.misfit =
-        spread(pressed.left_out) / std::max(pressed.facets, rounding * figures.spacing);
+      figures.misfit = std::min(spread(pressed.left_out), spread(pressed.gaps)) /
+                       std::max(pressed.facets, rounding * figures.spacing);
     figures.climbed = climbed_facets(pressed.positions, pressed.normals, pressed.slip,
                                      pressed.areas, pressed.pressing);
     return figures;

@@ -164,6 +164,7 @@ namespace stiction
     : slave_side_(entries.slave_side)
     , mesh_gap_(entries.mesh_gap)
     , sliding_(entries.sliding)
+    , gap_text_(entries.gap)
     , id_(body.boundary_names().id(entries.name, source.locate(boundary_entry)))
     , size_(body.diameter())
     , source_(std::make_shared<const ParameterFile>(std::move(source)))

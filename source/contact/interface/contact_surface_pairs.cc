@@ -177,13 +177,10 @@ namespace stiction
 
     // Whether either side may be the slave, as the user says: 'Initial gap' as a formula
     // is one of the places of the boundary itself.
-    bool is_open(const ContactBoundary &pair, const std::vector<SurfaceFace> &own)
+    bool is_open(const ContactBoundary &pair)
     {
       return pair.slave_side() == "automatic" && pair.partners().size() == 1 &&
-             std::all_of(own.begin(), own.end(), [&](const SurfaceFace &face) {
-               return pair.initial_gap(face.node(0)) ==
-                      pair.initial_gap(own.front().node(0));
-             });
+             !pair.has_gap_of_places();
     }
 
     // The side that the user says, or the best one, unless another bears fewer forces or
@@ -255,7 +252,7 @@ namespace stiction
         {
           auto first            = surface_faces(elasticity, {pair.id()});
           auto second           = surface_faces(elasticity, pair.partners());
-          const bool may_choose = is_open(pair, first);
+          const bool may_choose = is_open(pair);
           const SlaveSide best  = may_choose
                                     ? automatic_slave_side(elasticity, first, second)
                                     : choose_slave_side(first, second);

@@ -22,8 +22,8 @@ namespace stiction
     // Of the size of a cell: what is this near to it is on its surface.
     constexpr double same_place = 1e-6;
 
-    // Of the size of a cell.
-    constexpr double rounding = 1e-8;
+    // Of the way from a corner of a face to its middle.
+    constexpr double beside = 0.01;
 
     // Whether a point is in a coarse cell or on its surface.
     bool is_in(const Triangulation<3>::cell_iterator &cell, const Point<3> &p)
@@ -105,11 +105,11 @@ namespace stiction
     std::vector<std::pair<BoundingBox<3>, Cell>> boxes;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       boxes.emplace_back(cell->bounding_box(), cell);
-    const auto tree        = pack_rtree(boxes);
-    const double tolerance = rounding * triangulation.begin()->diameter();
-    const auto find_one    = [&](const unsigned int piece, const Point<3> &p) {
+    const auto tree     = pack_rtree(boxes);
+    const auto find_one = [&](const Cell &cell, const Point<3> &p) {
+      const unsigned int piece = of(cell);
       BoundingBox<3> at(std::make_pair(p, p));
-      at.extend(tolerance);
+      at.extend(same_place * cell->diameter());
       for (unsigned int other = 0; other < pieces_.size(); ++other)
         {
           const auto pair = std::minmax(piece, other);
@@ -127,9 +127,11 @@ namespace stiction
       for (const auto &face : cell->face_iterators())
         if (face->at_boundary())
           {
-            find_one(of(cell), face->center());
+            // bodies that meet at an edge or a corner alone do not touch
+            const Point<3> center = face->center();
+            find_one(cell, center);
             for (const unsigned int v : face->vertex_indices())
-              find_one(of(cell), face->vertex(v));
+              find_one(cell, face->vertex(v) + beside * (center - face->vertex(v)));
           }
     return {pairs.begin(), pairs.end()};
   }

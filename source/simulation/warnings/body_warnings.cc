@@ -39,6 +39,9 @@ namespace stiction
     // Of the mean distance of contact forces from their centre.
     constexpr double much_of_arm = 0.25;
 
+    // Of a motion that moves a body by about one: with less it does not turn.
+    constexpr double rounding_of_axis = 1e-8;
+
     // Of the size of all bodies.
     constexpr double rounding_of_way = 1e-6;
 
@@ -107,8 +110,7 @@ namespace stiction
     }
 
     // Obstacles and other bodies take along what nothing holds, with no force: who means
-    // to press has left out what a body is pressed against. What is let go in a history
-    // had forces before.
+    // to press has left out what a body is pressed against.
     void add_pushed(const LinearElasticity &elasticity, const ContactSurface &surface,
                     const State &state, const Units &units, Warnings &warnings)
     {
@@ -118,15 +120,15 @@ namespace stiction
         for (const unsigned int piece :
              surface.boundary_of(surface.nodes()[i]).pieces(body))
           forces(piece) += std::abs(state.lambda(i));
-      const double all = std::max(forces.maxCoeff(), state.scales.force);
       const auto motions =
         elasticity.free_motions().motions(elasticity.free_motion_of(state.u));
       for (unsigned int p = 0; p < motions.size(); ++p)
         {
           const Piece &piece = body.pieces()[p];
-          const double way   = std::max(motions[p].at(piece.box.vertex(0)).norm(),
-                                        motions[p].at(piece.box.vertex(7)).norm());
-          if (forces(p) <= no_force * all && state.scales.force == 0. &&
+          double way         = 0.;
+          for (unsigned int v = 0; v < 8; ++v)
+            way = std::max(way, motions[p].at(piece.box.vertex(v)).norm());
+          if (forces(p) <= no_force * forces.maxCoeff() &&
               way > rounding_of_way * body.diameter())
             warnings.push_back(
               {"push of " + piece.name, way,
@@ -140,15 +142,16 @@ namespace stiction
 
     // What a vector has along the axes about which a body is free to turn.
     Tensor<1, 3> along_free_axes(const FreeMotions &free, const unsigned int piece,
-                                 const Tensor<1, 3> &moment)
+                                 const double radius, const Tensor<1, 3> &moment)
     {
       const auto [begin, n] = free.of(piece);
       Eigen::Matrix3Xd axes(3, n);
       for (Eigen::Index j = 0; j < n; ++j)
         {
           const auto motions = free.motions(Eigen::VectorXd::Unit(free.n(), begin + j));
+          const auto &[way, turn, centre] = motions[piece];
           for (unsigned int c = 0; c < 3; ++c)
-            axes(c, j) = motions[piece].rotation[c];
+            axes(c, j) = turn.norm() * radius > rounding_of_axis ? turn[c] : 0.;
         }
       const Eigen::Vector3d along =
         axes * axes.completeOrthogonalDecomposition().solve(
@@ -195,8 +198,10 @@ namespace stiction
           if (elasticity.free_motions().of(p).second == 0)
             continue;
           const double borne = moment_of_contact(surface, body, state, p);
-          const double part =
-            along_free_axes(elasticity.free_motions(), p, moments[p]).norm() / borne;
+          const double part  = along_free_axes(elasticity.free_motions(), p,
+                                               body.pieces()[p].radius(), moments[p])
+                                .norm() /
+                              borne;
           if (borne > 0. && part > much_of_arm)
             warnings.push_back(
               {"moment of " + body.pieces()[p].name, part,
@@ -277,7 +282,8 @@ namespace stiction
 
   void add_warnings_of_bodies(const LinearElasticity &elasticity,
                               const ContactSurface &surface, const State &state,
-                              const Units &units, Warnings &warnings)
+                              const Units &units, const bool has_steps,
+                              Warnings &warnings)
   {
     add_deformation(largest_deformation(elasticity.body(), state.u), warnings);
     const FreeMotions &free = elasticity.free_motions();
@@ -288,7 +294,8 @@ namespace stiction
     if (free.n() > 0)
       {
         add_moments(elasticity, surface, state, warnings);
-        add_pushed(elasticity, surface, state, units, warnings);
+        if (!has_steps) // in which it may be on its way, or let go
+          add_pushed(elasticity, surface, state, units, warnings);
       }
     add_passing(elasticity.body(), surface, state.u, units, warnings);
   }

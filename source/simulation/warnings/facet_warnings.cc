@@ -131,7 +131,7 @@ namespace stiction
       double depth_below(const std::vector<std::pair<unsigned int, Point<3>>> &corners,
                          const Tensor<1, 3> &own) const
       {
-        double least = 1., most = 0.;
+        double least = 1., least_of_all = 1., most = 0.;
         SmoothBoundary::Face smooth;
         Point<3> middle;
         for (const auto &[vertex, place] : corners)
@@ -141,9 +141,12 @@ namespace stiction
             middle += place / static_cast<double>(corners.size());
             const double half = cross_product_3d(smooth.back().normal, own).norm();
             most              = std::max(most, half);
+            least_of_all      = std::min(least_of_all, half);
             if (rim_.count(vertex) == 0)
               least = std::min(least, half);
           }
+        if (least == 1.) // one row
+          least = least_of_all;
         if (least < 0.5 * most || most < flat || most > edge)
           return 0.;
         const std::vector<double> weights(corners.size(),

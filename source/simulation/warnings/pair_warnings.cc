@@ -204,7 +204,7 @@ namespace stiction
         warnings.push_back(
           {"wavering of " + pair.name(), figures.wavering,
            format(
-             "pressures and tensions of '%s' waver from node to node, %.0f %% of "
+             "tractions of '%s' waver from node to node, %.0f %% of "
              "them without '%s' feeling it: its forces as a whole are right, stresses "
              "at the surface are not; make cells of '%s' as small as those of '%s', and "
              "of second order where they are round.",

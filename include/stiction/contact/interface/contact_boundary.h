@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stiction/base/text/numbers.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
@@ -109,6 +111,9 @@ namespace stiction
     /// away than its own surface. Throws InputError if it has none.
     double initial_gap(const dealii::Point<3> &p) const;
 
+    /// Whether that depends on the place.
+    bool has_gap_of_places() const { return has_variable(gap_text_, "xyz"); }
+
     /// That of the body, m: no obstacle may be deeper in it.
     double body_size() const { return size_; }
 
@@ -162,7 +167,7 @@ namespace stiction
     void set_rotation(const std::vector<double> &numbers);
 
     std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_,
-      sliding_;
+      sliding_, gap_text_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
     std::vector<dealii::types::boundary_id> partners_;
 

@@ -54,8 +54,8 @@ namespace stiction
     unsigned int of(dealii::Triangulation<3>::cell_iterator cell) const;
 
     /// Pieces that touch or overlap from the start, or that were meant to be one there,
-    /// each pair once: of one of them a coarse face has a corner or its middle in the
-    /// other.
+    /// each pair once: of one of them a coarse face has its middle, or a place beside a
+    /// corner, in the other. Not those that meet at an edge alone.
     std::vector<std::pair<unsigned int, unsigned int>> touching(
       const dealii::Triangulation<3> &triangulation) const;
 

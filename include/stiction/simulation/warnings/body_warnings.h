@@ -14,5 +14,5 @@ namespace stiction
   /// nothing is said, and bodies that are pushed with nothing behind them. Collective.
   void add_warnings_of_bodies(const LinearElasticity &elasticity,
                               const ContactSurface &surface, const State &state,
-                              const Units &units, Warnings &warnings);
+                              const Units &units, bool has_steps, Warnings &warnings);
 } // namespace stiction
