@@ -11,8 +11,8 @@ namespace stiction
   struct PairFigures;
   struct Units;
 
-  /// Adds what the certificate does not tell of a pair: tractions that waver and, if it is
-  /// not tied, overlaps, forces beyond edges, ways, gaps, tilt and facets.
+  /// Adds what the certificate does not tell of a pair: tractions that waver and, if it
+  /// is not tied, overlaps, forces beyond edges, ways, gaps, tilt and facets.
   void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
                             const PairFigures &figures, const Body &body,
                             const Certificate &certificate, const Units &units,
