@@ -134,7 +134,7 @@ namespace stiction
     std::set<unsigned int> at_limit;
     for (unsigned int piece = 0; piece < ways.size(); ++piece)
       if (const Ways &of = ways[piece];
-          elasticity.free_motions().of(piece).second > 0 && of.slips && !of.is_held &&
+          free.of(piece).second > 0 && of.slips && !of.is_held &&
           of.as_a_whole > as_a_whole * of.all && is_free(piece))
         at_limit.insert(piece);
     return at_limit;

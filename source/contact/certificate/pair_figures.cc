@@ -156,6 +156,7 @@ namespace stiction
       figures.way     = pressed.along_surface(pressed.slip).rowwise().norm().maxCoeff();
       figures.spacing = std::sqrt(pressed.areas.mean());
     }
+
     double wavering(const ContactSurface &surface, const ContactBoundary &pair,
                     const State &state, const double force_scale)
     {
@@ -167,8 +168,8 @@ namespace stiction
           forces.row(i) = at_node(lambda, i);
         else
           areas(i) = 0.;
-      const double all            = forces.rowwise().norm().sum();
       const Eigen::VectorXd sizes = forces.rowwise().norm();
+      const double all            = sizes.sum();
       if (all <= least_force * force_scale ||
           (sizes.array() > least_share * sizes.maxCoeff()).count() < enough_to_waver)
         return 0.;

@@ -62,8 +62,7 @@ namespace stiction
           k > 0 || dealii::Utilities::MPI::logical_or(is_any, body.communicator()), where,
           "is above 0 at the centre of no face of a contact boundary, must be at one: "
           "faces may be larger than what it speaks of, 'Geometry/Global refinement' "
-          "makes "
-          "them smaller");
+          "makes them smaller");
         body.refine(is_cut);
       }
   }

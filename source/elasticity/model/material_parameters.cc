@@ -42,8 +42,8 @@ namespace stiction
       "pointwise: as the displacements have it; elements then lock as nu approaches 0.5, "
       "trilinear bodies and forces become many times too stiff. cell mean: the change of "
       "volume is the same all over a cell (mean dilatation, B-bar), of elements of "
-      "degree "
-      "2 linear across it, for nearly incompressible materials. automatic: cell mean if "
+      "degree 2 linear across it, for nearly incompressible materials. automatic: cell "
+      "mean if "
       "an isotropic material has nu above 0.45, otherwise pointwise.",
       prm, Patterns::Selection("automatic|pointwise|cell mean"));
     add_parameter("Densities", densities,

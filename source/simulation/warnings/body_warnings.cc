@@ -111,17 +111,15 @@ namespace stiction
 
     // Obstacles and other bodies take along what nothing holds, with no force: who means
     // to press has left out what a body is pressed against.
-    void add_pushed(const LinearElasticity &elasticity, const ContactSurface &surface,
-                    const State &state, const Units &units, Warnings &warnings)
+    void add_pushed(const Body &body, const std::vector<RigidMotion> &motions,
+                    const ContactSurface &surface, const State &state, const Units &units,
+                    Warnings &warnings)
     {
-      const Body &body       = elasticity.body();
       Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.pieces().size());
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         for (const unsigned int piece :
              surface.boundary_of(surface.nodes()[i]).pieces(body))
           forces(piece) += std::abs(state.lambda(i));
-      const auto motions =
-        elasticity.free_motions().motions(elasticity.free_motion_of(state.u));
       for (unsigned int p = 0; p < motions.size(); ++p)
         {
           const Piece &piece = body.pieces()[p];
@@ -288,14 +286,15 @@ namespace stiction
     add_deformation(largest_deformation(elasticity.body(), state.u), warnings);
     const FreeMotions &free = elasticity.free_motions();
     double turn             = 0.;
-    for (const RigidMotion &motion : free.motions(elasticity.free_motion_of(state.u)))
+    const auto motions      = free.motions(elasticity.free_motion_of(state.u));
+    for (const RigidMotion &motion : motions)
       turn = std::max(turn, motion.rotation.norm());
     add_turn(turn, surface.largest_coefficient(), warnings);
     if (free.n() > 0)
       {
         add_moments(elasticity, surface, state, warnings);
         if (!has_steps) // in which it may be on its way, or let go
-          add_pushed(elasticity, surface, state, units, warnings);
+          add_pushed(elasticity.body(), motions, surface, state, units, warnings);
       }
     add_passing(elasticity.body(), surface, state.u, units, warnings);
   }

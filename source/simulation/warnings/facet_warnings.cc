@@ -31,6 +31,12 @@ namespace stiction
 
     using Face = Triangulation<3>::face_iterator;
 
+    Tensor<1, 3> area_vector(const Face &face)
+    {
+      return cross_product_3d(face->vertex(3) - face->vertex(0),
+                              face->vertex(2) - face->vertex(1));
+    }
+
     // The faces of a boundary on coarse cells. A triangle that was cut into three of them
     // is one facet.
     class Facets
@@ -77,8 +83,7 @@ namespace stiction
       void add(const Cell &cell, const unsigned int f, const bool is_own)
       {
         const Face face = cell->face(f);
-        Tensor<1, 3> n  = cross_product_3d(face->vertex(3) - face->vertex(0),
-                                           face->vertex(2) - face->vertex(1));
+        Tensor<1, 3> n  = area_vector(face);
         if (n * (face->center() - cell->center()) < 0.)
           n = -n;
         if (is_own)
@@ -105,9 +110,7 @@ namespace stiction
         std::vector<std::pair<unsigned int, Point<3>>> corners;
         for (unsigned int v = 0; v < 4; ++v)
           corners.emplace_back(face->vertex_index(v), face->vertex(v));
-        Tensor<1, 3> own = cross_product_3d(face->vertex(3) - face->vertex(0),
-                                            face->vertex(2) - face->vertex(1));
-        own /= own.norm();
+        const Tensor<1, 3> own = area_vector(face) / area_vector(face).norm();
         Point<3> unit_center(0.5, 0.5, 0.5);
         unit_center[f / 2] = f % 2;
         const Point<3> center =

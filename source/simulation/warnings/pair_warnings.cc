@@ -195,6 +195,7 @@ namespace stiction
                "the surface (second order, 'Geometry/Element degree = 2').",
                100. * share)});
     }
+
     void add_wavering(const ContactBoundary &pair, const PairFigures &figures,
                       Warnings &warnings)
     {
