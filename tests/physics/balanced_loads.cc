@@ -110,5 +110,5 @@ int main(int argc, char *argv[])
                         "set Prescribed displacement = top : 0; 0; 0\nset Traction = "
                         "bottom : 0; 0; -10\nset Contact boundary = bottom\n",
                         rough)),
-          10., 1e-6, {all_methods()[0], all_methods()[6]});
+          10., 1e-6, {all_methods().front(), all_methods().end()[-2]});
 }
