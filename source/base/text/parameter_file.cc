@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -151,7 +152,7 @@ namespace stiction
     }
 
     // Where a default value stands.
-    const std::string not_set = "default value";
+    const std::string not_set = "default value", command_line = "--set '";
   } // namespace
 
   void ParameterFile::assign(const std::string &where, const std::string &old_section,
@@ -285,7 +286,7 @@ namespace stiction
   void ParameterFile::give(const std::string &setting, ContactPairs &pairs,
                            ParameterHandler &prm)
   {
-    const std::string where  = "--set '" + setting + "'";
+    const std::string where  = command_line + setting + "'";
     const std::size_t equals = setting.find('=');
     const std::size_t slash  = setting.find('/');
     if (equals == std::string::npos || slash > equals)
@@ -382,9 +383,12 @@ namespace stiction
   std::string ParameterFile::find_file(const std::string &entry,
                                        const std::string &name) const
   {
-    namespace fs          = std::filesystem;
-    const fs::path beside = fs::path(file_).parent_path() / name;
-    for (const fs::path &path : {fs::path(name), beside})
+    namespace fs                  = std::filesystem;
+    const fs::path beside         = fs::path(file_).parent_path() / name;
+    std::array<fs::path, 2> paths = {{beside, name}};
+    if (places_.at(entry).where.rfind(command_line, 0) == 0)
+      std::swap(paths[0], paths[1]);
+    for (const fs::path &path : paths)
       {
         std::error_code none;
         if (fs::exists(path, none))

@@ -91,8 +91,8 @@ namespace stiction
                   "colorize = true boundaries get different "
                   "numbers, as deal.II documents for each generator.");
     add_parameter("Mesh file", mesh_file,
-                  "The file of the mesh, looked for from the working directory and, if "
-                  "it is not there, from the directory of the parameter file: Gmsh "
+                  "The file of the mesh, looked for beside the parameter file and, if "
+                  "it is not there, from the working directory: Gmsh "
                   "(.msh, version 2.2 or 4.1), Abaqus (.inp) or legacy VTK (.vtk), as "
                   "text. Cells are hexahedra with 8, 20 or 27 nodes, tetrahedra with 4 "
                   "or 10, prisms with 6, 15 or 18; tetrahedra are cut into four "

@@ -75,9 +75,8 @@ namespace stiction
     void require(bool condition, const std::string &entry,
                  const std::string &allowed) const;
 
-    /// The path of a file that @p entry names: the name itself if it is there
-    /// (from the working directory) or absolute, otherwise that of the file
-    /// beside the parameter file.
+    /// The path of a file that @p entry names: beside the parameter file or, if there is
+    /// none, from the working directory, which goes first for what --set gives.
     ///
     /// Throws InputError, naming both places, if there is none.
     std::string find_file(const std::string &entry, const std::string &name) const;
