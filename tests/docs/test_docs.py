@@ -5,6 +5,7 @@ no complaints.
 Call: test_docs.py PROGRAM
 """
 
+import fnmatch
 import glob
 import os
 import re
@@ -82,6 +83,19 @@ class Pages(unittest.TestCase):
         for name in ("CMakeLists.txt", "slide.cc"):  # the test 'install' runs them
             file = read(os.path.join(ROOT, "tests", "install", "example", name))
             self.assertIn("\n" + textwrap.indent(file, "    ") + "\n", page)
+
+    def test_container_has_every_file(self):
+        """A star of .containerignore stands for no slash; the last rule counts."""
+        rules = read(os.path.join(ROOT, ".containerignore")).split()
+        tracked = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True,
+                                 text=True, check=False).stdout.split("\n")
+        for name in tracked:
+            parts, kept = name.split("/"), True
+            for rule in rules:
+                pattern = rule.strip("!/").split("/")
+                if len(pattern) <= len(parts) and all(map(fnmatch.fnmatch, parts, pattern)):
+                    kept = rule.startswith("!")
+            self.assertTrue(kept, name)
 
     def test_every_shipped_file_is_listed(self):
         listed = read(os.path.join(ROOT, "doc", "shipped_files.md"))
