@@ -8,7 +8,7 @@
 #include <string>
 
 // Stands in for OpenBLAS: believes in a Prescott unless it is told otherwise.
-extern "C" const char *openblas_get_corename()
+extern "C" __attribute__((visibility("default"))) const char *openblas_get_corename()
 {
   const char *const told = std::getenv("OPENBLAS_CORETYPE");
   return told != nullptr ? told : "Prescott";
