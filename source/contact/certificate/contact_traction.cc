@@ -5,24 +5,42 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <algorithm>
+
 namespace stiction
 {
   using namespace dealii;
+
+  namespace
+  {
+    // Of what is around a node: where less has something opposite, a force beyond the
+    // edge of that is as much as beside it, whatever the strip that it acts on.
+    constexpr double least_cover = 0.5;
+
+    // Over which the estimate spreads the force of each node.
+    Eigen::VectorXd spread_areas(const ContactSurface &surface)
+    {
+      Eigen::VectorXd areas = surface.areas();
+      for (Eigen::Index i = 0; i < areas.size(); ++i)
+        areas(i) *= std::max(least_cover / surface.nodes()[i].cover, 1.);
+      return areas;
+    }
+  } // namespace
 
   ContactTraction::ContactTraction(const LinearElasticity &elasticity,
                                    const ContactSurface &surface,
                                    const Eigen::VectorXd &lambda)
     : elasticity_(elasticity)
     , surface_(surface)
-    , force_(surface.forces(lambda))
+    , at_nodes_(
+        surface.forces(lambda).cwiseQuotient(spread_areas(surface).replicate(3, 1)))
     , fe_(elasticity.body().dof_handler().get_fe())
     , dofs_(fe_.n_dofs_per_cell())
   {
     const Eigen::Index m = surface.n_nodes(), n = surface.to_other_side().rows();
     opposite_.resize(3 * n);
     for (Eigen::Index c = 0; c < 3 && n > 0; ++c)
-      opposite_.segment(c * n, n) =
-        surface.to_other_side() * force_.segment(c * m, m).cwiseQuotient(surface.areas());
+      opposite_.segment(c * n, n) = surface.to_other_side() * at_nodes_.segment(c * m, m);
   }
 
   std::vector<Tensor<1, 3>> ContactTraction::at_points(
@@ -77,8 +95,7 @@ namespace stiction
             traction[c] += weight * opposite_(j + c * opposite_.size() / 3);
           else
             for (const auto &[i, share] : bearers)
-              traction[c] -= weight * share * force_(i + c * surface_.n_nodes()) /
-                             surface_.nodes()[i].area;
+              traction[c] -= weight * share * at_nodes_(i + c * surface_.n_nodes());
       }
     return traction;
   }

@@ -15,7 +15,8 @@ namespace stiction
   class LinearElasticity;
 
   /// The contact tractions on the body −(Bᵀλ)_i/A_i, interpolated between the
-  /// nodes. Where a node of the contact boundary is held and its contact force
+  /// nodes; of nodes beyond the edge of what lies opposite, spread over half of what is
+  /// around them. Where a node of the contact boundary is held and its contact force
   /// is not known, it is the mean of the face's other nodes.
   class ContactTraction
   {
@@ -38,8 +39,8 @@ namespace stiction
 
     const LinearElasticity &elasticity_;
     const ContactSurface &surface_;
-    const Eigen::VectorXd force_; // on the obstacle, by blocks (x; y; z)
-    Eigen::VectorXd opposite_;    // tractions at the nodes opposite, by blocks
+    const Eigen::VectorXd at_nodes_; // tractions on the obstacle, by blocks (x; y; z)
+    Eigen::VectorXd opposite_;       // at the nodes opposite, by blocks
     const dealii::FiniteElement<3> &fe_;
     std::vector<dealii::types::global_dof_index> dofs_;
   };

@@ -24,6 +24,10 @@ namespace stiction
     // of that what goes along the normal at any of them, at most.
     constexpr double as_a_whole = 0.9, into_normal = 0.1;
 
+    // Of what friction bears what acts against the way of such a body, at least: friction
+    // across it could still turn.
+    constexpr double against_way = 0.995;
+
     // Of the largest force: a node with less holds nothing.
     constexpr double no_force = 1e-6;
 
@@ -42,6 +46,7 @@ namespace stiction
     {
       bool slips = false, is_held = false;
       double all = 0., as_a_whole = 0.;
+      double friction = 0., against = 0.; // their bounds, and friction along the way
     };
 
     // The bodies of a boundary, those opposite, both; and whether they are one on either
@@ -94,6 +99,8 @@ namespace stiction
     Eigen::VectorXd power         = Eigen::VectorXd::Zero(free.n()); // of the pressures
     const auto sides              = sides_of(elasticity.body(), surface, state);
     const auto relative           = surface.relative_displacement(state);
+    const auto forces             = surface.forces(state.lambda);
+    const Eigen::VectorXd bound   = surface.slip_bound().at(state.lambda);
     const double least = no_force * state.lambda.head(surface.n_nodes()).maxCoeff();
     std::vector<Ways> ways(motions.size());
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
@@ -111,6 +118,7 @@ namespace stiction
                              friction == TangentialStatus::tied ||
                              std::abs(rigid * node.normal) > into_normal * rigid.norm();
         way -= (way * node.normal) * node.normal;
+        const Tensor<1, 3> along = rigid - (rigid * node.normal) * node.normal;
         for (const unsigned int piece : of_node.all)
           {
             power += (of_node.own.count(piece) > 0 ? force : -force) *
@@ -121,6 +129,8 @@ namespace stiction
             of.is_held = of.is_held || is_held;
             of.all += force * way.norm();
             of.as_a_whole += force * rigid.norm();
+            of.friction += bound(i) * along.norm();
+            of.against += to_tensor(at_node(forces, i)) * along;
           }
       }
     // where pressures work along a motion, as on a wedge, it ends where they balance
@@ -135,7 +145,8 @@ namespace stiction
     for (unsigned int piece = 0; piece < ways.size(); ++piece)
       if (const Ways &of = ways[piece];
           free.of(piece).second > 0 && of.slips && !of.is_held &&
-          of.as_a_whole > as_a_whole * of.all && is_free(piece))
+          of.as_a_whole > as_a_whole * of.all &&
+          std::abs(of.against) >= against_way * of.friction && is_free(piece))
         at_limit.insert(piece);
     return at_limit;
   }

@@ -40,6 +40,9 @@ namespace stiction
     // Of what bodies are thick.
     constexpr double much_overlap = 0.15;
 
+    // Of the distance of nodes: facets that are less deep are of a flat surface.
+    constexpr double no_facets = 1e-6;
+
     // Of the tractions of a pair: as much as the other side feels.
     constexpr double much_wavering = 0.5;
 
@@ -71,11 +74,7 @@ namespace stiction
     {
       const char *const name  = pair.name().c_str();
       const char *const other = pair.partner_name().c_str();
-      const std::string remedy =
-        (pair.partners().size() == 1
-           ? "let the other side bear the forces ('Slave side'), or make"
-           : "make") +
-        std::string(" cells finer there.");
+      const bool can_change   = pair.partners().size() == 1;
       if (figures.share_beyond_edge > much_beyond_edge)
         warnings.push_back(
           {"edge of " + pair.name(), figures.share_beyond_edge,
@@ -83,17 +82,23 @@ namespace stiction
                   "beyond the edge of what lies opposite, by up to a cell: a body tips "
                   "late, and pressures at such an edge are too large; ",
                   100. * figures.share_beyond_edge, name, other, name) +
-             remedy});
+             (can_change ? "let the other side bear the forces ('Slave side'), or make "
+                         : "make ") +
+             "cells finer there."});
       else if (figures.peak_beyond_edge > high_beyond_edge)
         warnings.push_back(
           {"edge of " + pair.name(), figures.share_beyond_edge,
            format(
              "the largest pressure of '%s' on '%s', %.0f times that elsewhere, is at "
              "nodes of '%s' beyond the edge of what lies opposite, and is not to be "
-             "trusted; %.0f %% of the force acts there; ",
+             "trusted, on no mesh; %.0f %% of the force acts there; look at pressures "
+             "away from it",
              name, other, figures.peak_beyond_edge, name,
              100. * figures.share_beyond_edge) +
-             remedy});
+             (can_change ? format(", or let the other side bear the forces ('Slave "
+                                  "side') if it ends nowhere on '%s'.",
+                                  name)
+                         : ".")});
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
@@ -110,10 +115,11 @@ namespace stiction
                               "of the undeformed bodies."});
     }
 
+    // Lips of one body are no arm beside the body.
     void add_gap(const ContactBoundary &pair, const PairFigures &figures,
-                 const Units &units, Warnings &warnings)
+                 const Body &body, const Units &units, Warnings &warnings)
     {
-      if (figures.moment_across_gap > much_across_gap)
+      if (pair.pieces(body).size() > 1 && figures.moment_across_gap > much_across_gap)
         warnings.push_back(
           {"gap of " + pair.name(), figures.moment_across_gap,
            "friction between '" + pair.name() + "' and '" + pair.partner_name() +
@@ -196,11 +202,18 @@ namespace stiction
                100. * share)});
     }
 
-    void add_wavering(const ContactBoundary &pair, const PairFigures &figures,
-                      Warnings &warnings)
+    void add_wavering(const ContactBoundary &pair, const ContactSurface &surface,
+                      const PairFigures &figures, Warnings &warnings)
     {
+      const auto is_round = [&](const ContactNode &node) {
+        return surface.boundary_of(node).id() == pair.id() &&
+               node.facets > no_facets * figures.spacing;
+      };
       const char *const name  = pair.name().c_str();
       const char *const other = pair.partner_name().c_str();
+      const bool may_fit =
+        pair.keeps_mesh_gap() && !pair.is_tied() &&
+        std::any_of(surface.nodes().begin(), surface.nodes().end(), is_round);
       if (figures.wavering > much_wavering)
         warnings.push_back(
           {"wavering of " + pair.name(), figures.wavering,
@@ -208,8 +221,12 @@ namespace stiction
              "tractions of '%s' waver from node to node, %.0f %% of "
              "them without '%s' feeling it: its forces as a whole are right, stresses "
              "at the surface are not; make cells of '%s' as small as those of '%s', and "
-             "of second order where they are round.",
-             name, std::min(100., 100. * figures.wavering), other, other, name)});
+             "of second order where they are round",
+             name, std::min(100., 100. * figures.wavering), other, other, name) +
+             (may_fit
+                ? ", or, where they fit, say 'Mesh gap = removed' with their overlap "
+                  "as 'Initial gap'."
+                : ".")});
     }
   } // namespace
 
@@ -218,14 +235,14 @@ namespace stiction
                             const Certificate &certificate, const Units &units,
                             Warnings &warnings)
   {
-    add_wavering(pair, figures, warnings);
+    add_wavering(pair, surface, figures, warnings);
     if (pair.is_tied())
       return;
     add_overlap(pair, surface, body, units, warnings);
     add_fit(pair, surface, units, warnings);
     add_edge(pair, figures, warnings);
     add_slide(pair, figures, units, warnings);
-    add_gap(pair, figures, units, warnings);
+    add_gap(pair, figures, body, units, warnings);
     add_tilt(pair, figures, warnings);
     add_misfit(pair, figures, warnings);
     add_facets(pair, figures, body, certificate, warnings);
