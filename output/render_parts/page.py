@@ -28,6 +28,7 @@ LEGEND_ROW = 0.17  # the second row of a legend and those after it
 THICK = 0.13  # a colour bar
 STRETCH = 16  # the largest ratio of the sides of a map
 LONGEST_TITLE = 40  # letters, then it is cut
+MOST = 8  # contact boundaries that are drawn
 
 SMALL, NORMAL, LARGE = 8.5, 10, 15
 TEXT, RED = "#212121", "#B00020"
@@ -173,7 +174,9 @@ def draw(run, panels, body_picture):
     body_picture: function of a width and a height in inches that returns what
     body.picture() does.
     """
-    slots = [Slot(panel, run.scale.peak) for panel in panels]
+    shown = sorted(range(len(panels)), reverse=True,
+                   key=lambda i: np.abs(panels[i].pressure).sum())[:MOST]
+    slots = [Slot(panels[i], run.scale.peak) for i in sorted(shown)]
     body_height = min(max(5, slots[0].height), 6.5)
     tops = {RIGHT: HEADER, LEFT: HEADER + body_height + GAP}
     places = []
@@ -187,10 +190,12 @@ def draw(run, panels, body_picture):
     draw_header(page, run)
     draw_body(page, run, body_picture, body_height)
     names = names_of(run)
-    largest = run.scale.pressure
     for slot, place in zip(slots, places):
         draw_slot(page, slot, place, names[slot.panel.boundary], run.units,
-                  largest, run.certified)
+                  run.scale.pressure, run.certified)
+    if len(panels) > MOST:
+        page.text(RIGHT, page.height - MARGIN, f"not drawn: {len(panels) - MOST} more "
+                  "contact boundaries, which bear less", SMALL)
     return page.figure
 
 

@@ -295,6 +295,11 @@ class Page(unittest.TestCase):
         self.assertIn("pressure, not certified [MPa]", words)
         self.assertEqual(sum("Contact boundary" in line for line in words), 3)
 
+    def test_those_that_bear_most_of_many(self):
+        words = self.check((2, 2, 2), [(2, 0), (0, 2), (1, 0)] * 4, (-1, -1, -1))
+        self.assertEqual(sum("Contact boundary" in line for line in words), 8)
+        self.assertIn("not drawn: 4 more contact boundaries, which bear less", words)
+
     def test_frame(self):
         words = self.check((4, 3, 1), [(2, 0)], (1, 0, 0), converged=False,
                            time=0.25)

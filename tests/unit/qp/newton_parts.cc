@@ -79,6 +79,8 @@ int main()
       project(y, m, 0.3 * a.head(m).cwiseMax(0.));
       return VectorXd(at - y);
     };
+    print_below("Its residual is that of the conditions",
+                std::abs(step.residual() - conditions(x, r).norm()), 1e-14);
     MatrixXd Z(3 * m, step.n_free()), W(3 * m, step.n_free());
     for (Index k = 0; k < step.n_free(); ++k)
       Z.col(k) = step.embed(VectorXd::Unit(step.n_free(), k));
