@@ -54,8 +54,14 @@ namespace stiction
       std::streambuf *screen_;
     };
 
+    // Whether a name stands in a formula as a word of its own.
+    bool mentions(const std::string &formula, const std::string &name)
+    {
+      return std::regex_search(formula, std::regex("\\b" + name + "\\b"));
+    }
+
     // What muParser accepts and no user means: 'a, b' is b, and 'x = 1' puts
-    // 1 into x. Empty if there is nothing of the kind.
+    // 1 into x; and what other languages have. Empty if there is nothing of the kind.
     std::string trap(const std::string &formula)
     {
       int depth = 0;
@@ -73,15 +79,15 @@ namespace stiction
                                             std::string::npos))
             return "'=' assigns, a comparison is '=='";
         }
+      if (mentions(formula, "and"))
+        return "'and' is written '&&'";
+      if (mentions(formula, "or"))
+        return "'or' is written 'max(A, B)', '|' ends an entry of a list";
+      if (formula.find("**") != std::string::npos)
+        return "a power is written '^'";
       if (formula.find("rand") != std::string::npos)
         return "a formula must not depend on chance";
       return "";
-    }
-
-    // Whether a name stands in a formula as a word of its own.
-    bool mentions(const std::string &formula, const std::string &name)
-    {
-      return std::regex_search(formula, std::regex("\\b" + name + "\\b"));
     }
 
     // Zeros in place of components that are 'free', which are taken out of the
