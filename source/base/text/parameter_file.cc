@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -383,12 +382,10 @@ namespace stiction
   std::string ParameterFile::find_file(const std::string &entry,
                                        const std::string &name) const
   {
-    namespace fs                  = std::filesystem;
-    const fs::path beside         = fs::path(file_).parent_path() / name;
-    std::array<fs::path, 2> paths = {{beside, name}};
-    if (places_.at(entry).where.rfind(command_line, 0) == 0)
-      std::swap(paths[0], paths[1]);
-    for (const fs::path &path : paths)
+    namespace fs         = std::filesystem;
+    const fs::path given = name, beside = fs::path(file_).parent_path() / given;
+    const bool is_typed = places_.at(entry).where.rfind(command_line, 0) == 0;
+    for (const fs::path &path : {is_typed ? given : beside, is_typed ? beside : given})
       {
         std::error_code none;
         if (fs::exists(path, none))
