@@ -234,8 +234,9 @@ namespace stiction
             moduli(i)   = std::max(moduli(i), share.modulus);
             opposite.row(i) += Eigen::RowVector3d::Map(share.normal.data());
           }
-        M.resize(n, static_cast<Eigen::Index>(masters.size()));
-        overlaps = M;
+        const auto m = static_cast<Eigen::Index>(masters.size());
+        M.resize(n, m);
+        overlaps.resize(n, m);
         M.setFromTriplets(entries.begin(), entries.end());
         overlaps.setFromTriplets(common.begin(), common.end());
         for (Eigen::Index i = 0; i < n; ++i)

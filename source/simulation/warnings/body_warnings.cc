@@ -115,7 +115,8 @@ namespace stiction
                     const ContactSurface &surface, const State &state, const Units &units,
                     Warnings &warnings)
     {
-      Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.pieces().size());
+      Eigen::VectorXd forces =
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(body.pieces().size()));
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         for (const unsigned int piece :
              surface.boundary_of(surface.nodes()[i]).pieces(body))
