@@ -169,14 +169,14 @@ namespace stiction
                               falls        = falls_of_friction(surface, state_);
     const double pressing = state_.lambda.head(surface.n_nodes()).cwiseMax(0.).sum();
     const double way      = pressing > 0. ? certificate_->energy_scale() / pressing : 0.;
-    Eigen::VectorXd borne = Eigen::VectorXd::Zero(boundaries.size());
+    std::vector<double> borne(boundaries.size(), 0.);
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-      borne(surface.nodes()[i].boundary) += std::max(0., state_.lambda(i));
+      borne[surface.nodes()[i].boundary] += std::max(0., state_.lambda(i));
     for (std::size_t b = 0; b < boundaries.size(); ++b)
       {
         if (depths[b] > deep * largest)
           add_idle(boundaries[b], depths[b], units_, warnings);
-        if (borne(b) <= no_force * std::max(force, state_.scales.force))
+        if (borne[b] <= no_force * std::max(force, state_.scales.force))
           continue; // rounding tells nothing
         if (!boundaries[b].is_tied())
           add_few(surface, b, state_, warnings);
