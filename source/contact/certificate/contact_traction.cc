@@ -15,14 +15,14 @@ namespace stiction
   {
     // Of what is around a node: where less has something opposite, a force beyond the
     // edge of that is as much as beside it, whatever the strip that it acts on.
-    constexpr double least_cover = 0.5;
+    constexpr double half_covered = 0.5;
 
     // Over which the estimate spreads the force of each node.
     Eigen::VectorXd spread_areas(const ContactSurface &surface)
     {
       Eigen::VectorXd areas = surface.areas();
       for (Eigen::Index i = 0; i < areas.size(); ++i)
-        areas(i) *= std::max(least_cover / surface.nodes()[i].cover, 1.);
+        areas(i) *= std::max(half_covered / surface.nodes()[i].cover, 1.);
       return areas;
     }
   } // namespace
