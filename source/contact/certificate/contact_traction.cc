@@ -5,6 +5,9 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 
 namespace stiction
@@ -13,8 +16,8 @@ namespace stiction
 
   namespace
   {
-    // Of what is around a node: where less has something opposite, a force beyond the
-    // edge of that is as much as beside it, whatever the strip that it acts on.
+    // Of what is around a node: where less has something opposite, forces act on as much.
+    // A force beyond the edge of that is as large as beside it, whatever its strip.
     constexpr double half_covered = 0.5;
 
     // Over which the estimate spreads the force of each node.
@@ -24,6 +27,36 @@ namespace stiction
       for (Eigen::Index i = 0; i < areas.size(); ++i)
         areas(i) *= std::max(half_covered / surface.nodes()[i].cover, 1.);
       return areas;
+    }
+
+    // Of what is around each node opposite, how much the contact nodes face.
+    Eigen::VectorXd covers_opposite(const Body &body, const ContactSurface &surface)
+    {
+      const auto &W = surface.B().other_side().weights;
+      if (W.cols() == 0)
+        return {};
+      const FiniteElement<3> &fe = body.dof_handler().get_fe();
+      std::vector<double> around(W.cols(), 0.);
+      FEFaceValues<3> values(body.mapping(), fe, QGauss<2>(fe.degree + 1),
+                             update_values | update_JxW_values);
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      for (const auto &cell : body.locally_owned_cells())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              surface.is_other_side(cell->face(f)->boundary_id()))
+            {
+              values.reinit(cell, f);
+              cell->get_dof_indices(dofs);
+              for (unsigned int i = 0; i < dofs.size(); i += 3)
+                if (fe.has_support_on_face(i, f))
+                  for (const auto &[dof, weight] : body.followed_by(dofs[i]))
+                    if (const auto j = surface.opposite_node_of(dof); j >= 0)
+                      for (const unsigned int q : values.quadrature_point_indices())
+                        around[j] += weight * values.shape_value(i, q) * values.JxW(q);
+            }
+      Utilities::MPI::sum(around, body.communicator(), around);
+      return (W.transpose() * surface.areas())
+        .cwiseQuotient(Eigen::VectorXd::Map(around.data(), W.cols()));
     }
   } // namespace
 
@@ -37,10 +70,13 @@ namespace stiction
     , fe_(elasticity.body().dof_handler().get_fe())
     , dofs_(fe_.n_dofs_per_cell())
   {
-    const Eigen::Index m = surface.n_nodes(), n = surface.to_other_side().rows();
+    const Eigen::VectorXd covers = covers_opposite(elasticity.body(), surface);
+    const Eigen::Index m = surface.n_nodes(), n = covers.size();
     opposite_.resize(3 * n);
     for (Eigen::Index c = 0; c < 3 && n > 0; ++c)
-      opposite_.segment(c * n, n) = surface.to_other_side() * at_nodes_.segment(c * m, m);
+      opposite_.segment(c * n, n) =
+        (covers.array() / half_covered).max(0.).min(1.) *
+        (surface.to_other_side() * at_nodes_.segment(c * m, m)).array();
   }
 
   std::vector<Tensor<1, 3>> ContactTraction::at_points(

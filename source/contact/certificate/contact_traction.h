@@ -15,12 +15,13 @@ namespace stiction
   class LinearElasticity;
 
   /// The contact tractions on the body −(Bᵀλ)_i/A_i, interpolated between the
-  /// nodes; of nodes beyond the edge of what lies opposite, spread over half of what is
-  /// around them. Where a node of the contact boundary is held and its contact force
+  /// nodes; of nodes beyond the edge of what lies opposite, on either side of a pair,
+  /// spread over half of what is around them. Where a node of the contact boundary is held and its contact force
   /// is not known, it is the mean of the face's other nodes.
   class ContactTraction
   {
   public:
+    /// Collective.
     ContactTraction(const LinearElasticity &elasticity, const ContactSurface &surface,
                     const Eigen::VectorXd &lambda);
 

@@ -32,7 +32,7 @@ namespace stiction
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
 
-    // Of the area around a node: with more, several are opposite to the same place.
+    // Of a face: with more, several are opposite to the same place.
     constexpr double covered_twice = 1.05;
 
     // Of the size of faces: what is between the sides of a tie counts as rigid.
@@ -295,7 +295,7 @@ namespace stiction
         mortar.is_of_both(node.first_dof))
       return false;
     const ContactBoundary &boundary = boundary_of(node);
-    if (boundary.partners().size() > 1 && mortar.areas(i) > covered_twice * node.area)
+    if (boundary.partners().size() > 1 && mortar.covers(i) > covered_twice)
       boundary.source().refuse(
         obstacle_entry, "of '" + boundary.partner_name() +
                           "' one lies behind another at (" + text_of(node.position) +
@@ -363,8 +363,9 @@ namespace stiction
   {
     if (!B_.has_other_side())
       return; // Eigen knows no product of sparse matrices without columns
-    const auto &other              = B_.other_side();
-    to_other_side_                 = other.weights.transpose() * areas_.asDiagonal();
+    const auto &other = B_.other_side();
+    // with their signs, sums of a node that the slave hardly covers may be rounding
+    to_other_side_ = other.weights.cwiseAbs().transpose() * areas_.asDiagonal();
     const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
     for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
       to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;

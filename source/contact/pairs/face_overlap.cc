@@ -166,8 +166,8 @@ namespace stiction
       return points;
     const auto &quadrature = rule(first_.degree);
     const auto add_point   = [&](const Point2 &p, const double weight) {
-      OverlapPoint point{weight, in_unit_square(on_plane_, p), in_unit_square(other, p),
-                         0.};
+      OverlapPoint point{weight, weight / area_, in_unit_square(on_plane_, p),
+                         in_unit_square(other, p), 0.};
       const FaceShape own(first_.degree, point.first),
         of_other(second.degree, point.second);
       Tensor<1, 3> edge1, edge2; // of the face as it is, not on its plane

@@ -20,6 +20,7 @@ namespace stiction
   {
     dealii::types::global_dof_index slave, master; ///< invalid: to D and to the gap
     double value, overlap, gap, smallest, largest, modulus;
+    double cover; ///< of the face, how much has something opposite; 2: twice
     std::array<double, 3> normal; ///< of the master, × area
   };
 

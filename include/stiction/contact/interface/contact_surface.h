@@ -247,8 +247,8 @@ namespace stiction
     Eigen::Index opposite_node_of(dealii::types::global_dof_index first_dof) const;
 
     /// Takes what contact nodes have to the nodes opposite, as the mean of those that
-    /// they face: rows sum to 1, or to 0 where there is nothing. Tractions on the one
-    /// side become minus those on the other, forces A_i t_i and their sums the same.
+    /// they face: rows have no sign and sum to 1, or to 0 where there is nothing.
+    /// Tractions on the one side become minus those on the other.
     const Eigen::SparseMatrix<double, Eigen::RowMajor> &to_other_side() const
     {
       return to_other_side_;

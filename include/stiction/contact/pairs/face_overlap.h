@@ -13,6 +13,7 @@ namespace stiction
   struct OverlapPoint
   {
     double weight;                       ///< an area of the first face, m²
+    double part;                         ///< of the first face as it is projected
     std::array<double, 2> first, second; ///< where it is in the unit squares
     double gap;                          ///< from the first to the second, m
   };
