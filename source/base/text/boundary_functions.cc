@@ -79,10 +79,12 @@ namespace stiction
                                             std::string::npos))
             return "'=' assigns, a comparison is '=='";
         }
-      if (mentions(formula, "and"))
-        return "'and' is written '&&'";
-      if (mentions(formula, "or"))
-        return "'or' is written 'max(A, B)', '|' ends an entry of a list";
+      for (const auto &[word, written] : {std::pair("and", "A && B"),
+                                          {"or", "A || B"},
+                                          {"not", "A == 0"}})
+        if (std::regex_search(formula,
+                              std::regex(text_of("\\b", word, "\\b"), std::regex::icase)))
+          return text_of("'", word, "' is written '", written, "'");
       if (formula.find("**") != std::string::npos)
         return "a power is written '^'";
       if (formula.find("rand") != std::string::npos)
@@ -167,7 +169,10 @@ namespace stiction
     try
       {
         const SilentErrors silence;
-        parser_->initialize(variables, expression_, constants, true);
+        // which reads && and || between blanks alone
+        const std::string formulas =
+          std::regex_replace(expression_, std::regex("&&|\\|\\|"), " $& ");
+        parser_->initialize(variables, formulas, constants, true);
         if (slots_.empty())
           set_time(time);
         // muParser reads a formula when it is first evaluated

@@ -388,7 +388,7 @@ namespace stiction
     for (const fs::path &path : {is_typed ? given : beside, is_typed ? beside : given})
       {
         std::error_code none;
-        if (fs::exists(path, none))
+        if (fs::exists(path, none) && !fs::is_directory(path, none))
           return path;
       }
     refuse(entry, "cannot be read, there is " +
