@@ -198,8 +198,9 @@ namespace stiction
                            warnings);
     const auto motions =
       elasticity().free_motions().motions(elasticity().free_motion_of(state_.u));
-    for (const unsigned int piece : bodies_at_friction_limit(
-           elasticity(), surface, motions, state_, node_statuses()))
+    for (const unsigned int piece :
+         bodies_at_friction_limit(elasticity(), surface, motions, state_, node_statuses(),
+                                  parameters_.contact_solver.tolerance))
       warnings.push_back(
         {"limit of " + body_->pieces()[piece].name, largest,
          "friction bears all that it can at body '" + body_->pieces()[piece].name +

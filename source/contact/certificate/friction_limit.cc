@@ -24,9 +24,10 @@ namespace stiction
     // of that what goes along the normal at any of them, at most.
     constexpr double as_a_whole = 0.9, into_normal = 0.1;
 
-    // Of what friction bears what acts against the way of such a body, at least: friction
-    // across it could still turn.
-    constexpr double against_way = 0.995;
+    // What friction bears and what of it acts against the way of such a body differ by
+    // α²/2 of it for the angle α between them, and the way is what is elastic over α:
+    // in this many tolerances it is known to a twentieth.
+    constexpr double against_way = 10.;
 
     // Of the largest force: a node with less holds nothing.
     constexpr double no_force = 1e-6;
@@ -92,7 +93,8 @@ namespace stiction
                                                   const ContactSurface &surface,
                                                   const std::vector<RigidMotion> &motions,
                                                   const State &state,
-                                                  const std::vector<NodeStatus> &statuses)
+                                                  const std::vector<NodeStatus> &statuses,
+                                                  const double tolerance)
   {
     const FreeMotions &free       = elasticity.free_motions();
     const Eigen::VectorXd amounts = elasticity.free_motion_of(state.u);
@@ -146,7 +148,8 @@ namespace stiction
       if (const Ways &of = ways[piece];
           free.of(piece).second > 0 && of.slips && !of.is_held &&
           of.as_a_whole > as_a_whole * of.all &&
-          std::abs(of.against) >= against_way * of.friction && is_free(piece))
+          std::abs(of.against) >= (1. - against_way * tolerance) * of.friction &&
+          is_free(piece))
         at_limit.insert(piece);
     return at_limit;
   }

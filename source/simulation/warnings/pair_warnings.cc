@@ -74,17 +74,21 @@ namespace stiction
     {
       const char *const name  = pair.name().c_str();
       const char *const other = pair.partner_name().c_str();
-      const bool can_change   = pair.partners().size() == 1;
+      const std::string change =
+        pair.partners().size() == 1
+          ? format(", or let the other side bear the forces ('Slave side') if it ends "
+                   "nowhere on '%s'.",
+                   name)
+          : ".";
       if (figures.share_beyond_edge > much_beyond_edge)
         warnings.push_back(
           {"edge of " + pair.name(), figures.share_beyond_edge,
            format("%.0f %% of the force between '%s' and '%s' acts at nodes of '%s' "
                   "beyond the edge of what lies opposite, by up to a cell: a body tips "
-                  "late, and pressures at such an edge are too large; ",
-                  100. * figures.share_beyond_edge, name, other, name) +
-             (can_change ? "let the other side bear the forces ('Slave side'), or make "
-                         : "make ") +
-             "cells finer there."});
+                  "late, and pressures at such an edge are too large; make cells of '%s' "
+                  "finer there",
+                  100. * figures.share_beyond_edge, name, other, name, name) +
+             change});
       else if (figures.peak_beyond_edge > high_beyond_edge)
         warnings.push_back(
           {"edge of " + pair.name(), figures.share_beyond_edge,
@@ -95,10 +99,7 @@ namespace stiction
              "away from it",
              name, other, figures.peak_beyond_edge, name,
              100. * figures.share_beyond_edge) +
-             (can_change ? format(", or let the other side bear the forces ('Slave "
-                                  "side') if it ends nowhere on '%s'.",
-                                  name)
-                         : ".")});
+             change});
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
