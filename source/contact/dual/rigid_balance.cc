@@ -25,8 +25,11 @@ namespace stiction
 
   namespace
   {
-    // Of a motion: less is rounding.
-    constexpr double no_motion = 1e-8;
+    // Of a motion: nodes that move by less against what is opposite go along with it.
+    constexpr double no_motion = 1e-3;
+
+    // Of a motion: with less across the normal, what is across is no slide.
+    constexpr double least_slide = 0.05;
 
     // Of the loads: that much less, and there may be an equilibrium.
     constexpr double at_the_limit = 1e-6;
@@ -39,7 +42,7 @@ namespace stiction
 
     // A motion turns the body if this part of it or more is rotation, at the ends of the
     // body.
-    constexpr double least_turn = 1e-3;
+    constexpr double least_turn = 0.05;
 
     // Of the body that moves the most: another one moves if it does so much of it.
     constexpr double moves_along = 0.1;
@@ -55,12 +58,11 @@ namespace stiction
 
     // The mean normal of the contact nodes that carry forces where something moves.
     Tensor<1, 3> mean_normal(const ContactSurface &surface, const Eigen::VectorXd &lambda,
-                             const Eigen::VectorXd &moved)
+                             const Eigen::VectorXd &moved, const double motion)
     {
-      const double no_motion_here = no_motion * moved.lpNorm<Eigen::Infinity>();
       Tensor<1, 3> sum;
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
-        if (at_node(moved, i).norm() > no_motion_here)
+        if (at_node(moved, i).norm() > no_motion * motion)
           sum += lambda(i) * surface.nodes()[i].free_normal;
       return sum.norm() > 0. ? sum / sum.norm() : sum;
     }
@@ -70,6 +72,7 @@ namespace stiction
     {
       std::string who;      // "the body", "body 'lid'", "bodies 'lid' and 'box'"
       RigidMotion motion;   // of the one that moves the most
+      Tensor<1, 3> slide;   // of it without rotation, if it is one
       double size;          // of this one
       Tensor<1, 3> load;    // on those that move
       double work;          // that contact leaves over
@@ -77,7 +80,8 @@ namespace stiction
     };
 
     Runaway find_runaway(const LinearElasticity &elasticity,
-                         const Eigen::VectorXd &amounts, const double work)
+                         const Eigen::VectorXd &amounts, const double work,
+                         const Tensor<1, 3> &normal)
     {
       const Body &body    = elasticity.body();
       const auto motions  = elasticity.free_motions().motions(amounts);
@@ -94,7 +98,14 @@ namespace stiction
       Utilities::MPI::sum(loads, body.communicator(), loads);
 
       const auto p = static_cast<std::size_t>(largest - extents.begin());
-      Runaway runaway{"the body", motions[p], body.pieces()[p].radius(), {}, work};
+      Runaway runaway{"the body", motions[p], {}, body.pieces()[p].radius(), {}, work};
+      // on a rough face a motion that friction cannot stop lifts the body as well: that
+      // is the cone's, not the motion's
+      const Tensor<1, 3> &way   = motions[p].translation;
+      const Tensor<1, 3> across = way - (way * normal) * normal;
+      if (normal.norm() > 0. && across.norm() > least_slide * way.norm() &&
+          elasticity.free_motions().can_move(p, across / across.norm()))
+        runaway.slide = across;
       // of a mechanism each body has its own motion
       const auto moves_alike = [&](const std::size_t q) {
         const RigidMotion &other = motions[q];
@@ -120,10 +131,9 @@ namespace stiction
       return runaway;
     }
 
-    std::string in_words(const Runaway &runaway, const Tensor<1, 3> &normal,
-                         const Units &units)
+    std::string in_words(const Runaway &runaway, const Units &units)
     {
-      const auto &[who, motion, size, load, work, is_alone] = runaway;
+      const auto &[who, motion, slide, size, load, work, is_alone] = runaway;
       const std::string s = who.rfind("bodies", 0) == 0 ? " " : "s ";
       const double turn   = motion.rotation.norm() * size;
       if (turn > least_turn * motion.translation.norm())
@@ -138,15 +148,10 @@ namespace stiction
                  with_unit(format("%.3g", work / motion.rotation.norm()), units.moment) +
                  " more than contact bears";
         }
-      // on a rough face a motion that friction cannot stop lifts the body as well: that
-      // is the cone's, not the motion's
-      Tensor<1, 3> sliding = motion.translation - (motion.translation * normal) * normal;
-      const bool slides =
-        normal.norm() > 0. && sliding.norm() > no_motion * motion.translation.norm();
-      if (!slides)
-        sliding = motion.translation;
-      const double length          = sliding.norm();
-      const Tensor<1, 3> direction = sliding / length;
+      const bool slides            = slide.norm() > 0.;
+      const Tensor<1, 3> &way      = slides ? slide : motion.translation;
+      const double length          = way.norm();
+      const Tensor<1, 3> direction = way / length;
       const double pushing         = load * direction;
       const double lacking         = work / length;
       const std::string moves = who + (slides ? " slide" + s : " move" + s + "away ") +
@@ -204,11 +209,9 @@ namespace stiction
         return {"the obstacle that is pressed on finds nothing that bears " +
                   with_unit(format("%.4g", work / rho.norm()), units.force),
                 part};
-      return {
-        in_words(find_runaway(elasticity, of_body, work),
-                 mean_normal(surface, reached != nullptr ? *reached : lambda, moved),
-                 units),
-        part};
+      const Tensor<1, 3> normal =
+        mean_normal(surface, reached != nullptr ? *reached : lambda, moved, rho.norm());
+      return {in_words(find_runaway(elasticity, of_body, work, normal), units), part};
     }
 
     // Those that nothing resists with the forces of a state. Friction resists where a

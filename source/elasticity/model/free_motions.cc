@@ -152,6 +152,14 @@ namespace stiction
     return displacements;
   }
 
+  bool FreeMotions::can_move(const unsigned int piece,
+                             const Tensor<1, 3> &direction) const
+  {
+    const Eigen::Vector3d along(direction[0], direction[1], direction[2]);
+    return (pieces_[piece].basis.topRows(3).transpose() * along).squaredNorm() >
+           1. - rounding;
+  }
+
   std::string FreeMotions::in_words(const Eigen::MatrixXd &amounts) const
   {
     std::string text;

@@ -55,6 +55,9 @@ namespace stiction
     /// The displacements of a point of a body under the motions of the basis, 3 × n.
     Eigen::MatrixXd at(const dealii::Point<3> &x, unsigned int piece) const;
 
+    /// Whether a body may move in a direction, unit, and not turn.
+    bool can_move(unsigned int piece, const dealii::Tensor<1, 3> &direction) const;
+
     /// "move along x and y and turn about z", of several bodies each with its name.
     std::string in_words() const { return in_words(Eigen::MatrixXd::Identity(n(), n())); }
 
