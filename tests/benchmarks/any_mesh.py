@@ -171,7 +171,11 @@ def parse_options(arguments):
         "and of cut tetrahedra, on row k = 6 of the paper's table and on a refined "
         "brick, and prints what it costs.",
     )
-    parser.add_argument("program", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--program",
+        default=os.path.join(ROOT, "build", "stiction"),
+        help="another build of the program (build/stiction)",
+    )
     parser.add_argument(
         "--sizes",
         default="10,20",
