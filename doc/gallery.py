@@ -170,8 +170,8 @@ def write_page():
              "with its von Mises stress, grey", "lines where it was before, and "
              "the obstacle, bent where the body would cover", "it, or, above a flat "
              "boundary with a deep dent, all gaps exaggerated as much", "as the "
-             "displacement. On the right each contact boundary: the status of its",
-             "nodes with arrows of friction "
+             "displacement. On the right the contact boundaries, of more than eight "
+             "those", "that bear most: the status of their nodes with arrows of friction "
              "(hatched: open),", "and the pressure.", ""]
     for name, sentence in PICTURES.items():
         lines += [f"## {name}", "", sentence, "",

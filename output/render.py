@@ -14,8 +14,9 @@ Left: the deformed body, exaggerated, with the von Mises stress (the values of
 all cells at a node averaged), its outline before loading, and the obstacle,
 moved along with what it touches, and bent only where the exaggerated body would
 cover it; above a flat boundary with a deep dent its gaps are exaggerated as
-much. Right: each contact boundary, seen along its mean normal or, if it is the
-side of a cylinder, unrolled; where forces act only in a small part, this part.
+much. Right: the contact boundaries, of more than eight those that bear most, seen
+along their mean normals or, if they are sides of cylinders, unrolled; where forces act
+only in a small part, this part.
 The first map shows the status: every node colours the part of the boundary
 nearest to it, so that no status is ever interpolated. The colour tells what
 friction does, white lines over it that the node is open all the same (given
@@ -40,6 +41,7 @@ import sys
 from types import SimpleNamespace
 
 try:
+    import numpy
     import PIL.Image
     import vtk
 
@@ -75,11 +77,14 @@ def render_frames(directory, sharpness=SHARPNESS):
     if not steps or not steps[0][1]:
         raise Unusable(f"{directory} has no steps, frames are made of a run with "
                        "several 'Time/Steps'.")
-    scale = SimpleNamespace(displacement=0, stress=0, pressure=0, peak=0)
+    scale = layout = None
+    meshes = set()
     for time, tag in steps:  # read again below: all may be too much for memory
-        one = results.read(directory, tag, time).scale
-        for name, value in vars(scale).items():
-            setattr(scale, name, max(value, getattr(one, name)))
+        run = results.read(directory, tag, time)
+        scale = largest_of(scale, run.scale)
+        touched = panels.touched(run.contact)
+        meshes.add(touched.pressure.shape)
+        layout = largest_of(layout if len(meshes) == 1 else None, touched)
     scale.dented = set()
     pictures = {os.path.join(directory, f"frame{tag}.png"): -1 for _, tag in steps}
     for _ in range(2):  # once more before a dent that was found in a later step
@@ -87,19 +92,39 @@ def render_frames(directory, sharpness=SHARPNESS):
             if known < len(scale.dented) or known < 0:
                 run = results.read(directory, tag, time)
                 run.scale = scale
-                write(draw(run, sharpness), picture, sharpness)
+                write(draw(run, sharpness, layout if len(meshes) == 1 else None),
+                      picture, sharpness)
                 pictures[picture] = len(scale.dented)
+    give_one_height(pictures)
     return list(pictures)
 
 
-def draw(run, sharpness):
+def largest_of(before, one):
+    """Of each number, or array of numbers, the larger one."""
+    return one if before is None else SimpleNamespace(**{
+        name: numpy.maximum(value, getattr(before, name))
+        for name, value in vars(one).items() if name != "dented"})
+
+
+def give_one_height(pictures):
+    """Add white below pictures that are lower than others."""
+    heights = [PIL.Image.open(picture).height for picture in pictures]
+    for picture, height in zip(pictures, heights):
+        if height < max(heights):
+            image = PIL.Image.open(picture)
+            page_of_all = PIL.Image.new("RGB", (image.width, max(heights)), "white")
+            page_of_all.paste(image)
+            page_of_all.save(picture, format="PNG", optimize=True)
+
+
+def draw(run, sharpness, layout=None):
     """The page of a run."""
     def body_picture(width, height):
         dots = 2 * sharpness  # drawn larger, then shrunk: smooth lines
         return body.picture(run, page.STRESS(range(256)),
                             (width * dots, height * dots))
 
-    shown = panels.panels_of(run.contact, run.body.points, run.certified)
+    shown = panels.panels_of(run.contact, run.body.points, run.certified, layout)
     return page.draw(run, shown, body_picture)
 
 

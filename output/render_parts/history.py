@@ -12,7 +12,7 @@ from .page import NORMAL, SMALL, TEXT
 from .words import ROUNDING, exponent_of, label, number, plain
 
 AXES = "xyz"
-COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components
+COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components, or of boundaries
 LINES = ("-", "--", ":", "-.")  # of the contact boundaries
 SINGLE = {"normal_force": ("normal force", "force"),  # words, kind of unit
           "torque": ("torque on the body", "moment"),
@@ -90,8 +90,8 @@ def ordinates(what, curves):
     """What is drawn over the abscissa: words, kind of unit, and the curves of
     each boundary by label and colour."""
     if what in SINGLE:
-        return (*SINGLE[what], {name: {"": (COLORS[0], rows[what])}
-                                for name, (_, rows) in curves.items()})
+        return (*SINGLE[what], {name: {"": (COLORS[k % len(COLORS)], rows[what])}
+                                for k, (name, (_, rows)) in enumerate(curves.items())})
     forces = {name: np.array([rows[f"{what}_{axis}"] for axis in AXES])
               for name, (_, rows) in curves.items()}
     largest = max(np.abs(force).max() for force in forces.values())

@@ -28,7 +28,7 @@ LEGEND_ROW = 0.17  # the second row of a legend and those after it
 THICK = 0.13  # a colour bar
 STRETCH = 16  # the largest ratio of the sides of a map
 LONGEST_TITLE = 40  # letters, then it is cut
-MOST = 8  # contact boundaries that are drawn
+MOST = 8  # maps of contact boundaries that are drawn
 
 SMALL, NORMAL, LARGE = 8.5, 10, 15
 TEXT, RED = "#212121", "#B00020"
@@ -157,11 +157,8 @@ class Slot:
 
     def title(self, name):
         """What is seen."""
-        parts = [self.panel.seen]
-        if self.panel.enlarged:
-            parts.append("only where forces act")
-        if self.stretched:
-            parts.append("sides not to scale")
+        parts = [self.panel.seen] + self.panel.enlarged * ["only where forces act"]
+        parts += self.stretched * ["sides not to scale"]
         name = f"Contact boundary {name}"
         if len(name) > LONGEST_TITLE:
             name = name[:LONGEST_TITLE - 1] + "…"
@@ -175,7 +172,7 @@ def draw(run, panels, body_picture):
     body.picture() does.
     """
     shown = sorted(range(len(panels)), reverse=True,
-                   key=lambda i: np.abs(panels[i].pressure).sum())[:MOST]
+                   key=lambda i: run.scale.force[panels[i].boundary])[:MOST]
     slots = [Slot(panels[i], run.scale.peak) for i in sorted(shown)]
     body_height = min(max(5, slots[0].height), 6.5)
     tops = {RIGHT: HEADER, LEFT: HEADER + body_height + GAP}
@@ -193,9 +190,10 @@ def draw(run, panels, body_picture):
     for slot, place in zip(slots, places):
         draw_slot(page, slot, place, names[slot.panel.boundary], run.units,
                   run.scale.pressure, run.certified)
-    if len(panels) > MOST:
-        page.text(RIGHT, page.height - MARGIN, f"not drawn: {len(panels) - MOST} more "
-                  "contact boundaries, which bear less", SMALL)
+    more = len(panels) - MOST
+    if more > 0:
+        page.text(RIGHT, page.height - MARGIN, f"not drawn: {more} map{'s' * (more > 1)} "
+                  "of boundaries that bear less", SMALL)
     return page.figure
 
 

@@ -42,10 +42,19 @@ def scale_of(pressure, areas):
     return 1.2 * usual if largest > PEAK * usual > 0 else max(largest, 0)
 
 
-def panels_of(contact, points, certified=True):
+def touched(contact):
+    """Of a certified step, what a map is laid out by: at which corners there may be
+    forces, and the pressures."""
+    kind = kinds(contact.normal_status, contact.tangential_status)
+    return SimpleNamespace(loaded=(kind != OPEN) & (kind != CLAMPED),
+                           pressure=shown_pressure(contact, True))
+
+
+def panels_of(contact, points, certified=True, of_all_frames=None):
     """The panels of all contact boundaries.
 
-    contact: faces, seen from outside, and fields at their corners; certified: the run.
+    contact: faces, seen from outside, and fields at their corners; certified: the run;
+    of_all_frames: what touched() returns of any of several steps that are to look alike.
     """
     corners = points[contact.faces]
     normals = meshes.vector_areas(corners)
@@ -61,6 +70,10 @@ def panels_of(contact, points, certified=True):
             # without a certificate; with one no node like this has a pressure
             panel.kind[(panel.kind == UNDECIDED) & (panel.normal_status == 3) & (
                 panel.pressure > NOTHING * contact.pressure.max())] = PRESSED
+            panel.layout = SimpleNamespace(
+                loaded=loaded(panel), pressure=panel.pressure) if of_all_frames is None \
+                else SimpleNamespace(loaded=of_all_frames.loaded[faces],
+                                     pressure=of_all_frames.pressure[faces])
             lay_flat(panel, corners[faces], normals[faces])
             if len(parts) > 1:  # opposite ones are seen from the same side
                 panel.seen = f"facing {main_direction(normals[faces])}, {panel.seen}"
@@ -161,7 +174,7 @@ def unroll(panel, corners, normals):
     # normals of a hole point to its axis
     outward = np.sign(((middles - center) * normals).sum())
     units = outward * units
-    forces = outward * panel.pressure.mean(axis=1)[:, None] * normals
+    forces = outward * panel.layout.pressure.mean(axis=1)[:, None] * normals
     pressed = across(forces.sum(axis=0), axis)
     if np.linalg.norm(pressed) <= EVEN * np.linalg.norm(forces, axis=1).sum():
         pressed = -np.eye(3)[2 if abs(axis[2]) < 0.9 else 1]
@@ -233,7 +246,7 @@ def window_of(panel):
     Marks the faces that are then seen.
     """
     low, high = (f(panel.places.reshape(-1, 2), axis=0) for f in (np.min, np.max))
-    near = panel.places[loaded(panel).any(axis=1)].reshape(-1, 2)
+    near = panel.places[panel.layout.loaded.any(axis=1)].reshape(-1, 2)
     panel.enlarged = False
     if len(near):
         room = 0.15 * np.ptp(near, axis=0).max()

@@ -117,8 +117,9 @@ def read(directory, tag="", time=None):
     (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
     what is shown, as steps with files are; released: whether only rounding is left at
     the end, which then is zero; scale: the largest displacement, stress and pressure,
-    which everything is drawn with, peak, of a few nodes with more than that, and dented,
-    flat boundaries with a dent that is deep in the picture.
+    which everything is drawn with, peak, of a few nodes with more than that, force, that
+    presses each boundary, by its id, and dented, flat boundaries with a dent that is deep
+    in the picture.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -149,16 +150,18 @@ def read(directory, tag="", time=None):
     shear = np.linalg.norm(contact.tangential_traction, axis=1).max()
     contact.pressure[np.abs(contact.pressure) <= words.ROUNDING * shear] = 0  # of a tie
     body = body_of(solution, faces, first, number[:n])
-    pressure = panels.shown_pressure(contact, certified)[contact.cells].reshape(-1)
+    pressure = panels.shown_pressure(contact, certified)[contact.cells]
+    areas = np.linalg.norm(meshes.vector_areas(contact.points[contact.cells]), axis=1)
+    boundary = contact.boundary[contact.cells[:, 0]].astype(int)
+    force = np.bincount(boundary, areas * np.abs(pressure).mean(axis=1))
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
         time=time, certified=certified, released=released,
         scale=SimpleNamespace(
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
-            pressure=panels.scale_of(pressure, np.repeat(np.linalg.norm(
-                meshes.vector_areas(contact.points[contact.cells]), axis=1), 4)),
-            peak=max(pressure.max(), 0), dented=set()),
+            pressure=panels.scale_of(pressure.reshape(-1), np.repeat(areas, 4)),
+            peak=max(pressure.max(), 0), force=force, dented=set()),
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),

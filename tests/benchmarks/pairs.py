@@ -56,6 +56,8 @@ def brick(cells, refinement, slab_cells=None, slab_stiffness=YOUNG):
     if slab_cells:
         text += body("slab", "6, 5, 1", slab_cells, "-1; -1; -1", slab_stiffness)
     opposite = "boundary : slab.top" if slab_cells else "foundation"
+    # newton multigrid wants the forces on the softer side
+    side = "obstacle" if slab_stiffness < YOUNG else "boundary"
     held = " | slab.bottom : 0; 0; 0" if slab_cells else ""
     return f"""{text}
 subsection Geometry
@@ -67,6 +69,7 @@ subsection Boundary conditions
                               | brick.back : 1e7; 2e7; 2e7
   set Contact boundary        = brick.bottom
   set Obstacle                = {opposite}
+  set Slave side              = {side if slab_cells else "automatic"}
 end
 subsection Friction
   set Law         = coulomb

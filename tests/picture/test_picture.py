@@ -10,6 +10,7 @@ from shapes import contact_on, cylinder_side, hexahedra, joined, mesh_of, side
 # found by shapes, which ends with "skipped" where there is no numpy
 import matplotlib
 import numpy as np
+import render
 from render_parts import headline, meshes, page, panels, words
 
 
@@ -177,6 +178,19 @@ class Panels(unittest.TestCase):
             self.assertTrue(panel.enlarged)
             np.testing.assert_allclose(panel.window, [[0, 0], [1.15, 1.15]])
 
+    def test_frames_show_what_is_touched_in_any(self):
+        bottom = side(self.points, self.faces, 2, 0)
+        frames = []
+        for corner in ((self.points[bottom][:, :, :2] < 0.5).all(axis=2),
+                       (self.points[bottom][:, :, :2] > (3.5, 2.5)).all(axis=2)):
+            contact = contact_on(bottom, 4, (0, 0))
+            contact.normal_status[corner] = 1
+            frames.append(contact)
+        layout = render.largest_of(*map(panels.touched, frames))
+        windows = [panels.panels_of(contact, self.points, True, layout)[0].window
+                   for contact in frames]
+        np.testing.assert_allclose(windows, 2 * [[[0, 0], [4, 3]]])
+
     def test_names_of_directions(self):
         self.assertEqual(panels.name_of(np.array([1, -1, 4e-17]) / np.sqrt(2)),
                          "(0.71, \N{MINUS SIGN}0.71, 0)")
@@ -219,7 +233,8 @@ class Page(unittest.TestCase):
                               time=time, released=False,
                               certified=converged or time is not None,
                               scale=SimpleNamespace(pressure=pressure,
-                                                    peak=contact.pressure.max()),
+                                                    peak=contact.pressure.max(),
+                                                    force=np.arange(len(sides))),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
                                   "force_on_body": [1e8, -1e8, 1e-9], "normal_force": 1e8,
@@ -298,7 +313,9 @@ class Page(unittest.TestCase):
     def test_those_that_bear_most_of_many(self):
         words = self.check((2, 2, 2), [(2, 0), (0, 2), (1, 0)] * 4, (-1, -1, -1))
         self.assertEqual(sum("Contact boundary" in line for line in words), 8)
-        self.assertIn("not drawn: 4 more contact boundaries, which bear less", words)
+        self.assertIn("not drawn: 4 maps of boundaries that bear less", words)
+        for i in range(12):
+            self.assertEqual(f"Contact boundary side {i}" in words, i >= 4)
 
     def test_frame(self):
         words = self.check((4, 3, 1), [(2, 0)], (1, 0, 0), converged=False,

@@ -241,9 +241,10 @@ namespace stiction
           for (unsigned int i = 0; i < face.n_nodes(); ++i)
             points.push_back(face.node(i));
         }
+      const double size = diameter(BoundingBox<3>(points));
       for (SurfaceFace &face : faces)
         {
-          face.surface_size = diameter(BoundingBox<3>(points));
+          face.surface_size = size;
           face.thickness    = thickness;
         }
     }

@@ -242,11 +242,8 @@ namespace stiction
              options_.other_method + advice_on_friction(problem_.slip_bound());
     return "most linear systems were not solved in " +
            std::to_string(NewtonSystem::max_directions) +
-           " iterations each (are cells flat, is a Poisson ratio near 0.5" +
-           (problem_.basis().is_identity()
-              ? ""
-              : ", are the forces of a pair on its stiffer side") +
-           "?), and are too large to be factorised in every step, " +
+           " iterations each (" + options_.hard_systems +
+           "), and are too large to be factorised in every step, " +
            options_.other_method;
   }
 

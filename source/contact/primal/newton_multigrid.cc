@@ -99,17 +99,6 @@ namespace stiction
       return bases;
     }
 
-    std::string why_factorized(const ContactLevel &problem, const unsigned long unknowns)
-    {
-      return std::string("Linear systems take too many iterations (are cells flat, is a "
-                         "Poisson ratio near 0.5") +
-             (problem.basis().is_identity()
-                ? ""
-                : ", are the forces of a pair on its stiffer side") +
-             "?): with " + std::to_string(unknowns) +
-             " unknowns they are factorised from here on.";
-    }
-
     // A start is not worth what an answer is.
     LevelNewton::Options for_start(LevelNewton::Options options)
     {
@@ -185,8 +174,11 @@ namespace stiction
                          std::to_string(row.step) +
                          " on they take turns with an interior point method.";
           if (statistics.factorized_from == statistics.n_steps() + 1)
-            row.remark += (row.remark.empty() ? "" : " ") +
-                          why_factorized(*problems_[l], row.unknowns);
+            row.remark += std::string(row.remark.empty() ? "" : " ") +
+                          "Linear systems take too many iterations (" +
+                          options_.hard_systems + "): with " +
+                          std::to_string(row.unknowns) +
+                          " unknowns they are factorised from here on.";
           interior_point_steps = statistics.interior_point_steps;
           observer(row);
         };
