@@ -117,10 +117,11 @@ namespace stiction
     const SlipHistory history =
       ends_.empty() ? SlipHistory() : ends_.front().state.history;
     discretization_->set_time(parameters_.of_contact(), time, history, last_state());
-    const std::string reason =
-      why_no_equilibrium(elasticity(), contact_surface(), units_);
-    if (!reason.empty())
-      return refuse_step(reason);
+    if (steps_) // else it was asked when the surface was made
+      if (const std::string reason =
+            why_no_equilibrium(elasticity(), contact_surface(), units_);
+          !reason.empty())
+        return refuse_step(reason);
     if (!ends_.empty() &&
         ends_.front().state.distances.size() > contact_surface().motion().n_pressed())
       return refuse_step("'Boundary conditions/Obstacle force' becomes zero, which would "

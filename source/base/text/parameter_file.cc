@@ -163,7 +163,7 @@ namespace stiction
       if (const std::size_t bad = first_byte_not_utf8(text); bad != std::string::npos)
         throw InputError(where + ": byte " + std::to_string(bad + 1) + " of '" + text +
                          "' is no UTF-8, must be text in UTF-8.");
-    const Declarations all = declared(prm);
+    const Declarations &all = *declared_;
     if (section.empty() || !all.contains(section))
       throw InputError(where + unknown_section(all, section));
     if (!all[section].contains(name))
@@ -217,9 +217,9 @@ namespace stiction
       throw InputError(file + ": cannot be read, a parameter file is needed "
                               "(stiction --print-parameters prints one).");
 
-    file_                       = file;
-    const Declarations defaults = declared(prm);
-    for (const auto &group : defaults.items())
+    file_     = file;
+    declared_ = std::make_shared<const Declarations>(declared(prm));
+    for (const auto &group : declared_->items())
       for (const auto &entry : group.value().items())
         places_[group.key() + "/" + entry.key()] = {
           not_set, entry.value()["value"].get<std::string>()};
@@ -238,11 +238,10 @@ namespace stiction
             if (!section.empty())
               throw InputError(where + ": section '" + rest + "' begins inside '" +
                                section + "', an 'end' is missing before it.");
-            const Declarations all = declared(prm);
             if (ContactPairs::is_pair(rest))
               pairs.begin(where, rest);
-            else if (!all.contains(rest))
-              throw InputError(where + unknown_section(all, rest));
+            else if (!declared_->contains(rest))
+              throw InputError(where + unknown_section(*declared_, rest));
             section = rest;
           }
         else if (keyword == "end" && rest.empty())

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -110,6 +113,8 @@ namespace stiction
     };
 
     std::string file_;
+    /// All sections and entries, with what is allowed.
+    std::shared_ptr<const nlohmann::ordered_json> declared_;
     std::map<std::string, Place> places_;
     /// Of the lists that the sections 'Contact pair' say, the places of each pair.
     std::map<std::string, std::vector<Place>> of_pairs_;
