@@ -44,7 +44,7 @@ class Run:
 
     summary: summary.json as it is. history, convergence, energy: a numpy array a column
     of the files of these names, empty where there is no such file; columns of words are
-    lists of these.
+    lists of these. certified, and if not, reason: why.
     """
 
     def __init__(self, directory, status=None, message=""):
@@ -55,6 +55,7 @@ class Run:
         except (OSError, ValueError) as error:
             raise Error(f"{directory} holds no run: {message or error}") from error
         self.certified = self.summary["converged"] and not self.summary.get("interrupted")
+        self.reason = self.summary.get("reason")
         self.history = read_table(os.path.join(directory, "history.csv"))
         self.convergence = read_table(os.path.join(directory, "convergence.csv"))
         self.energy = read_table(os.path.join(directory, "energy.csv"))

@@ -352,7 +352,9 @@ namespace stiction
   std::string ParameterFile::locate(const std::string &entry) const
   {
     const Place &place = places_.at(entry);
-    return place.where + ": " + (place.name.empty() ? entry : place.name);
+    const bool has_file = place.where == not_set && !file_.empty();
+    return (has_file ? file_ + ", " : "") + place.where + ": " +
+           (place.name.empty() ? entry : place.name);
   }
 
   std::string ParameterFile::describe(const std::string &entry) const

@@ -110,7 +110,9 @@ namespace stiction
       parameters.source.section_of_pair(conditions + "/Contact boundary", 0);
     if (friction.law_name.empty())
       missing.add(pair == conditions ? "Friction" : pair, "a law",
-                  "Law = frictionless', 'set Law = given' or 'set Law = coulomb");
+                  std::string("Law = frictionless', 'set Law = given'") +
+                    (pair == conditions ? " or 'set Law = coulomb"
+                                        : ", 'set Law = coulomb' or 'set Law = tied"));
     const std::string of_coulomb = section_of_law(parameters, FrictionLaw::coulomb);
     if (!of_coulomb.empty() && friction.coefficient.empty())
       missing.add(of_coulomb, "the coefficient of Coulomb's law", "Coefficient = 0.3");

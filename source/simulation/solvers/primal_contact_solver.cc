@@ -98,7 +98,7 @@ namespace stiction
         observer(step);
       });
     };
-    if (!newton_)
+    if (!newton_ || is_dual_alone_)
       return solve_dual();
 
     SolveStatus status;
@@ -126,7 +126,8 @@ namespace stiction
     const bool is_warm = residual < residual_of_start;
     if (!is_warm)
       forget();
-    status = solve_dual();
+    status         = solve_dual();
+    is_dual_alone_ = status.converged && n_dual <= medium_contact;
     if (status.converged || status.interrupted || !is_warm)
       return status;
     print_progress("Once more, without what was found:");

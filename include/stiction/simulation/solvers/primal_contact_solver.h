@@ -35,5 +35,6 @@ namespace stiction
     const bool can_hand_over_;
     std::unique_ptr<NewtonMultigrid> newton_; ///< none where it is left to newton at once
     std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
+    bool is_dual_alone_ = false;              ///< from the next step on: it was the one
   };
 } // namespace stiction
