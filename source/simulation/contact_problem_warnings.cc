@@ -10,6 +10,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/output/history/step_history.h>
 #include <stiction/qp/advice.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -47,12 +48,37 @@ namespace stiction
     // Of the way that elastic bodies give, twice their energy over the normal force.
     constexpr double much_of_way = 0.03;
 
+    // Times what a body was given: friction dissipates more only by the forces at the end
+    // of steps on whose way they were others.
+    constexpr double much_dissipated = 3.;
+
     // Radians by which normals may turn.
     constexpr double much_turned = 0.05;
 
     // Nodes that bear the force of a contact, of how many: they are too few to tell of
     // pressures.
     constexpr unsigned int few = 4, many = 32;
+
+    std::string warning_on_energies(const StepHistory &steps, const Units &units)
+    {
+      double given = 0., dissipated = 0., stored = 0.;
+      for (const StepResult &step : steps.steps())
+        {
+          const EnergyBalance::Step &energy = step.energy;
+          given += std::abs(energy.loads) + std::abs(energy.supports) +
+                   std::abs(energy.obstacles);
+          dissipated += energy.dissipation;
+          stored = std::max(stored, energy.elastic_energy);
+        }
+      if (dissipated <= much_dissipated * (given + stored))
+        return "";
+      return "friction dissipates " +
+             with_unit(format("%.3g", dissipated), units.energy) +
+             ", and loads, supports and obstacles have worked " +
+             with_unit(format("%.3g", given), units.energy) +
+             ": forces change within steps, whose energies are not to be trusted; take "
+             "smaller 'Time/Steps'.";
+    }
 
     void add_few(const ContactSurface &surface, const std::size_t boundary,
                  const State &state, Warnings &warnings)
@@ -253,6 +279,10 @@ namespace stiction
       }
     for (const auto &[about, warning] : earlier)
       sentences.push_back(warning.text);
+    if (const std::string energies =
+          steps_ ? warning_on_energies(*steps_, units_) : std::string();
+        !energies.empty())
+      sentences.push_back(energies);
     return sentences;
   }
 } // namespace stiction
