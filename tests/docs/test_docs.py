@@ -89,6 +89,8 @@ class Pages(unittest.TestCase):
         rules = read(os.path.join(ROOT, ".containerignore")).split()
         tracked = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True,
                                  text=True, check=False).stdout.split("\n")
+        if len(tracked) < 2:
+            self.skipTest("no files of git's here")
         for name in tracked:
             parts, kept = name.split("/"), True
             for rule in rules:

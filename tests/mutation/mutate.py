@@ -152,7 +152,8 @@ def main():
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folders", default="qp,contact/certificate")
-    parser.add_argument("--slowest", type=float, default=SLOWEST)
+    parser.add_argument("--slowest", type=float, default=SLOWEST,
+                        help="seconds that a test may take to be run (%(default)s)")
     arguments = parser.parse_args()
     clone = Clone(arguments.directory, arguments.slowest)
     all_changes = places(clone.directory, arguments.folders.split(","))
