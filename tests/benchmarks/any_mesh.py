@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 from parts.errors import BenchmarkError
-from parts.solve import ROOT, solve
+from parts.solve import ROOT, add_program, solve
 from parts.tables import markdown_table
 
 MATERIAL = {"Material/Young's modulus": "2.119e11", "Material/Poisson ratio": "0.277"}
@@ -171,11 +171,7 @@ def parse_options(arguments):
         "and of cut tetrahedra, on row k = 6 of the paper's table and on a refined "
         "brick, and prints what it costs.",
     )
-    parser.add_argument(
-        "--program",
-        default=os.path.join(ROOT, "build", "stiction"),
-        help="another build of the program (build/stiction)",
-    )
+    add_program(parser)
     parser.add_argument(
         "--sizes",
         default="10,20",

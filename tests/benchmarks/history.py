@@ -5,12 +5,11 @@ Started by './run benchmark history [OPTIONS]', which builds the program first.
 """
 
 import argparse
-import os
 import statistics
 import sys
 
 from parts.errors import BenchmarkError
-from parts.solve import ROOT, solve
+from parts.solve import add_program, solve
 from parts.tables import markdown_table
 
 END = 2.0
@@ -76,11 +75,7 @@ def parse_options(arguments):
         default=0,
         help="refinements more, 1: a million unknowns in place of 100,000 (0)",
     )
-    parser.add_argument(
-        "--program",
-        default=os.path.join(ROOT, "build", "stiction"),
-        help="another build of the program (build/stiction)",
-    )
+    add_program(parser)
     options = parser.parse_args(arguments)
     if options.steps < 10 or not 1 <= options.singles <= options.steps // 5:
         raise BenchmarkError(

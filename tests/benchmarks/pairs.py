@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 from parts.errors import BenchmarkError
-from parts.solve import ROOT, solve
+from parts.solve import add_program, solve
 from parts.tables import markdown_table
 
 YOUNG = 2.119e11
@@ -138,11 +138,7 @@ def parse_options(arguments):
         description="Solves contact of two bodies whose meshes do not match, and a pile "
         "of many, by newton multigrid, and prints what it costs.",
     )
-    parser.add_argument(
-        "--program",
-        default=os.path.join(ROOT, "build", "stiction"),
-        help="another build of the program (build/stiction)",
-    )
+    add_program(parser)
     parser.add_argument(
         "--finest",
         type=int,

@@ -5,11 +5,10 @@ Started by './run benchmark pressed [OPTIONS]', which builds the program first.
 """
 
 import argparse
-import os
 import sys
 
 from parts.errors import BenchmarkError
-from parts.solve import ROOT, solve
+from parts.solve import add_program, solve
 
 FORCE = "Boundary conditions/Obstacle force"
 PLACE = "Boundary conditions/Obstacle displacement"
@@ -48,11 +47,7 @@ def parse_options(arguments):
     parser.add_argument(
         "--methods", default="newton multigrid,newton", help="separated by commas"
     )
-    parser.add_argument(
-        "--program",
-        default=os.path.join(ROOT, "build", "stiction"),
-        help="another build of the program (build/stiction)",
-    )
+    add_program(parser)
     options = parser.parse_args(arguments)
     if not 0 <= options.refinement <= 8:
         raise BenchmarkError("--refinement must be from 0 to 8")

@@ -12,6 +12,15 @@ ROOT = os.path.dirname(
 )
 
 
+def add_program(parser):
+    """The option of another build of the program."""
+    parser.add_argument(
+        "--program",
+        default=os.path.join(ROOT, "build", "stiction"),
+        help="another build of the program (build/stiction)",
+    )
+
+
 def solve(program, name, settings):
     """The summary of a run that has to be certified."""
     with tempfile.TemporaryDirectory() as directory:
