@@ -114,7 +114,7 @@ def give_one_height(pictures):
             image = PIL.Image.open(picture)
             page_of_all = PIL.Image.new("RGB", (image.width, max(heights)), "white")
             page_of_all.paste(image)
-            page_of_all.save(picture, format="PNG", optimize=True)
+            save(page_of_all, picture)
 
 
 def draw(run, sharpness, layout=None):
@@ -135,6 +135,11 @@ def write(figure, picture, sharpness):
     image = PIL.Image.open(drawn).convert("RGB")
     # 64 shades of each colour, which nobody sees, make smaller files
     image = image.point([round(c / 255 * 63) * 255 // 63 for c in range(256)] * 3)
+    save(image, picture)
+
+
+def save(image, picture):
+    """Write an image to a file."""
     try:
         image.save(picture, format="PNG", optimize=True)
     except OSError as error:

@@ -86,12 +86,13 @@ def diagrams(boundaries):
     return result
 
 
-def ordinates(what, curves):
+def ordinates(what, curves, names):
     """What is drawn over the abscissa: words, kind of unit, and the curves of
-    each boundary by label and colour."""
+    each boundary by label and colour; names: of all boundaries."""
     if what in SINGLE:
-        return (*SINGLE[what], {name: {"": (COLORS[k % len(COLORS)], rows[what])}
-                                for k, (name, (_, rows)) in enumerate(curves.items())})
+        return (*SINGLE[what], {
+            name: {"": (COLORS[names.index(name) % len(COLORS)], rows[what])}
+            for name, (_, rows) in curves.items()})
     forces = {name: np.array([rows[f"{what}_{axis}"] for axis in AXES])
               for name, (_, rows) in curves.items()}
     largest = max(np.abs(force).max() for force in forces.values())
@@ -101,14 +102,15 @@ def ordinates(what, curves):
         for name, force in forces.items()}
 
 
-def draw_curves(axes, what, words, unit, curves, units):
+def draw_curves(axes, names, what, words, unit, curves, units):
     """A diagram."""
-    ordinate, kind, lines = ordinates(what, curves)
+    ordinate, kind, lines = ordinates(what, curves, names)
     largest = max((np.abs(values).max() for those in lines.values()
                    for _, values in those.values()), default=0)
     furthest = max(np.abs(place).max() for place, _ in curves.values())
     exponents = (exponent_of(furthest), exponent_of(largest))
-    for (name, (place, _)), line in zip(curves.items(), LINES * len(curves)):
+    for name, (place, _) in curves.items():
+        line = LINES[names.index(name) % len(LINES)]
         for axis, (color, values) in lines[name].items():
             parts = [axis] * bool(axis) + [plain(name)] * (len(curves) > 1)
             axes.plot(place / 10.0**exponents[0], values / 10.0**exponents[1], line,
@@ -135,5 +137,5 @@ def draw(boundaries, units):
                     layout="constrained")
     FigureCanvasAgg(figure)
     for axes, diagram in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown):
-        draw_curves(axes, *diagram, units)
+        draw_curves(axes, list(boundaries), *diagram, units)
     return figure

@@ -192,8 +192,8 @@ def draw(run, panels, body_picture):
                   run.scale.pressure, run.certified)
     more = len(panels) - MOST
     if more > 0:
-        page.text(RIGHT, page.height - MARGIN, f"not drawn: {more} map{'s' * (more > 1)} "
-                  "of boundaries that bear less", SMALL)
+        page.text(RIGHT, page.height - MARGIN, f"not drawn: {more} more map{'s' * (more > 1)}",
+                  SMALL)
     return page.figure
 
 

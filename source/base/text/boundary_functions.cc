@@ -79,12 +79,15 @@ namespace stiction
                                             std::string::npos))
             return "'=' assigns, a comparison is '=='";
         }
-      for (const auto &[word, written] : {std::pair("and", "A && B"),
-                                          {"or", "A || B"},
-                                          {"not", "A == 0"}})
+      for (const auto &[word, written] :
+           {std::pair("and", "A && B"), {"or", "A || B"}, {"not", "A == 0"}})
         if (std::regex_search(formula,
                               std::regex(text_of("\\b", word, "\\b"), std::regex::icase)))
           return text_of("'", word, "' is written '", written, "'");
+      if (std::regex_search(formula, std::regex("!(?!=)")))
+        return "'!A' is written 'A == 0'";
+      if (std::regex_search(formula, std::regex("[<>]=?[^<>=!&|,()?:]+[<>]")))
+        return "'A < B < C' is written 'A < B && B < C'";
       if (formula.find("**") != std::string::npos)
         return "a power is written '^'";
       if (formula.find("rand") != std::string::npos)

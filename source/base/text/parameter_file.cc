@@ -142,7 +142,7 @@ namespace stiction
     const std::map<std::string, std::pair<std::string, std::string>> moved = {
       {"Boundary conditions/Time", {"Time", "End"}}};
 
-    // Section and name of an entry, which may be written with its old name.
+    // Section and name of an entry, perhaps by its old name.
     std::pair<std::string, std::string> present(const std::string &section,
                                                 const std::string &name)
     {
@@ -352,9 +352,8 @@ namespace stiction
   std::string ParameterFile::locate(const std::string &entry) const
   {
     const Place &place = places_.at(entry);
-    const bool has_file = place.where == not_set && !file_.empty();
-    return (has_file ? file_ + ", " : "") + place.where + ": " +
-           (place.name.empty() ? entry : place.name);
+    return (place.where == not_set && !file_.empty() ? file_ + ", " : "") + place.where +
+           ": " + (place.name.empty() ? entry : place.name);
   }
 
   std::string ParameterFile::describe(const std::string &entry) const
@@ -386,10 +385,11 @@ namespace stiction
     namespace fs         = std::filesystem;
     const fs::path given = name, beside = fs::path(file_).parent_path() / given;
     const bool is_typed = places_.at(entry).where.rfind(command_line, 0) == 0;
+    std::error_code none;
     for (const fs::path &path : {is_typed ? given : beside, is_typed ? beside : given})
       {
-        std::error_code none;
-        if (fs::exists(path, none) && !fs::is_directory(path, none))
+        require(!fs::is_directory(path, none), entry, "is a directory, must be a file");
+        if (fs::exists(path, none))
           return path;
       }
     refuse(entry, "cannot be read, there is " +

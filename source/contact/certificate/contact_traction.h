@@ -16,8 +16,8 @@ namespace stiction
 
   /// The contact tractions on the body −(Bᵀλ)_i/A_i, interpolated between the
   /// nodes; of nodes beyond the edge of what lies opposite, on either side of a pair,
-  /// spread over half of what is around them. Where a node of the contact boundary is held and its contact force
-  /// is not known, it is the mean of the face's other nodes.
+  /// spread over half of what is around them. Where a node of the contact boundary is
+  /// held and its contact force is not known, it is the mean of the face's other nodes.
   class ContactTraction
   {
   public:

@@ -25,9 +25,9 @@ namespace stiction
     constexpr double as_a_whole = 0.9, into_normal = 0.1;
 
     // What friction bears and what of it acts against the way of such a body differ by
-    // α²/2 of it for the angle α between them, and the way is what is elastic over α:
-    // in this many tolerances it is known to a twentieth.
-    constexpr double against_way = 10.;
+    // α²/2 of it for the angle α between them, and the way is what is elastic over α. Of
+    // pressures, in tolerances: within that α is not known. And of friction, at most.
+    constexpr double unknown = 2., against_way = 0.995;
 
     // Of the largest force: a node with less holds nothing.
     constexpr double no_force = 1e-6;
@@ -47,7 +47,8 @@ namespace stiction
     {
       bool slips = false, is_held = false;
       double all = 0., as_a_whole = 0.;
-      double friction = 0., against = 0.; // their bounds, and friction along the way
+      // their bounds, friction along the way, and pressures, times the way
+      double friction = 0., against = 0., pressed = 0.;
     };
 
     // The bodies of a boundary, those opposite, both; and whether they are one on either
@@ -132,6 +133,7 @@ namespace stiction
             of.all += force * way.norm();
             of.as_a_whole += force * rigid.norm();
             of.friction += bound(i) * along.norm();
+            of.pressed += force * along.norm();
             of.against += to_tensor(at_node(forces, i)) * along;
           }
       }
@@ -148,7 +150,8 @@ namespace stiction
       if (const Ways &of = ways[piece];
           free.of(piece).second > 0 && of.slips && !of.is_held &&
           of.as_a_whole > as_a_whole * of.all &&
-          std::abs(of.against) >= (1. - against_way * tolerance) * of.friction &&
+          std::abs(of.against) >= std::max(of.friction - unknown * tolerance * of.pressed,
+                                           against_way * of.friction) &&
           is_free(piece))
         at_limit.insert(piece);
     return at_limit;

@@ -13,6 +13,7 @@
 #include <stiction/qp/unbalanced_load.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +29,12 @@ namespace stiction
     // Of a motion: nodes that move by less against what is opposite go along with it.
     constexpr double no_motion = 1e-3;
 
-    // Of a motion: with less across the normal, what is across is no slide.
-    constexpr double least_slide = 0.05;
+    // Of the sum of squares of forces: normals along which there are less are none.
+    constexpr double least_of_normals = 1e-3;
+
+    // Of a motion that friction of the largest coefficient lifts, what is along the
+    // surface: with less it is no slide.
+    constexpr double least_slide = 0.5;
 
     // Of the loads: that much less, and there may be an equilibrium.
     constexpr double at_the_limit = 1e-6;
@@ -56,15 +61,30 @@ namespace stiction
       return '(' + format_vector("%.3g", v) + ')';
     }
 
-    // The mean normal of the contact nodes that carry forces where something moves.
-    Tensor<1, 3> mean_normal(const ContactSurface &surface, const Eigen::VectorXd &lambda,
-                             const Eigen::VectorXd &moved, const double motion)
+    // The projection on what is along all surfaces that bear forces where something
+    // moves, or may bear some if none does; zero where nothing moves.
+    Eigen::Matrix3d along_surfaces(const ContactSurface &surface,
+                                   const Eigen::VectorXd &lambda,
+                                   const Eigen::VectorXd &moved, const double motion)
     {
-      Tensor<1, 3> sum;
+      Eigen::Matrix3d of_forces = Eigen::Matrix3d::Zero(), of_all = of_forces;
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         if (at_node(moved, i).norm() > no_motion * motion)
-          sum += lambda(i) * surface.nodes()[i].free_normal;
-      return sum.norm() > 0. ? sum / sum.norm() : sum;
+          {
+            const Tensor<1, 3> &n = surface.nodes()[i].free_normal;
+            const Eigen::Vector3d normal(n[0], n[1], n[2]);
+            of_forces += lambda(i) * normal * normal.transpose();
+            of_all += normal * normal.transpose();
+          }
+      const Eigen::Matrix3d &normals = of_forces.isZero(0.) ? of_all : of_forces;
+      if (normals.isZero(0.))
+        return normals;
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(normals);
+      Eigen::Matrix3d along = Eigen::Matrix3d::Identity();
+      for (Eigen::Index k = 0; k < 3; ++k)
+        if (eigen.eigenvalues()(k) > least_of_normals * normals.trace())
+          along -= eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose();
+      return along;
     }
 
     // A motion of all bodies that no contact forces can stop.
@@ -81,7 +101,7 @@ namespace stiction
 
     Runaway find_runaway(const LinearElasticity &elasticity,
                          const Eigen::VectorXd &amounts, const double work,
-                         const Tensor<1, 3> &normal)
+                         const Eigen::Matrix3d &along_surfaces, const double coefficient)
     {
       const Body &body    = elasticity.body();
       const auto motions  = elasticity.free_motions().motions(amounts);
@@ -101,11 +121,12 @@ namespace stiction
       Runaway runaway{"the body", motions[p], {}, body.pieces()[p].radius(), {}, work};
       // on a rough face a motion that friction cannot stop lifts the body as well: that
       // is the cone's, not the motion's
-      const Tensor<1, 3> &way   = motions[p].translation;
-      const Tensor<1, 3> across = way - (way * normal) * normal;
-      if (normal.norm() > 0. && across.norm() > least_slide * way.norm() &&
-          elasticity.free_motions().can_move(p, across / across.norm()))
-        runaway.slide = across;
+      const Tensor<1, 3> &way = motions[p].translation;
+      const Tensor<1, 3> slide =
+        to_tensor(along_surfaces * Eigen::Vector3d(way[0], way[1], way[2]));
+      if (std::hypot(1., coefficient) * slide.norm() > least_slide * way.norm() &&
+          elasticity.free_motions().can_move(p, slide / slide.norm()))
+        runaway.slide = slide;
       // of a mechanism each body has its own motion
       const auto moves_alike = [&](const std::size_t q) {
         const RigidMotion &other = motions[q];
@@ -134,11 +155,13 @@ namespace stiction
     std::string in_words(const Runaway &runaway, const Units &units)
     {
       const auto &[who, motion, slide, size, load, work, is_alone] = runaway;
-      const std::string s = who.rfind("bodies", 0) == 0 ? " " : "s ";
-      const double turn   = motion.rotation.norm() * size;
-      if (turn > least_turn * motion.translation.norm())
+      const std::string s     = who.rfind("bodies", 0) == 0 ? " " : "s ";
+      const double turn       = motion.rotation.norm() * size;
+      const Tensor<1, 3> axis = motion.rotation / (turn > 0. ? turn / size : 1.);
+      // a screw is what it does more
+      if (turn > std::max(least_turn * motion.translation.norm(),
+                          std::abs(motion.translation * axis)))
         {
-          const Tensor<1, 3> axis = motion.rotation / motion.rotation.norm();
           const Tensor<1, 3> to_axis =
             cross_product_3d(motion.rotation, motion.translation) /
             motion.rotation.norm_square();
@@ -183,8 +206,8 @@ namespace stiction
       double part = 0.;
     };
 
-    // @param reached contact forces with the mean normal of what moves; those that come
-    //   nearest if there are none.
+    // @param reached contact forces with the normals where something moves; those that
+    //   come nearest if there are none.
     Unstopped unstopped_motion(const LinearElasticity &elasticity,
                                const ContactSurface &surface,
                                const qp::SlipBound &slip_bound,
@@ -209,9 +232,12 @@ namespace stiction
         return {"the obstacle that is pressed on finds nothing that bears " +
                   with_unit(format("%.4g", work / rho.norm()), units.force),
                 part};
-      const Tensor<1, 3> normal =
-        mean_normal(surface, reached != nullptr ? *reached : lambda, moved, rho.norm());
-      return {in_words(find_runaway(elasticity, of_body, work, normal), units), part};
+      const Eigen::Matrix3d along = along_surfaces(
+        surface, reached != nullptr ? *reached : lambda, moved, rho.norm());
+      return {in_words(find_runaway(elasticity, of_body, work, along,
+                                    surface.largest_coefficient()),
+                       units),
+              part};
     }
 
     // Those that nothing resists with the forces of a state. Friction resists where a

@@ -32,8 +32,8 @@ namespace stiction
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
 
-    // Of a face: with more, several are opposite to the same place.
-    constexpr double covered_twice = 1.05;
+    // Of what is covered, what may be so by several: edges that meet overlap by less.
+    constexpr double covered_twice = 0.05;
 
     // Of the size of faces: what is between the sides of a tie counts as rigid.
     constexpr double widest_tie = 0.25;
@@ -87,7 +87,8 @@ namespace stiction
     }
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick, all
-    // over: two balls side by side do so where they look away from each other.
+    // over: two balls side by side do so where they look away from each other. And if
+    // several are opposite to the same places.
     void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar)
     {
       pair.source().require(
@@ -96,6 +97,15 @@ namespace stiction
           " behind '" + pair.partner_name() + "', and a body of both is only " +
           format("%.3g", mortar.thickness) +
           " thick, must lie opposite to it but for a small interference");
+      const Eigen::ArrayXd areas = mortar.areas.array().max(0.);
+      const double twice         = ((mortar.covers.array() - 1.).max(0.) * areas).sum();
+      pair.source().require(
+        pair.partners().size() == 1 || twice <= covered_twice * areas.sum(),
+        obstacle_entry,
+        "of '" + pair.partner_name() +
+          "' one lies behind another, must lie side by side: leave out what does not "
+          "touch '" +
+          pair.name() + "'");
     }
 
     using Boundaries = std::vector<types::boundary_id>;
@@ -295,19 +305,13 @@ namespace stiction
         mortar.is_of_both(node.first_dof))
       return false;
     const ContactBoundary &boundary = boundary_of(node);
-    if (boundary.partners().size() > 1 && mortar.covers(i) > covered_twice)
-      boundary.source().refuse(
-        obstacle_entry, "of '" + boundary.partner_name() +
-                          "' one lies behind another at (" + text_of(node.position) +
-                          "), must lie side by side: leave out what does not touch '" +
-                          boundary.name() + "'");
-    node.cover           = mortar.areas(i) / node.area;
-    node.area            = mortar.areas(i);
-    node.mesh_gap        = mortar.gaps(i);
-    node.facets          = mortar.facets;
-    node.opposite_normal = to_tensor(mortar.normals.row(i).transpose());
-    node.youngs_modulus  = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
-    node.gap             = boundary.initial_gap(node.position) +
+    node.cover                      = mortar.areas(i) / node.area;
+    node.area                       = mortar.areas(i);
+    node.mesh_gap                   = mortar.gaps(i);
+    node.facets                     = mortar.facets;
+    node.opposite_normal            = to_tensor(mortar.normals.row(i).transpose());
+    node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
+    node.gap            = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? node.mesh_gap : 0.);
     return true;
   }

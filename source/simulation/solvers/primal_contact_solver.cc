@@ -54,8 +54,9 @@ namespace stiction
     LevelNewton::Options options;
     options.other_method = other_method();
     if (setting_.surface.has_stiff_slaves())
-      options.hard_systems = "the forces of a pair are on its stiffer side: let the other "
-                             "one bear them with 'Slave side'";
+      options.hard_systems =
+        "the forces of a pair are on its stiffer side, see 'Slave side'; " +
+        options.hard_systems;
     // a flexible body that contact alone holds is better off with factors than with
     // 'newton'
     if (can_hand_over_)

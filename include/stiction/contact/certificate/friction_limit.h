@@ -18,11 +18,13 @@ namespace stiction
   /// to hold. Collective.
   ///
   /// @param motions those of all bodies as wholes, see
-  /// LinearElasticity::free_motion_of(). @param tolerance to which forces are known.
-  std::set<unsigned int> bodies_at_friction_limit(
-    const LinearElasticity &elasticity, const ContactSurface &surface,
-    const std::vector<RigidMotion> &motions, const State &state,
-    const std::vector<NodeStatus> &statuses, double tolerance);
+  /// LinearElasticity::free_motion_of(). @param tolerance of forces, beside pressures.
+  std::set<unsigned int> bodies_at_friction_limit(const LinearElasticity &elasticity,
+                                                  const ContactSurface &surface,
+                                                  const std::vector<RigidMotion> &motions,
+                                                  const State &state,
+                                                  const std::vector<NodeStatus> &statuses,
+                                                  double tolerance);
 
   /// The part of the normal force of each contact boundary that nodes bear which
   /// supports hold in a direction, in which no friction acts, and along which they have
