@@ -324,7 +324,7 @@ namespace stiction
         {"ranks", dealii::Utilities::MPI::n_mpi_processes(communicator)}}},
       {"converged", result.converged},
       {"interrupted", result.interrupted},
-      {"reason", value_or_null(!result.converged, result.reason)},
+      {"reason", result.converged ? "" : result.reason},
       {"units", with(result.units, {{"name", units == "none" ? "" : units}})},
       {"input", source.given()},
       {"solver", solver_to_json(result, solver)},
