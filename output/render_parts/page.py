@@ -17,17 +17,14 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from . import headline
 from . import panels as contact_panels
-from .words import ROUNDING, exponent_of, label, number, plain, quantity
+from .slot import BAR, COLUMN, GAP, KEY, TICKS, TITLE, Slot
+from .words import exponent_of, label, number, plain, quantity
 
 WIDTH, MARGIN, HEADER = 12.8, 0.3, 0.95
-LEFT, RIGHT, ROOM = 0.3, 6.55, 6.05  # two columns and their width
+LEFT, RIGHT = 0.3, 6.55  # two columns
 BODY = 5.7  # width
-COLUMN, TICKS, BETWEEN = 2.55, 0.62, 0.28  # of maps side by side
-TITLE, LEGEND, AXIS, KEY, BAR, GAP = 0.38, 0.34, 0.52, 0.3, 0.62, 0.2
-LEGEND_ROW = 0.17  # the second row of a legend and those after it
+BETWEEN = 0.28  # maps side by side
 THICK = 0.13  # a colour bar
-STRETCH = 16  # the largest ratio of the sides of a map
-LONGEST_TITLE = 40  # letters, then it is cut
 MOST = 8  # maps of contact boundaries that are drawn
 
 SMALL, NORMAL, LARGE = 8.5, 10, 15
@@ -101,70 +98,6 @@ def style(axis, exponent, length):
     axis.set_tick_params(labelsize=SMALL, labelcolor=TEXT, length=3, pad=2)
 
 
-class Slot:
-    """The room of one contact panel: two maps, side by side or stacked."""
-
-    def __init__(self, panel, peak):
-        self.panel = panel
-        self.counts = contact_panels.counts(panel)
-        # four to a row, or three where there are long names
-        self.columns = 4 if len(self.counts) <= 4 else 3
-        self.legend = LEGEND + LEGEND_ROW * (
-            math.ceil(len(self.counts) / self.columns) - 1)
-        low, high = panel.window
-        ratio = (high[0] - low[0]) / (high[1] - low[1])
-        shown = min(max(ratio, 1 / STRETCH), STRETCH)
-        self.stretched = shown != ratio
-        whole = ROOM - TICKS - 0.2
-        beside, below = min(COLUMN, 4.2 * shown), min(whole, 2.4 * shown)
-        self.stacked = below > 1.35 * beside and ratio > 1
-        width, self.column = (below, whole) if self.stacked \
-            else (beside, COLUMN)
-        self.size = np.array([width, width / shown])
-        self.choose_arrows(peak)
-        self.size *= min(1, (self.column - 2 * self.reach) / width)
-        if self.usual:
-            self.shorten_arrows()
-        self.map_height = self.size[1] + 2 * self.reach + AXIS
-        self.height = TITLE + self.legend + self.map_height + BAR + GAP
-        if self.stacked:
-            self.height += self.map_height + KEY
-
-    def choose_arrows(self, peak):
-        """Arrows, friction an inch, and how far they reach out of the map.
-
-        peak: the largest pressure anywhere, beside which friction may be rounding.
-        """
-        low, high = self.panel.window
-        scale = self.size / (high - low)
-        self.places, self.friction, distance = contact_panels.some_arrows(
-            self.panel, scale, 0.16)
-        self.reach, sizes = 0, np.linalg.norm(self.friction, axis=1)
-        self.usual = np.percentile(sizes, 95) if len(sizes) else 0
-        if self.usual <= ROUNDING * peak:
-            self.usual = 0
-            return
-        self.per_inch = max(self.usual / min(1.2 * distance, 0.4), sizes.max() / 0.6)
-        self.shorten_arrows()
-        tips = (self.places - low) * scale + self.friction / self.per_inch
-        reach = max(-tips.min(), (tips - self.size).max())
-        self.reach = reach if reach > 0.05 else 0
-
-    def shorten_arrows(self):
-        """No arrow is higher or wider than the map."""
-        self.per_inch = max(self.per_inch,
-                            (np.abs(self.friction).max(axis=0) / self.size).max())
-
-    def title(self, name):
-        """What is seen."""
-        parts = [self.panel.seen] + self.panel.enlarged * ["only where forces act"]
-        parts += self.stretched * ["sides not to scale"]
-        name = f"Contact boundary {name}"
-        if len(name) > LONGEST_TITLE:
-            name = name[:LONGEST_TITLE - 1] + "…"
-        return plain(name), ", ".join(parts)
-
-
 def draw(run, panels, body_picture):
     """The whole picture.
 
@@ -173,7 +106,8 @@ def draw(run, panels, body_picture):
     """
     shown = sorted(range(len(panels)), reverse=True,
                    key=lambda i: run.scale.force[panels[i].boundary])[:MOST]
-    slots = [Slot(panels[i], run.scale.peak) for i in sorted(shown)]
+    slots = [Slot(panels[i], run.scale.peak, None if run.time is None else
+                  run.scale.friction[panels[i].boundary]) for i in sorted(shown)]
     body_height = min(max(5, slots[0].height), 6.5)
     tops = {RIGHT: HEADER, LEFT: HEADER + body_height + GAP}
     places = []

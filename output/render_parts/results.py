@@ -118,8 +118,8 @@ def read(directory, tag="", time=None):
     what is shown, as steps with files are; released: whether only rounding is left at
     the end, which then is zero; scale: the largest displacement, stress and pressure,
     which everything is drawn with, peak, of a few nodes with more than that, force, that
-    presses each boundary, by its id, and dented, flat boundaries with a dent that is deep
-    in the picture.
+    presses each boundary, by its id, friction, the usual and the largest there, and dented,
+    flat boundaries with a dent that is deep in the picture.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -154,6 +154,12 @@ def read(directory, tag="", time=None):
     areas = np.linalg.norm(meshes.vector_areas(contact.points[contact.cells]), axis=1)
     boundary = contact.boundary[contact.cells[:, 0]].astype(int)
     force = np.bincount(boundary, areas * np.abs(pressure).mean(axis=1))
+    sizes = np.linalg.norm(contact.tangential_traction, axis=1)[contact.cells]
+    friction = np.zeros((len(force), 2))
+    for i in np.unique(boundary):
+        of_boundary = sizes[(boundary == i)[:, None] & (sizes > 0)]
+        if len(of_boundary):
+            friction[i] = np.percentile(of_boundary, (95, 100))
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
         time=time, certified=certified, released=released,
@@ -161,7 +167,8 @@ def read(directory, tag="", time=None):
             displacement=np.linalg.norm(body.displacement, axis=1).max(),
             stress=body.stress[np.unique(body.faces)].max(),
             pressure=panels.scale_of(pressure.reshape(-1), np.repeat(areas, 4)),
-            peak=max(pressure.max(), 0), force=force, dented=set()),
+            peak=max(pressure.max(), 0), force=force,
+            friction=friction, dented=set()),
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),

@@ -234,7 +234,8 @@ class Page(unittest.TestCase):
                               certified=converged or time is not None,
                               scale=SimpleNamespace(pressure=pressure,
                                                     peak=contact.pressure.max(),
-                                                    force=np.arange(len(sides))),
+                                                    force=np.arange(len(sides)),
+                                                    friction=np.full((len(sides), 2), 1.)),
                               summary={"converged": converged, "contact": {
                                   "boundaries": boundaries, "max_pressure": 2e7,
                                   "force_on_body": [1e8, -1e8, 1e-9], "normal_force": 1e8,
@@ -323,6 +324,21 @@ class Page(unittest.TestCase):
         self.assertIn("t = 0.25", words)
         self.assertNotIn("NOT CERTIFIED", words)
         self.assertIn("pressure [MPa]", words)
+
+    def test_frames_have_maps_of_one_size_and_arrows_of_one_scale(self):
+        points, faces = mesh_of(hexahedra((4, 4, 4), high=(4, 3, 1)))
+        bottom = side(points, faces, 2, 0)
+        layout = SimpleNamespace(loaded=np.ones(bottom.shape, bool),
+                                 pressure=np.ones(bottom.shape))
+        slots = [page.Slot(panels.panels_of(
+            contact_on(bottom, 4, status, friction=friction), points, True, layout)[0],
+            2, np.array([1., 1.5])) for status, friction in
+            (((1, 1), (1, 0.5, 0)), ((1, 2), (0.1, 0, 0)), ((0, 0), (0, 0, 0)))]
+        for slot in slots[1:]:
+            np.testing.assert_array_equal(slot.size, slots[0].size)
+            self.assertEqual(slot.height, slots[0].height)
+        self.assertEqual(slots[0].per_inch, slots[1].per_inch)
+        self.assertEqual(slots[2].usual, 0)
 
     def test_no_friction(self):
         for friction in 0, 1e-9:  # which is rounding beside a pressure of 2
