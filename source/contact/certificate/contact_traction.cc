@@ -9,6 +9,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace stiction
 {
@@ -56,7 +57,8 @@ namespace stiction
             }
       Utilities::MPI::sum(around, body.communicator(), around);
       return (W.transpose() * surface.areas())
-        .cwiseQuotient(Eigen::VectorXd::Map(around.data(), W.cols()));
+        .cwiseQuotient(Eigen::VectorXd::Map(around.data(), W.cols())
+                         .cwiseMax(std::numeric_limits<double>::min()));
     }
   } // namespace
 

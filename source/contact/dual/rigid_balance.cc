@@ -29,7 +29,7 @@ namespace stiction
     // Of a motion: nodes that move by less against what is opposite go along with it.
     constexpr double no_motion = 1e-3;
 
-    // Of the sum of squares of forces: normals along which there are less are none.
+    // Of the pressing forces: a direction with less of them is along the surfaces.
     constexpr double least_of_normals = 1e-3;
 
     // Of a motion that friction of the largest coefficient lifts, what is along the
