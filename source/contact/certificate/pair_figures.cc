@@ -33,8 +33,8 @@ namespace stiction
     constexpr double much_left_out = 0.5;
 
     // Nodes: of fewer that bear, as of a ball on coarse cells, the pressures differ from
-    // their means.
-    constexpr Eigen::Index enough_to_waver = 30;
+    // their means; a stiffer side that wavers leaves every other node open.
+    constexpr Eigen::Index enough_to_waver = 30, enough_on_stiff_side = 9;
 
     // Of the pressing force: less friction is rounding.
     constexpr double no_friction = 1e-6;
@@ -170,8 +170,10 @@ namespace stiction
           areas(i) = 0.;
       const Eigen::VectorXd sizes = forces.rowwise().norm();
       const double all            = sizes.sum();
+      const auto enough =
+        surface.has_stiff_slaves() ? enough_on_stiff_side : enough_to_waver;
       if (all <= least_force * force_scale ||
-          (sizes.array() > least_share * sizes.maxCoeff()).count() < enough_to_waver)
+          (sizes.array() > least_share * sizes.maxCoeff()).count() < enough)
         return 0.;
       // of degree 2 some weights are negative
       const auto W    = surface.B().other_side().weights.cwiseAbs().eval();
