@@ -35,6 +35,7 @@ all certified steps of which there are files, all with the same scales, for an
 animation.
 """
 
+import functools
 import io
 import os
 import sys
@@ -77,14 +78,13 @@ def render_frames(directory, sharpness=SHARPNESS):
     if not steps or not steps[0][1]:
         raise Unusable(f"{directory} has no steps, frames are made of a run with "
                        "several 'Time/Steps'.")
-    scale = layout = None
-    meshes = set()
+    scale, layouts = None, []
     for time, tag in steps:  # read again below: all may be too much for memory
         run = results.read(directory, tag, time)
         scale = largest_of(scale, run.scale)
-        touched = panels.touched(run.contact)
-        meshes.add(touched.pressure.shape)
-        layout = largest_of(layout if len(meshes) == 1 else None, touched)
+        layouts.append(panels.touched(run.contact))
+    one_mesh = len({layout.pressure.shape for layout in layouts}) == 1
+    layout = functools.reduce(largest_of, layouts) if one_mesh else None
     scale.dented = set()
     pictures = {os.path.join(directory, f"frame{tag}.png"): -1 for _, tag in steps}
     for _ in range(2):  # once more before a dent that was found in a later step
@@ -92,8 +92,7 @@ def render_frames(directory, sharpness=SHARPNESS):
             if known < len(scale.dented) or known < 0:
                 run = results.read(directory, tag, time)
                 run.scale = scale
-                write(draw(run, sharpness, layout if len(meshes) == 1 else None),
-                      picture, sharpness)
+                write(draw(run, sharpness, layout), picture, sharpness)
                 pictures[picture] = len(scale.dented)
     give_one_height(pictures)
     return list(pictures)

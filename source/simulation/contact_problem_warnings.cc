@@ -279,10 +279,10 @@ namespace stiction
       }
     for (const auto &[about, warning] : earlier)
       sentences.push_back(warning.text);
-    if (const std::string energies =
-          steps_ ? warning_on_energies(*steps_, units_) : std::string();
-        !energies.empty())
-      sentences.push_back(energies);
+    if (steps_)
+      if (const std::string energies = warning_on_energies(*steps_, units_);
+          !energies.empty())
+        sentences.push_back(energies);
     return sentences;
   }
 } // namespace stiction

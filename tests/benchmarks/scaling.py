@@ -16,9 +16,9 @@ from parts import figures, machine, runs, scaling_cases, scaling_report, stream
 from parts.command import Parser, clock, exit_status, number, numbers
 from parts.errors import BenchmarkError
 from parts.scaling_results import Results
+from parts.solve import ROOT, add_program
 from parts.weak_scaling import Network
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TOLERANCE = 1e-8
 THREADS = 1
 
@@ -114,11 +114,7 @@ def parse_options(arguments):
         default=os.path.join(ROOT, "output", "benchmark", "scaling"),
         help="directory of tables, plots and stored runs (output/benchmark/scaling)",
     )
-    add(
-        "--program",
-        default=os.path.join(ROOT, "build", "stiction"),
-        help="another build of the program (build/stiction)",
-    )
+    add_program(parser)
     reference = "build/tests/benchmarks/benchmark_feevaluation_solve"
     add(
         "--reference-program",

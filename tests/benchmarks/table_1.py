@@ -14,8 +14,7 @@ import time
 from parts import cases, figures, machine, results, runs, tables
 from parts.command import Parser, clock, exit_status, number
 from parts.errors import BenchmarkError
-
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from parts.solve import ROOT, add_program
 
 
 def parse_options(arguments):
@@ -61,11 +60,7 @@ def parse_options(arguments):
         help="directory of tables, plots and stored runs "
         "(output/benchmark/table_1)",
     )
-    add(
-        "--program",
-        default=os.path.join(ROOT, "build", "stiction"),
-        help="another build of the program (build/stiction)",
-    )
+    add_program(parser)
     add("--fresh", action="store_true", help="forget the stored runs, start over")
     add("--list", action="store_true", help="show what would be run, run nothing")
     add(

@@ -55,9 +55,10 @@ namespace stiction
     };
 
     // Whether a name stands in a formula as a word of its own.
-    bool mentions(const std::string &formula, const std::string &name)
+    bool mentions(const std::string &formula, const std::string &name,
+                  const std::regex::flag_type flags = std::regex::ECMAScript)
     {
-      return std::regex_search(formula, std::regex("\\b" + name + "\\b"));
+      return std::regex_search(formula, std::regex("\\b" + name + "\\b", flags));
     }
 
     // What muParser accepts and no user means: 'a, b' is b, and 'x = 1' puts
@@ -81,8 +82,7 @@ namespace stiction
         }
       for (const auto &[word, written] :
            {std::pair("and", "A && B"), {"or", "A || B"}, {"not", "A == 0"}})
-        if (std::regex_search(formula,
-                              std::regex(text_of("\\b", word, "\\b"), std::regex::icase)))
+        if (mentions(formula, word, std::regex::icase))
           return text_of("'", word, "' is written '", written, "'");
       if (std::regex_search(formula, std::regex("!(?!=)")))
         return "'!A' is written 'A == 0'";

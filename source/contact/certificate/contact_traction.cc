@@ -43,18 +43,24 @@ namespace stiction
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
       for (const auto &cell : body.locally_owned_cells())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              surface.is_other_side(cell->face(f)->boundary_id()))
-            {
-              values.reinit(cell, f);
-              cell->get_dof_indices(dofs);
-              for (unsigned int i = 0; i < dofs.size(); i += 3)
-                if (fe.has_support_on_face(i, f))
-                  for (const auto &[dof, weight] : body.followed_by(dofs[i]))
-                    if (const auto j = surface.opposite_node_of(dof); j >= 0)
-                      for (const unsigned int q : values.quadrature_point_indices())
-                        around[j] += weight * values.shape_value(i, q) * values.JxW(q);
-            }
+          {
+            if (!cell->face(f)->at_boundary() ||
+                !surface.is_other_side(cell->face(f)->boundary_id()))
+              continue;
+            values.reinit(cell, f);
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); i += 3)
+              {
+                if (!fe.has_support_on_face(i, f))
+                  continue;
+                double area = 0.;
+                for (const unsigned int q : values.quadrature_point_indices())
+                  area += values.shape_value(i, q) * values.JxW(q);
+                for (const auto &[dof, weight] : body.followed_by(dofs[i]))
+                  if (const auto j = surface.opposite_node_of(dof); j >= 0)
+                    around[j] += weight * area;
+              }
+          }
       Utilities::MPI::sum(around, body.communicator(), around);
       return (W.transpose() * surface.areas())
         .cwiseQuotient(Eigen::VectorXd::Map(around.data(), W.cols())

@@ -71,8 +71,7 @@ namespace stiction
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         if (at_node(moved, i).norm() > no_motion * motion)
           {
-            const Tensor<1, 3> &n = surface.nodes()[i].free_normal;
-            const Eigen::Vector3d normal(n[0], n[1], n[2]);
+            const Eigen::Vector3d normal = to_vector(surface.nodes()[i].free_normal);
             of_forces += lambda(i) * normal * normal.transpose();
             of_all += normal * normal.transpose();
           }
@@ -121,9 +120,8 @@ namespace stiction
       Runaway runaway{"the body", motions[p], {}, body.pieces()[p].radius(), {}, work};
       // on a rough face a motion that friction cannot stop lifts the body as well: that
       // is the cone's, not the motion's
-      const Tensor<1, 3> &way = motions[p].translation;
-      const Tensor<1, 3> slide =
-        to_tensor(along_surfaces * Eigen::Vector3d(way[0], way[1], way[2]));
+      const Tensor<1, 3> &way  = motions[p].translation;
+      const Tensor<1, 3> slide = to_tensor(along_surfaces * to_vector(way));
       if (std::hypot(1., coefficient) * slide.norm() > least_slide * way.norm() &&
           elasticity.free_motions().can_move(p, slide / slide.norm()))
         runaway.slide = slide;

@@ -156,7 +156,7 @@ namespace stiction
 
   void PrimalContactSolver::update()
   {
-    if (newton_)
+    if (newton_ && !is_dual_alone_)
       newton_->update();
     if (dual_)
       dual_->update();

@@ -18,7 +18,8 @@ namespace stiction
   /// to hold. Collective.
   ///
   /// @param motions those of all bodies as wholes, see
-  /// LinearElasticity::free_motion_of(). @param tolerance of forces, beside pressures.
+  /// LinearElasticity::free_motion_of().
+  /// @param tolerance of forces, beside pressures.
   std::set<unsigned int> bodies_at_friction_limit(const LinearElasticity &elasticity,
                                                   const ContactSurface &surface,
                                                   const std::vector<RigidMotion> &motions,
