@@ -39,7 +39,8 @@ namespace stiction
     // The verifier's scales, unless they are rounding or a convention: a body that
     // is only moved has neither load nor strain as long as there are no contact
     // forces. Then those of the forces count that would undo h node by node,
-    // and always where no contact forces at all are to be the answer.
+    // and always where no contact forces at all are to be the answer. Of h so small that
+    // its square is nothing there is no work to take a scale from.
     qp::Scaling usable_scaling(const ContactConditions &conditions, const DualOperator &Q,
                                const qp::SlipBound &slip_bound, const double tolerance)
     {
@@ -50,7 +51,7 @@ namespace stiction
       const double total       = scaling.force.sum();
       const bool is_answer =
         conditions.lambda().isZero(0.) && conditions.is_solved(tolerance);
-      if (force > 0. && (is_answer || total < rounding * force))
+      if (work > 0. && (is_answer || total < rounding * force))
         {
           scaling.force *= force / total;
           scaling.displacement = work / force;
