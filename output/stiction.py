@@ -95,30 +95,46 @@ class Run:
         return files[-1][len(name):-len(".pvtu")]
 
 
-def run(parameters, settings=None, directory=None, ranks=1, program=None):
+def run(parameters, settings=None, directory=None, ranks=1, program=None, restart=None):
     """Solve the problem of a parameter file, or of a text that is one.
 
     settings: {'Section/Entry': value} instead of what the file says; directory: where
-    the files go, unless given one that goes when the run does. A run that is not
-    certified comes back all the same; one that was refused raises an Error.
+    the files go, unless given one that goes when the run does; restart: the directory of
+    a run from whose checkpoint this one goes on. A run that is not certified comes back
+    all the same; one that was refused raises an Error.
     """
-    program = program or PROGRAM
     if directory is None:
         directory = tempfile.mkdtemp(prefix="stiction_")
         try:
-            result = run(parameters, settings, directory, ranks, program)
+            result = run(parameters, settings, directory, ranks, program, restart)
         except Error:
             shutil.rmtree(directory)
             raise
         weakref.finalize(result, shutil.rmtree, directory, ignore_errors=True)
         return result
+    options = ["--restart", os.fspath(restart)] if restart is not None else []
+    end, message = _call(parameters, settings, directory, ranks, program, options)
+    return Run(directory, end.returncode, message)
+
+
+def validate(parameters, settings=None, ranks=1, program=None):
+    """What is understood of a problem, in words; nothing is solved. One that run() would
+    refuse before it solves anything raises an Error."""
+    with tempfile.TemporaryDirectory(prefix="stiction_") as directory:
+        return _call(parameters, settings, directory, ranks, program,
+                     ["--validate"])[0].stdout
+
+
+def _call(parameters, settings, directory, ranks, program, options):
+    """How the program ended, and the sentence on that if it is not certified."""
+    program = program or PROGRAM
     os.makedirs(directory, exist_ok=True)
     parameters = os.fspath(parameters)
     if "\n" in parameters:
         text, parameters = parameters, os.path.join(directory, "input.prm")
         with open(parameters, "w", encoding="utf-8") as file:
             file.write(text)
-    command = [program, parameters, "--output", directory]
+    command = [program, parameters, "--output", directory, *options]
     if ranks > 1:
         command = ["mpirun", "--quiet", "--oversubscribe", "-n", str(ranks)] + command
     for entry, value in (settings or {}).items():
@@ -137,7 +153,7 @@ def run(parameters, settings=None, directory=None, ranks=1, program=None):
     message = said[0].split(": ", 1)[1] if said else ""
     if end.returncode not in (0, 2, 3):
         raise Error(message or f"'{program}' ended with status {end.returncode}")
-    return Run(directory, end.returncode, message)
+    return end, message
 
 
 def read(directory):

@@ -105,6 +105,25 @@ class Files(unittest.TestCase):
         self.assertEqual(len(run.contact(step=1)["area"]), len(run.contact()["area"]))
         self.assertEqual(run.history["boundary"][0], "bottom")
 
+    def test_restart(self):
+        steps = {"Geometry/Table 1 level": 1, "Time/Checkpoint every": 1}
+        first = stiction.run(BRICK, {**steps, "Time/Steps": 1}, program=PROGRAM)
+        run = stiction.run(BRICK, {**steps, "Time/Steps": 2, "Time/End": 2},
+                           program=PROGRAM, restart=first.directory)
+        self.assertEqual((run.certified, list(run.history["t"])), (True, [1, 2]))
+        with self.assertRaisesRegex(stiction.Error, "must be what it was"):
+            stiction.run(BRICK, {**steps, "Geometry/Table 1 level": 2}, program=PROGRAM,
+                         restart=first.directory)
+
+    def test_validate(self):
+        with open(BRICK, encoding="utf-8") as file:
+            for parameters in (BRICK, file.read()):
+                said = stiction.validate(parameters, program=PROGRAM)
+                self.assertIn("nothing was solved", said)
+                self.assertIn("smallest gap", said)
+        with self.assertRaisesRegex(stiction.Error, "unknown entry 'Low'"):
+            stiction.validate(BRICK, {"Friction/Low": 1}, program=PROGRAM)
+
     def test_judge(self):
         with tempfile.TemporaryDirectory() as directory:
             run = stiction.run(BRICK, {"Geometry/Table 1 level": 1,
