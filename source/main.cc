@@ -1,5 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/interrupt.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/base/text/utf8.h>
 #include <stiction/base/blas_choice.h>
 #include <stiction/simulation/contact_problem.h>
@@ -67,6 +68,17 @@ namespace
                "interrupted.\nCtrl-C ends the run after its step, with all files "
                "of what is reached then,\nand with checkpoints it can go on with "
                "--restart from its last step;\na second one ends it at once.");
+  }
+
+  // A sentence on an option of one value that stands several times, if there is one.
+  std::string repeated_option(const CLI::App &app)
+  {
+    for (const CLI::Option *const option : app.get_options())
+      if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
+          option->count() > 1)
+        return option->get_name() + " = " + stiction::in_quotes(option->results()) +
+               ", must stand once.";
+    return "";
   }
 
   bool is_first_rank()
@@ -208,8 +220,10 @@ int main(int argc, char *argv[])
     }
   catch (const CLI::ParseError &error)
     {
-      return refuse(std::string(error.what()) +
-                    ", 'stiction --help' shows what is allowed.");
+      const std::string repeated = repeated_option(app);
+      return refuse(!repeated.empty() ? repeated
+                                      : std::string(error.what()) +
+                                          ", 'stiction --help' shows what is allowed.");
     }
   catch (const stiction::InputError &error)
     {
