@@ -12,6 +12,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/output/history/step_history.h>
 #include <stiction/qp/advice.h>
+#include <stiction/qp/node_status.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/warnings/body_warnings.h>
@@ -78,6 +79,30 @@ namespace stiction
              with_unit(format("%.3g", given), units.energy) +
              ": forces change within steps, whose energies are not to be trusted; take "
              "smaller 'Time/Steps'.";
+    }
+
+    // Where no contact node is pressed at the end, nor in a step before.
+    std::string warning_on_no_contact(const Certificate &certificate,
+                                      const std::vector<NodeStatus> &statuses,
+                                      const double force, const StepHistory *const steps,
+                                      const Units &units)
+    {
+      double borne = 0.;
+      if (steps != nullptr)
+        for (const StepResult &step : steps->steps())
+          for (const BoundaryStep &boundary : step.boundaries)
+            borne = std::max(borne, boundary.normal_force);
+      if (borne > no_force * force ||
+          !std::all_of(statuses.begin(), statuses.end(), [](const NodeStatus &status) {
+            return status.normal == NormalStatus::open;
+          }))
+        return "";
+      const auto n = static_cast<Eigen::Index>(statuses.size());
+      return "nothing touches" + std::string(steps != nullptr ? " in any step" : "") +
+             ", and contact bears no force: the smallest gap that is left is " +
+             with_unit(format("%.3g", certificate.gradient().head(n).minCoeff()),
+                       units.length) +
+             "; see where obstacles are, which way loads go and how large they are.";
     }
 
     void add_few(const ContactSurface &surface, const std::size_t boundary,
@@ -263,6 +288,12 @@ namespace stiction
               warning_on_friction(surface.largest_coefficient());
             !friction.empty())
           sentences.push_back(friction);
+        if (const std::string open = warning_on_no_contact(
+              *certificate_, node_statuses(),
+              std::max(certificate_->force_scale(), state_.scales.force), steps_.get(),
+              units_);
+            !open.empty())
+          sentences.push_back(open);
         now = warnings_of_step();
       }
     else if (state_.lambda.size() > 0)
