@@ -1,5 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/contact_pairs.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
 #include <stiction/simulation/checkpoint/problem_identity.h>
 #include <stiction/simulation/checkpoint/word_file.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <vector>
 
 namespace stiction
 {
@@ -56,6 +58,30 @@ namespace stiction
                   value.end());
       return value;
     }
+
+    bool are_same(const std::string &now, const std::string &then)
+    {
+      return without_blanks(now) == without_blanks(then);
+    }
+
+    // Names the first contact pair that differs, if the file has sections of them.
+    [[noreturn]] void refuse(const ParameterFile &source, const std::string &entry,
+                             const std::string &now, const std::string &then,
+                             const std::string &checkpoint)
+    {
+      const auto says = [&](const std::string &value) {
+        return "must be what it was in the checkpoint " + checkpoint +
+               (value.empty() ? ", where it has no value" : ", '" + value + "'");
+      };
+      const auto of_now = split_at_bars(now), of_then = split_at_bars(then);
+      const std::size_t n = split_at_bars(source.given(true).at(entry)).size();
+      if (!ContactPairs::is_pair(source.section_of_pair(entry, 0)) ||
+          of_now.size() != n || of_then.size() != n)
+        source.refuse(entry, says(then));
+      const auto [differs, value] =
+        std::mismatch(of_now.begin(), of_now.end(), of_then.begin(), are_same);
+      source.of_pair(differs - of_now.begin()).refuse(entry, says(*value));
+    }
   } // namespace
 
   json problem_identity(const Parameters &parameters)
@@ -86,11 +112,8 @@ namespace stiction
       {
         const auto now  = item.value().get<std::string>();
         const auto then = identity.at("entries").value(item.key(), std::string());
-        parameters.source.require(
-          item.key() == mesh_file || without_blanks(now) == without_blanks(then),
-          item.key(),
-          "must be what it was in the checkpoint " + checkpoint +
-            (then.empty() ? ", where it has no value" : ", '" + then + "'"));
+        if (item.key() != mesh_file && !are_same(now, then))
+          refuse(parameters.source, item.key(), now, then, checkpoint);
       }
     if (here.value("mesh_files", json()) != identity.value("mesh_files", json()))
       throw InputError(parameters.source.file() +
