@@ -180,7 +180,11 @@ namespace stiction
                         format("%.6g", boundary.torque));
             }
         }
-      print_largest_pressure(log, "", contact, units);
+      if (contact.open + contact.closed + contact.undecided_normal > 0)
+        print_largest_pressure(log, "", contact, units);
+      else // of ties alone
+        print_row(log, label("largest traction", units.stress),
+                  format("%.6g", contact.max_tied_traction));
       print_row(log, label("largest displacement", units.length),
                 format("%.6g", result.displacement.max));
       const auto energies =

@@ -67,6 +67,7 @@ namespace stiction
                     {"moment", contact.moment},
                     {"max_pressure", contact.max_pressure},
                     {"max_tension", contact.max_tension},
+                    {"max_tied_traction", contact.max_tied_traction},
                     {"area", contact.area}});
   }
 
@@ -172,7 +173,11 @@ namespace stiction
       contact.normal_force += lambda(0);
       contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
       if (status.tangential == TangentialStatus::tied)
-        contact.max_tension = std::max(contact.max_tension, -lambda(0) / node.area);
+        {
+          contact.max_tension = std::max(contact.max_tension, -lambda(0) / node.area);
+          contact.max_tied_traction =
+            std::max(contact.max_tied_traction, force.norm() / node.area);
+        }
       contact.tangential_force += friction;
       if (is_outer)
         {
@@ -290,8 +295,12 @@ namespace stiction
         part.torque += node.arm * add_forces(part, node, lambda, statuses[i]);
         // sums of contact are without what ties bear
         if (statuses[i].tangential == TangentialStatus::tied)
-          result.contact.max_tension =
-            std::max(result.contact.max_tension, part.max_tension);
+          {
+            result.contact.max_tension =
+              std::max(result.contact.max_tension, part.max_tension);
+            result.contact.max_tied_traction =
+              std::max(result.contact.max_tied_traction, part.max_tied_traction);
+          }
         else
           add_forces(result.contact, node, lambda, statuses[i], part.opposite.empty());
       }

@@ -79,11 +79,12 @@ namespace stiction
     /// What happens on the contact boundaries. Forces are those on the body,
     /// tangential_force the sum of the parts tangential to the contact surface;
     /// moments are about the origin, area is that of the closed nodes. Tension is
-    /// what pulls at tied nodes along the normal. Sums over all boundaries are without
-    /// tied ones.
+    /// what pulls at tied nodes along the normal, their traction that in any direction.
+    /// Sums over all boundaries are without tied ones.
     struct Contact : NodeCounts
     {
-      double normal_force = 0., max_pressure = 0., max_tension = 0., area = 0.;
+      double normal_force = 0., max_pressure = 0., max_tension = 0.;
+      double max_tied_traction = 0., area = 0.;
       dealii::Tensor<1, 3> force_on_body, tangential_force, moment;
     };
 
