@@ -131,6 +131,21 @@ namespace
     read("the second", "inp", on_two, {"the floor", "roof"});
     read("by its number", "inp", on_two, {"2"});
     read("both", "inp", on_two, {"the floor", "skin"});
+    const std::string plane = "*ELEMENT, TYPE=CPS4, ELSET=Surface1\n11, 1, 2, 5, 4\n"
+                              "12, 2, 3, 6, 5\n";
+    read("plane elements, as Gmsh writes faces", "inp", abaqus + plane);
+    read("by another set of them", "inp", abaqus + plane + "*ELSET, ELSET=floor\n11,12\n",
+         {"floor"});
+    read("and by a surface of that name", "inp",
+         abaqus + plane + "*ELSET, ELSET=floor\n12\n*SURFACE, NAME=floor\n1, S1\n",
+         {"floor"});
+    read("one twice", "inp", abaqus + plane + "11, 1, 2, 5, 4\n");
+    read("of second order", "inp",
+         "*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n3, 0, 2, 0\n4, 0, 0, 2\n5, 1, 0, 0\n6, 1, 1, "
+         "0\n7, 0, 1, 0\n8, 0, 0, 1\n9, 1, 0, 1\n10, 0, 1, 1\n*ELEMENT, TYPE=CPS6, "
+         "ELSET=floor\n1, 1, 3, 2, 7, 6, 5\n*ELEMENT, TYPE=C3D10, ELSET=all\n2, 1, 2, 3, "
+         "4, 5, 6, 7, 8, 9, 10\n");
+    read("with too few nodes", "inp", abaqus + with(plane, "CPS4", "CPS8"));
     refused("included", "*HEADING", "*INCLUDE, INPUT=other.inp");
     refused("nodes elsewhere", "*NODE", "*NODE, INPUT=other.inp");
     refused("no keyword", "*HEADING\n", "");

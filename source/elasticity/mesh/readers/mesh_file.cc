@@ -75,9 +75,9 @@ namespace stiction
              ? std::string(": mesh the body with tetrahedra, or extrude all of it; "
                            "pyramids stand where quadrilaterals of recombined or "
                            "transfinite surfaces meet tetrahedra.")
-             : std::string(": leave the others out; boundaries of a .inp "
-                           "are no elements but '*SURFACE, NAME=bottom' with cells "
-                           "and their faces S1, S2, ....")));
+             : std::string(": leave the others out; boundaries of a .inp are "
+                           "'*SURFACE, NAME=bottom' with cells and their faces S1, S2, "
+                           "..., or sets of elements CPS3, CPS4, CPS6 and CPS8.")));
     }
   } // namespace
 

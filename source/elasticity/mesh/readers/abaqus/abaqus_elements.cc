@@ -27,8 +27,45 @@ namespace stiction::abaqus
     return {0, 0};
   }
 
+  std::pair<std::int64_t, unsigned int> type_of_face(const std::string &type)
+  {
+    static const std::map<char, std::int64_t> types = {
+      {'3', 2}, {'4', 3}, {'6', 9}, {'8', 16}, {'9', 10}};
+    for (const std::string name : {"CPS", "CPE", "SFM3D"})
+      if (type.rfind(name, 0) == 0 && types.count(type.c_str()[name.size()]) > 0)
+        {
+          const char n_nodes = type[name.size()];
+          return {types.at(n_nodes), n_nodes - '0'};
+        }
+    return {0, 0};
+  }
+
   const std::string understood_elements =
     "tetrahedra (C3D4, C3D10), prisms (C3D6, C3D15) or hexahedra (C3D8, C3D20, C3D27)";
+
+  std::vector<std::int64_t> nodes_of(const std::vector<std::string> &items,
+                                     const unsigned int n_nodes, const std::string &type,
+                                     const TextScanner &text)
+  {
+    if (items.size() != n_nodes + 1)
+      text.refuse("an element with its number and " + std::to_string(n_nodes) +
+                  " nodes should stand here, not " + std::to_string(items.size() - 1) +
+                  " nodes, as it is of type " + type + "; understood are " +
+                  understood_elements);
+    std::vector<std::int64_t> nodes;
+    for (unsigned int i = 1; i <= n_nodes; ++i)
+      nodes.push_back(text.to_integer(items[i]));
+    return nodes;
+  }
+
+  unsigned int face_number(const std::string &face, const TextScanner &text)
+  {
+    if (face.size() != 2 || (face[0] != 'S' && face[0] != 's') || face[1] < '1' ||
+        face[1] > '6')
+      text.refuse("'" + face.substr(0, 40) +
+                  "' is no face of an element, must be from S1 to S6");
+    return static_cast<unsigned int>(face[1] - '1');
+  }
 
   const std::vector<std::vector<unsigned int>> &faces_of(const std::size_t n_vertices)
   {

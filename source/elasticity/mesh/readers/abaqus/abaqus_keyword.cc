@@ -29,6 +29,14 @@ namespace stiction
     return items;
   }
 
+  void skip_to(const std::string &last, TextScanner &text)
+  {
+    std::string line;
+    while (text.next_line(line))
+      if (AbaqusKeyword::begins(line) && AbaqusKeyword(line, text).name == last)
+        return;
+  }
+
   AbaqusKeyword::AbaqusKeyword(std::string line, TextScanner &text)
   {
     using dealii::Utilities::trim;

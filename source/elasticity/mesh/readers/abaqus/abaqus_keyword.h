@@ -42,4 +42,7 @@ namespace stiction
     /// Names in capital letters, values as they are written.
     std::map<std::string, std::string> options;
   };
+
+  /// Passes over all up to this keyword.
+  void skip_to(const std::string &last, TextScanner &text);
 } // namespace stiction

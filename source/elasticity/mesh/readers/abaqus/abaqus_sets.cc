@@ -1,7 +1,31 @@
 #include "abaqus_sets.h"
 
+#include <cstdlib>
+
 namespace stiction
 {
+  std::vector<std::int64_t> generated_numbers(const std::vector<std::string> &items,
+                                              const TextScanner &text)
+  {
+    if (items.size() < 2)
+      text.refuse("the first and the last element should stand here");
+    const std::int64_t first = text.to_integer(items[0]);
+    const std::int64_t last  = text.to_integer(items[1]);
+    const std::int64_t step =
+      items.size() > 2 && !items[2].empty() ? text.to_integer(items[2]) : 1;
+    // no mesh has so many elements, nor larger numbers of them
+    constexpr std::int64_t largest = 10000000000, most = 20000000;
+    if (step < 1 || std::abs(first) > largest || std::abs(last) > largest ||
+        (last - first) / step >= most)
+      text.refuse("the elements from " + items[0] + " to " + items[1] + " in steps of " +
+                  std::to_string(step) +
+                  " are too many, or no set, must be at most 20000000");
+    std::vector<std::int64_t> numbers;
+    for (std::int64_t e = first; e <= last; e += step)
+      numbers.push_back(e);
+    return numbers;
+  }
+
   AbaqusScope AbaqusSets::add_scope(const std::string &instance)
   {
     if (instance.empty())

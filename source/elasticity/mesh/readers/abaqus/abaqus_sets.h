@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stiction
@@ -22,7 +23,17 @@ namespace stiction
   {
     std::size_t scope;
     std::int64_t number;
+
+    bool operator<(const AbaqusElement &other) const
+    {
+      return std::pair(scope, number) < std::pair(other.scope, other.number);
+    }
   };
+
+  /// The numbers of a line below '*ELSET, GENERATE': the first, the last and the step.
+  /// Throws InputError if they are too many, or none.
+  std::vector<std::int64_t> generated_numbers(const std::vector<std::string> &items,
+                                              const TextScanner &text);
 
   /// The sets of elements of an Abaqus file by their names, which are not case
   /// sensitive. Whatever it refuses, it does so with the line that the file is at.

@@ -42,7 +42,9 @@ namespace stiction
         const TextScanner::Place end = text_.here();
         if (mesh_.is_of_cells())
           {
+            const auto of_file = std::exchange(mesh_.mesh.faces.boundary_quads, {});
             add_surfaces();
+            add_face_sets(of_file);
             name_materials();
           }
         text_.go_to(end);
@@ -97,9 +99,10 @@ namespace stiction
         end_of_data();
         keyword_                = AbaqusKeyword(line, text_);
         const std::string &name = keyword_.name;
+        const std::string type  = upper(keyword_.value("TYPE"));
         if (const std::string more = keyword_.of_the_problem(); !more.empty())
           passed_over_.insert(more);
-        if (name == "*SURFACE" && is_of_elements())
+        if (name == "*SURFACE" && (type.empty() || type == "ELEMENT"))
           surfaces_.push_back({keyword_.value("NAME"), scope_, text_.here(), {}});
         else if (name == "*SURFACE")
           {
@@ -109,7 +112,7 @@ namespace stiction
         else if (name == "*INSTANCE")
           begin_instance();
         else if (name == "*PART" && parts_.have_instances())
-          skip_part();
+          skip_to("*ENDPART", text_); // instances read it
         else if (name == "*PART")
           begin(sets_.add_scope(keyword_.value("NAME")));
         else if (name == "*ENDINSTANCE" ||
@@ -120,12 +123,6 @@ namespace stiction
                                  keyword_.value("MATERIAL"));
         else
           keyword_.require_all_is_here(text_);
-      }
-
-      bool is_of_elements() const
-      {
-        const std::string type = upper(keyword_.value("TYPE"));
-        return type.empty() || type == "ELEMENT";
       }
 
       void begin_instance()
@@ -145,16 +142,6 @@ namespace stiction
         if (parts_.are_several() && scope.number > 0)
           mesh_.mesh.body_names[scope.number] = keyword_.value("NAME");
         mesh_.forget_numbers();
-      }
-
-      // Instances read it.
-      void skip_part()
-      {
-        std::string line;
-        while (text_.next_line(line))
-          if (AbaqusKeyword::begins(line) &&
-              AbaqusKeyword(line, text_).name == "*ENDPART")
-            return;
       }
 
       void read_data(const std::string &line)
@@ -181,7 +168,7 @@ namespace stiction
                            "' is no part of a surface, must be an element or "
                            "a set and a face from S1 to S6");
             surfaces_.back().parts.emplace_back(refer_to(items[0]),
-                                                face_number(items[1]));
+                                                abaqus::face_number(items[1], text_));
           }
         else if (keyword_.name == "*INSTANCE")
           placement_.add_line(items, text_);
@@ -215,18 +202,12 @@ namespace stiction
         const std::string type = upper(keyword_.value("TYPE"));
         if (const auto [gmsh_type, n_nodes] = abaqus::type_of_cell(type); n_nodes > 0)
           {
-            if (items.size() != n_nodes + 1)
-              text_.refuse("an element with its number and " + std::to_string(n_nodes) +
-                           " nodes should stand here, not " +
-                           std::to_string(items.size() - 1) +
-                           " nodes, as it is of type " + type + "; understood are " +
-                           abaqus::understood_elements);
+            const MeshBuilder::Nodes nodes =
+              abaqus::nodes_of(items, n_nodes, type, text_);
             const std::int64_t number = text_.to_integer(items[0]);
-            if (!cells_[scope_.number].emplace(number, mesh_.mesh.cells.size()).second)
+            if (faces_.count({scope_.number, number}) > 0 ||
+                !cells_[scope_.number].emplace(number, mesh_.mesh.cells.size()).second)
               text_.refuse("element " + items[0] + " stands twice, must stand once");
-            MeshBuilder::Nodes nodes;
-            for (unsigned int i = 1; i <= n_nodes; ++i)
-              nodes.push_back(text_.to_integer(items[i]));
             // nodes inside of a hexahedron: the centre, then faces S1 to S6
             mesh_.add_element(gmsh_type, 0,
                               in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
@@ -234,9 +215,22 @@ namespace stiction
               mesh_.mesh.body_of_cell.push_back(scope_.number);
             if (const std::string set = keyword_.value("ELSET"); !set.empty())
               {
-                sets_.add(scope_, set, {scope_.number, number});
+                add_to_set(set, {scope_.number, number});
                 element_sets_.try_emplace(upper(scope_.prefix + set), refer_to(set));
               }
+          }
+        else if (const auto [gmsh_type, n_nodes] = abaqus::type_of_face(type);
+                 n_nodes > 0)
+          {
+            const std::int64_t number = text_.to_integer(items[0]);
+            const AbaqusElement element{scope_.number, number};
+            if (cells_[scope_.number].count(number) > 0 ||
+                !faces_.emplace(element, faces_.size()).second)
+              text_.refuse("element " + items[0] + " stands twice, must stand once");
+            mesh_.add_element(gmsh_type, 0,
+                              abaqus::nodes_of(items, n_nodes, type, text_));
+            if (const std::string set = keyword_.value("ELSET"); !set.empty())
+              add_to_set(set, element);
           }
         else if (abaqus::begins_with_any(type, {"C3D5", "C3D13"}))
           ++mesh_.mesh.other_elements["pyramids"];
@@ -257,37 +251,20 @@ namespace stiction
         const std::string instance = keyword_.value("INSTANCE");
         const AbaqusScope scope    = instance.empty() ? scope_ : sets_.scope_of(instance);
         if (keyword_.has("GENERATE"))
-          {
-            if (items.size() < 2)
-              text_.refuse("the first and the last element should stand here");
-            const std::int64_t first = text_.to_integer(items[0]);
-            const std::int64_t last  = text_.to_integer(items[1]);
-            const std::int64_t step =
-              items.size() > 2 && !items[2].empty() ? text_.to_integer(items[2]) : 1;
-            // no mesh has so many elements, nor larger numbers of them
-            constexpr std::int64_t largest = 10000000000, most = 20000000;
-            if (step < 1 || std::abs(first) > largest || std::abs(last) > largest ||
-                (last - first) / step >= most)
-              text_.refuse("the elements from " + items[0] + " to " + items[1] +
-                           " in steps of " + std::to_string(step) +
-                           " are too many, or no set, must be at most 20000000");
-            for (std::int64_t e = first; e <= last; e += step)
-              sets_.add(scope_, set, {scope.number, e});
-            return;
-          }
-        for (const std::string &item : items)
-          if (!item.empty())
-            for (const AbaqusElement &element : sets_.elements(scope, item))
-              sets_.add(scope_, set, element);
+          for (const std::int64_t number : generated_numbers(items, text_))
+            add_to_set(set, {scope.number, number});
+        else
+          for (const std::string &item : items)
+            if (!item.empty())
+              for (const AbaqusElement &element : sets_.elements(scope, item))
+                add_to_set(set, element);
       }
 
-      unsigned int face_number(const std::string &face) const
+      void add_to_set(const std::string &set, const AbaqusElement &element)
       {
-        if (face.size() != 2 || (face[0] != 'S' && face[0] != 's') || face[1] < '1' ||
-            face[1] > '6')
-          text_.refuse("'" + face.substr(0, 40) +
-                       "' is no face of an element, must be from S1 to S6");
-        return static_cast<unsigned int>(face[1] - '1');
+        sets_.add(scope_, set, element);
+        if (faces_.count(element) > 0)
+          face_sets_.try_emplace(upper(scope_.prefix + set), refer_to(set));
       }
 
       void add_surfaces()
@@ -315,6 +292,27 @@ namespace stiction
           }
       }
 
+      // As Gmsh writes boundaries. A surface of the same name has their faces, too.
+      void add_face_sets(const std::vector<dealii::CellData<2>> &of_file)
+      {
+        auto &names = mesh_.mesh.boundary_names;
+        for (const auto &[key, set] : face_sets_)
+          {
+            const auto of_set = elements(set);
+            const auto known  = names.find(name_of(set));
+            const auto id     = known == names.end() ? names.size() + 1 : known->second;
+            mesh_.add_name(name_of(set), id, names);
+            for (const AbaqusElement &element : of_set)
+              if (faces_.count(element) > 0)
+                mesh_.add_face(id, of_file[faces_.at(element)].vertices);
+          }
+      }
+
+      std::string name_of(const Reference &set) const
+      {
+        return (parts_.are_several() ? set.scope.prefix : "") + set.what;
+      }
+
       // With that of its instance where there are several, or others of this name.
       std::string name_of(const Surface &surface) const
       {
@@ -329,8 +327,7 @@ namespace stiction
       {
         if (sections_.empty())
           for (const auto &[key, set] : element_sets_)
-            sections_.emplace_back(set, (parts_.are_several() ? set.scope.prefix : "") +
-                                          set.what);
+            sections_.emplace_back(set, name_of(set));
         unsigned int last = 0;
         std::map<std::string, unsigned int> ids;
         for (const auto &section : sections_)
@@ -341,6 +338,8 @@ namespace stiction
               mesh_.add_name(section.second, ++last, mesh_.mesh.material_names);
             for (const AbaqusElement &element : elements(section.first))
               {
+                if (faces_.count(element) > 0)
+                  continue;
                 unsigned int &material = cell(element).material_id;
                 if (material != 0 && material != id.first->second)
                   text_.refuse("element " + std::to_string(element.number) +
@@ -378,6 +377,9 @@ namespace stiction
       AbaqusSets sets_;
       // where they are in the mesh, by their numbers in each scope
       std::vector<std::unordered_map<std::int64_t, std::size_t>> cells_;
+      // flat elements by scope and number, in the order of the file, and sets with such
+      std::map<AbaqusElement, std::size_t> faces_;
+      std::map<std::string, Reference> face_sets_;
 
       AbaqusScope scope_; // the present one
       AbaqusPlacement placement_;
