@@ -11,7 +11,7 @@ from shapes import contact_on, cylinder_side, hexahedra, joined, mesh_of, side
 import matplotlib
 import numpy as np
 import render
-from render_parts import headline, meshes, page, panels, words
+from render_parts import meshes, page, panels
 
 
 class Surface(unittest.TestCase):
@@ -356,44 +356,6 @@ class Page(unittest.TestCase):
     def test_a_tie(self):
         words = self.check((4, 3, 1), [(2, 0)], (1, 0, 0), status=([1], [4]))
         self.assertIn("tied 25", words)
-
-
-class Headline(unittest.TestCase):
-    """The numbers above the picture."""
-
-    def numbers(self, released=False, **boundary):
-        """The line of a pair with these numbers."""
-        boundary = {"name": "a", "opposite": "b", "force_on_body": [0, 0, -1],
-                    "normal_force": 1, **boundary}
-        return headline.numbers(SimpleNamespace(
-            certified=True, released=released, contact=SimpleNamespace(
-                tangential_traction=np.array([[[0, 3e-6, 4e-6]]])), units={"force": "N", "stress": "MPa"},
-            summary={"contact": {"boundaries": [boundary], "max_pressure": 0,
-                                 "tied": 9}}))
-
-    def test_what_is_largest(self):
-        self.assertEqual(self.numbers(max_pressure=3, max_tension=2),
-                         "largest pressure 3 MPa   contact force on a (0, 0, "
-                         "\N{MINUS SIGN}1) N   nodes: tied 9")
-        self.assertIn("largest tension 2 MPa", self.numbers(max_tension=2))
-        self.assertIn("largest shear 5$\\times10^{-6}$ MPa",
-                      self.numbers(max_pressure=1e-14, max_tension=1e-13))
-
-    def test_a_body_that_was_let_go(self):
-        self.assertEqual(self.numbers(released=True, max_pressure=1e-12),
-                         "nothing is pressed   nodes: tied 9")
-
-
-class Numbers(unittest.TestCase):
-    """Numbers and units as they are written."""
-
-    def test_units(self):
-        self.assertEqual(words.label("pressure", ""), "pressure")
-        self.assertEqual(words.label("x", "mm"), "x [mm]")
-        self.assertEqual(words.label("pressure", "Pa", 6), "pressure [$10^{6}$ Pa]")
-        self.assertEqual(words.quantity("N", 1.5, -2, 1e-12),
-                         "(1.5, \N{MINUS SIGN}2, 0) N")
-        self.assertEqual(words.quantity("", 1.582e8), "158.2$\\times10^{6}$")
 
 
 if __name__ == "__main__":
