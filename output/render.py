@@ -24,7 +24,8 @@ friction), white dots that rounding would decide whether it is; of a run that is
 not certified, as the page says, the pressure is shown of undecided nodes as
 well, and which of them it presses; arrows of friction start at their nodes, on
 fine meshes at some of them. The second one shows the pressure, and where tied
-boundaries are pulled.
+boundaries are pulled; its colours end with the largest pressure of all boundaries, of
+one with less than a third of it with its own.
 
 Of a run of several steps this is the last one, and history.png beside it
 (PICTURE_history.png, if the picture has another name) has the curves of

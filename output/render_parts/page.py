@@ -18,7 +18,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from . import headline
 from . import panels as contact_panels
 from .slot import BAR, COLUMN, GAP, KEY, TICKS, TITLE, Slot
-from .words import exponent_of, label, number, plain, quantity
+from .words import ROUNDING, exponent_of, label, number, plain, quantity
 
 WIDTH, MARGIN, HEADER = 12.8, 0.3, 0.95
 LEFT, RIGHT = 0.3, 6.55  # two columns
@@ -72,8 +72,8 @@ class Page:
                          **{"color": TEXT, **options})
 
     def color_bar(self, left, top, width, colors, largest, words, unit, peak=0):
-        """A scale from zero to the largest value, the words below; peak: the largest
-        of a few nodes beyond the scale."""
+        """A scale from zero to the largest value, the words below; peak: what is to be
+        said of how large it is, and may be beyond the scale."""
         if not largest > 0:
             self.text(left, top, "no " + words)
             return
@@ -83,8 +83,9 @@ class Page:
             ScalarMappable(Normalize(0, largest), colors), cax=axes,
             orientation="horizontal", extend="max" if peak > largest else "neither")
         style(bar.ax.xaxis, exponent, width)
-        if peak > largest:
-            words += f", up to {number(peak / 10.0**exponent)}"
+        if peak > ROUNDING * largest:
+            words += "," + ("\n" if len(words) > 30 else " ")
+            words += f"up to {number(peak / 10.0**exponent)}"
         bar.set_label(label(words, unit, exponent), size=NORMAL, color=TEXT,
                       labelpad=2)
 
@@ -122,8 +123,7 @@ def draw(run, panels, body_picture):
     draw_body(page, run, body_picture, body_height)
     names = names_of(run)
     for slot, place in zip(slots, places):
-        draw_slot(page, slot, place, names[slot.panel.boundary], run.units,
-                  run.scale.pressure, run.certified)
+        draw_slot(page, slot, place, names[slot.panel.boundary], run)
     more = len(panels) - MOST
     if more > 0:
         page.text(RIGHT, page.height - MARGIN, f"not drawn: {more} more map{'s' * (more > 1)}",
@@ -198,9 +198,9 @@ def draw_directions(page, directions, left, top):
                   ha="center", va="center")
 
 
-def draw_slot(page, slot, place, name, units, largest, certified):
+def draw_slot(page, slot, place, name, run):
     """Title, legend and both maps of a contact panel, from a place on."""
-    (left, top), (width, height) = place, slot.size
+    (left, top), (width, height), units = place, slot.size, run.units
     title, seen = slot.title(name)
     page.text(left, top, title, fontweight="bold")
     page.text(left, top + 0.2, seen, SMALL)
@@ -217,13 +217,17 @@ def draw_slot(page, slot, place, name, units, largest, certified):
     else:
         left += COLUMN + BETWEEN
     pressure = page.axes(left + inset, top + slot.reach, width, height)
+    largest = contact_panels.end_of_colors(run.scale.pressure, slot.panel.boundary)
     draw_pressure(pressure, slot.panel, largest)
     frame(pressure, slot, units["length"], upwards=slot.stacked)
-    words = "pressure" if certified else "pressure, not certified"
+    words = "pressure" if run.certified else "pressure, not certified"
     if (slot.panel.pressure[slot.panel.kind == contact_panels.TIED] < 0).any():
         words += ", green: tension"
+    peak = slot.panel.pressure.max()
+    # above the picture is the largest of all, and the scale may end with it
+    is_said = run.time is None and largest == run.scale.peak == peak
     page.color_bar(left + TICKS, top + slot.map_height + 0.02, COLUMN, PRESSURE,
-                   largest, words, units["stress"], slot.panel.pressure.max())
+                   largest, words, units["stress"], 0 if is_said else peak)
 
 
 def draw_legend(page, slot, left, top):

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import meshes
-from .words import number
+from .words import ROUNDING, number
 
 # what a node is drawn as, by its normal and its tangential status
 (OPEN, CLOSED, SLIP, STICK, OPEN_SLIP, OPEN_STICK, MAYBE_SLIP, MAYBE_STICK,
@@ -22,6 +22,7 @@ NOTHING = 1e-6  # parts of the largest pressure that are none
 EVEN = 1e-3  # of all forces: with less of a resultant a cylinder is pressed all around
 AT_EDGES = 0.1  # of the force: what a few nodes at an edge bear
 PEAK = 3  # times the pressure elsewhere: with more of it at edges they set no scale
+PALE = 1 / 3  # of a scale: a boundary with less than that has one of its own
 OPEN_ARC = 0.1  # of the area: a closed cylinder's area vectors add to nothing
 WIDE = 0.65  # the cosine of half an arc: beyond it a view has its ends edge-on
 
@@ -40,6 +41,13 @@ def scale_of(pressure, areas):
     borne = np.cumsum((np.maximum(pressure, 0) * areas)[order])
     usual, largest = pressure[order][[np.searchsorted(borne, (1 - AT_EDGES) * borne[-1]), -1]]
     return 1.2 * usual if largest > PEAK * usual > 0 else max(largest, 0)
+
+
+def end_of_colors(ends, boundary):
+    """Where the colours of a boundary end: with the largest of all boundaries, or with its
+    own where nothing would be seen of it beside that."""
+    own, largest = ends[boundary], ends.max()
+    return own if ROUNDING * largest < own < PALE * largest else largest
 
 
 def touched(contact):

@@ -116,10 +116,7 @@ def read(directory, tag="", time=None):
     contact: faces of the same points, and fields at their corners, (n, 4) or
     (n, 4, 3); obstacle: VTK's grid, or None; summary, units, name and time; certified:
     what is shown, as steps with files are; released: whether only rounding is left at
-    the end, which then is zero; scale: the largest displacement, stress and pressure,
-    which everything is drawn with, peak, of a few nodes with more than that, force, that
-    presses each boundary, by its id, friction, the usual and the largest there, and dented,
-    flat boundaries with a dent that is deep in the picture.
+    the end, which then is zero; scale: what scale_of() returns.
     """
     if not os.path.isdir(directory):
         raise Unusable(f"there is no directory {directory}, run stiction first.")
@@ -150,30 +147,41 @@ def read(directory, tag="", time=None):
     shear = np.linalg.norm(contact.tangential_traction, axis=1).max()
     contact.pressure[np.abs(contact.pressure) <= words.ROUNDING * shear] = 0  # of a tie
     body = body_of(solution, faces, first, number[:n])
-    pressure = panels.shown_pressure(contact, certified)[contact.cells]
-    areas = np.linalg.norm(meshes.vector_areas(contact.points[contact.cells]), axis=1)
-    boundary = contact.boundary[contact.cells[:, 0]].astype(int)
-    force = np.bincount(boundary, areas * np.abs(pressure).mean(axis=1))
-    sizes = np.linalg.norm(contact.tangential_traction, axis=1)[contact.cells]
-    friction = np.zeros((len(force), 2))
-    for i in np.unique(boundary):
-        of_boundary = sizes[(boundary == i)[:, None] & (sizes > 0)]
-        if len(of_boundary):
-            friction[i] = np.percentile(of_boundary, (95, 100))
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
         time=time, certified=certified, released=released,
-        scale=SimpleNamespace(
-            displacement=np.linalg.norm(body.displacement, axis=1).max(),
-            stress=body.stress[np.unique(body.faces)].max(),
-            pressure=panels.scale_of(pressure.reshape(-1), np.repeat(areas, 4)),
-            peak=max(pressure.max(), 0), force=force,
-            friction=friction, dented=set()),
+        scale=scale_of(body, contact, certified),
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),
         contact=contact_of(contact, number[n:], faces, body.points),
         obstacle=read_obstacle(directory, tag))
+
+
+def scale_of(body, contact, certified):
+    """What everything is drawn with.
+
+    displacement and stress: the largest; peak: the largest pressure; by the id of a
+    boundary pressure, where its colours may end, force, that presses it, and friction,
+    the usual and the largest there; dented: flat boundaries with a dent that is deep in
+    the picture.
+    """
+    pressure = panels.shown_pressure(contact, certified)[contact.cells]
+    areas = np.linalg.norm(meshes.vector_areas(contact.points[contact.cells]), axis=1)
+    boundary = contact.boundary[contact.cells[:, 0]].astype(int)
+    sizes = np.linalg.norm(contact.tangential_traction, axis=1)[contact.cells]
+    force = np.bincount(boundary, areas * np.abs(pressure).mean(axis=1))
+    ends, friction = np.zeros(len(force)), np.zeros((len(force), 2))
+    for i in np.unique(boundary):
+        chosen = boundary == i
+        ends[i] = panels.scale_of(pressure[chosen].reshape(-1), np.repeat(areas[chosen], 4))
+        of_boundary = sizes[chosen[:, None] & (sizes > 0)]
+        if len(of_boundary):
+            friction[i] = np.percentile(of_boundary, (95, 100))
+    return SimpleNamespace(
+        displacement=np.linalg.norm(body.displacement, axis=1).max(),
+        stress=body.stress[np.unique(body.faces)].max(), pressure=ends,
+        peak=max(pressure.max(), 0), force=force, friction=friction, dented=set())
 
 
 def is_released(summary):

@@ -206,6 +206,12 @@ class Panels(unittest.TestCase):
         for nothing in (np.zeros(3), -np.ones(3)):
             self.assertEqual(panels.scale_of(nothing, np.ones(3)), 0)
 
+    def test_a_pale_boundary_has_colours_of_its_own(self):
+        ends = np.array([100, 40, 30, 1, 1e-9, 0])
+        self.assertEqual([panels.end_of_colors(ends, i) for i in range(6)],
+                         [100, 100, 30, 1, 100, 100])
+        self.assertEqual(panels.end_of_colors(np.zeros(1), 0), 0)
+
     def test_corners_share_out_a_face(self):
         panel, = panels.panels_of(contact_on(side(self.points, self.faces, 2, 0),
                                              4), self.points)
@@ -232,8 +238,8 @@ class Page(unittest.TestCase):
         run = SimpleNamespace(name="a brick", n_bodies=1, contact=contact, units=units,
                               time=time, released=False,
                               certified=converged or time is not None,
-                              scale=SimpleNamespace(pressure=pressure,
-                                                    peak=contact.pressure.max(),
+                              scale=SimpleNamespace(pressure=np.full(len(sides), pressure),
+                                                    peak=max(2, np.max(pressure)),
                                                     force=np.arange(len(sides)),
                                                     friction=np.full((len(sides), 2), 1.)),
                               summary={"converged": converged, "contact": {
@@ -323,7 +329,7 @@ class Page(unittest.TestCase):
                            time=0.25)
         self.assertIn("t = 0.25", words)
         self.assertNotIn("NOT CERTIFIED", words)
-        self.assertIn("pressure [MPa]", words)
+        self.assertIn("pressure, up to 2 [MPa]", words)
 
     def test_frames_have_maps_of_one_size_and_arrows_of_one_scale(self):
         points, faces = mesh_of(hexahedra((4, 4, 4), high=(4, 3, 1)))
@@ -348,6 +354,21 @@ class Page(unittest.TestCase):
     def test_a_few_nodes_beyond_the_scale(self):
         self.assertIn("pressure, up to 2 [MPa]",
                       self.check((4, 3, 1), [(2, 1)], (1, 0, 0), pressure=0.5))
+
+    def test_boundaries_of_which_one_bears_a_hundredth(self):
+        figure, _ = self.texts_of((2, 2, 2), [(2, 0), (0, 2), (1, 0)], (1, 0, 0),
+                                  pressure=[200, 2, 150])
+        bars = [(axes.get_xlabel(), axes.get_xlim()[1]) for axes in figure.axes
+                if axes.get_xlabel().startswith("pressure")]
+        self.assertEqual(bars, [("pressure, up to 2 [MPa]", end) for end in (200, 2, 200)])
+
+    def test_the_longest_words_of_a_color_bar(self):
+        drawn = page.Page(5)
+        drawn.color_bar(10, 1, 2.55, page.PRESSURE, 2e7,
+                        "pressure, not certified, green: tension", "MPa", 1.5e7)
+        drawn.figure.canvas.draw()
+        box = drawn.figure.axes[0].get_tightbbox()
+        self.assertLess(box.x1, drawn.figure.bbox.x1)
 
     def test_nothing_pressed(self):
         self.assertIn("no pressure",
