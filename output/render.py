@@ -29,9 +29,10 @@ one with less than a third of it with its own.
 
 Of a run of several steps this is the last one, and history.png beside it
 (PICTURE_history.png, if the picture has another name) has the curves of
-history.csv: the forces on the body over t, and over displacements of obstacles
+history.csv: the forces on the body over t and over displacements of obstacles
 that moved, or their moments where the forces add up to nothing, and what friction
-dissipates. With --frames DIRECTORY/frame_0001.png and so on are the pictures of
+dissipates; over t dotted from the start, where the body is as it is made, to the
+first step. With --frames DIRECTORY/frame_0001.png and so on are the pictures of
 all certified steps of which there are files, all with the same scales, for an
 animation.
 """
@@ -63,7 +64,8 @@ def render(directory, picture, sharpness=SHARPNESS):
     write(draw(run, sharpness), picture, sharpness)
     boundaries = history.read(directory)
     if boundaries:
-        write(history.draw(boundaries, run.units), curves_beside(picture), sharpness)
+        start = float(run.summary.get("input", {}).get("Time/Start", 0))
+        write(history.draw(boundaries, run.units, start), curves_beside(picture), sharpness)
 
 
 def curves_beside(picture):

@@ -1,6 +1,7 @@
 """The curves of a history: forces, and what friction dissipates."""
 
 import csv
+import math
 import os
 
 import numpy as np
@@ -102,8 +103,9 @@ def ordinates(what, curves, names):
         for name, force in forces.items()}
 
 
-def draw_curves(axes, names, what, words, unit, curves, units):
-    """A diagram."""
+def draw_curves(axes, names, start, what, words, unit, curves, units):
+    """A diagram; over t with dotted lines from the start, where the body is as it is made,
+    whatever the loads there. Of ways of obstacles it is not known where they begin."""
     ordinate, kind, lines = ordinates(what, curves, names)
     largest = max((np.abs(values).max() for those in lines.values()
                    for _, values in those.values()), default=0)
@@ -113,9 +115,12 @@ def draw_curves(axes, names, what, words, unit, curves, units):
         line = LINES[names.index(name) % len(LINES)]
         for axis, (color, values) in lines[name].items():
             parts = [axis] * bool(axis) + [plain(name)] * (len(curves) > 1)
-            axes.plot(place / 10.0**exponents[0], values / 10.0**exponents[1], line,
-                      color=color, marker=".", markersize=4, linewidth=1.2,
-                      label=", ".join(parts) or None)
+            place_shown, shown = place / 10.0**exponents[0], values / 10.0**exponents[1]
+            axes.plot(place_shown, shown, line, color=color, marker=".", markersize=4,
+                      linewidth=1.2, label=", ".join(parts) or None)
+            if words == "t" and start < place[0]:
+                axes.plot([start / 10.0**exponents[0], place_shown[0]], [0, shown[0]],
+                          ":", color=color, linewidth=1)
     axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
     axes.set_xlabel(label(words, units["length"] if unit is None else unit,
                           exponents[0]), size=NORMAL, color=TEXT)
@@ -130,12 +135,12 @@ def draw_curves(axes, names, what, words, unit, curves, units):
         axis.set_major_formatter(lambda value, _: number(value))
 
 
-def draw(boundaries, units):
-    """The figure of all diagrams, side by side."""
+def draw(boundaries, units, start=math.inf):
+    """The figure of all diagrams, side by side; start: t before the first step."""
     shown = diagrams(boundaries)
     figure = Figure(figsize=(WIDTH * len(shown), HEIGHT), facecolor="white",
                     layout="constrained")
     FigureCanvasAgg(figure)
     for axes, diagram in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown):
-        draw_curves(axes, list(boundaries), *diagram, units)
+        draw_curves(axes, list(boundaries), start, *diagram, units)
     return figure

@@ -64,6 +64,16 @@ class Curves(unittest.TestCase):
         self.assertIn("torque on the body [N mm]", over_angle.get_ylabel())
         self.assertIsNone(over_angle.get_legend())
 
+    def test_curves_over_t_begin_at_the_start(self):
+        boundaries = self.read("1,a,0,0,-5,1,0,0,-0.1,0,0,2\n2,a,0,0,-9,1,0,0,-0.2,0,0,3\n",
+                               "5,0,0,0,0,1,0,")
+        for start, before in ((0.5, [[[[0.5, 1], [0, -5]]], [], [[[0.5, 1], [0, 2]]]]),
+                              (3, [[], [], []])):  # of another run
+            figure = history.draw(boundaries, words.units_of({}), start)
+            self.assertEqual(before, [[
+                line.get_xydata().T.tolist() for line in axes.lines
+                if line.get_linestyle() == ":"] for axes in figure.axes])
+
     def test_nothing_moves_and_no_force(self):
         figure = history.draw(self.read("1,a,0,0,0,,0,0,0,0,0,0\n"),
                               words.units_of({}))
