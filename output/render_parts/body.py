@@ -11,6 +11,8 @@ from . import meshes, obstacles
 from .data import lines_of, set_up, surface_of
 
 TOO_FAR = 10  # sizes of the body
+THIN = 0.1  # of its other extents: a plane model
+ASIDE = 0.17  # of the larger side's: what is seen of the other ones of a plane model
 OUTLINE, OBSTACLE, MESH, EDGE = 0x555555, 0xA8A8A8, 0xFFFFFF, 0x000000
 
 
@@ -35,12 +37,18 @@ def exaggeration(points, largest):
 
 
 def view_basis(points):
-    """To the right, upwards and towards who looks, at the larger sides."""
+    """To the right, upwards and towards who looks, at the larger sides, and at a plane
+    model nearly from the front: then y is upwards if it lies in the plane of x and y."""
     lengths = np.maximum(np.ptp(points, axis=0), 1e-12)
     sides = lengths.prod() / lengths
-    towards = meshes.unit(np.array([1, -0.6, 0.55])
-                          * (sides / sides.max()) ** 0.35)
-    right = meshes.unit(np.cross([0, 0, 1], towards))
+    shares = (sides / sides.max()) ** 0.35
+    thin, medium, _ = np.argsort(lengths)
+    is_plane = lengths[thin] < THIN * lengths[medium]
+    if is_plane:
+        shares[shares < 1] = np.minimum(shares[shares < 1], ASIDE)
+    up = 1 if is_plane and thin == 2 else 2
+    towards = meshes.unit(shares * [1, 0.6 if up == 1 else -0.6, 0.55])
+    right = meshes.unit(np.cross(np.eye(3)[up], towards))
     return np.array([right, np.cross(towards, right), towards])
 
 
