@@ -88,6 +88,8 @@ def is_certified(summary):
 def steps_of(directory):
     """The certified steps of which there are files: t, and what the names of these
     have behind the word, "_0001", or nothing where there is one step."""
+    if not os.path.isdir(directory):
+        raise Unusable(f"there is no directory {directory}, run stiction first.")
     file = os.path.join(directory, "contact.pvd")
     if not os.path.isfile(file):
         return []
@@ -118,8 +120,6 @@ def read(directory, tag="", time=None):
     what is shown, as steps with files are; released: whether only rounding is left at
     the end, which then is zero; scale: what scale_of() returns.
     """
-    if not os.path.isdir(directory):
-        raise Unusable(f"there is no directory {directory}, run stiction first.")
     solution = read_mesh(os.path.join(directory, f"solution{tag}.pvtu"), HEXAHEDRON,
                          8, ["displacement"],
                          ("von_Mises_stress_averaged", "von_Mises_stress"))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of the picture of a history: its curves, and whether it ends in rest."""
+"""Tests of the picture of a history: its curves, its steps, and whether it ends in rest."""
 
 import os
 import tempfile
@@ -9,7 +9,7 @@ import shapes  # pylint: disable=unused-import
 
 # found by shapes, which ends with "skipped" where there is no numpy
 import numpy as np
-from render_parts import history, results, words
+from render_parts import Unusable, history, results, words
 
 
 class Released(unittest.TestCase):
@@ -28,6 +28,15 @@ class Released(unittest.TestCase):
 
     def test_a_last_step_that_is_not_certified(self):
         self.check([1, 2, None], False)
+
+
+class Steps(unittest.TestCase):
+    """The steps of which there are files."""
+
+    def test_a_directory_that_is_not_there(self):
+        for find in (results.steps_of, results.last_tag):
+            with self.assertRaisesRegex(Unusable, "there is no directory nowhere"):
+                find("nowhere")
 
 
 class Curves(unittest.TestCase):
