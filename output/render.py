@@ -33,8 +33,8 @@ history.csv: the forces on the body over t and over displacements of obstacles
 that moved, or their moments where the forces add up to nothing, and what friction
 dissipates; over t dotted from the start, where the body is as it is made, to the
 first step. With --frames DIRECTORY/frame_0001.png and so on are the pictures of
-all certified steps of which there are files, all with the same scales, for an
-animation.
+all certified steps of which there are files, all with the same scales, camera and
+parts of boundaries, for an animation.
 """
 
 import functools
@@ -81,6 +81,19 @@ def render_frames(directory, sharpness=SHARPNESS):
     if not steps or not steps[0][1]:
         raise Unusable(f"{directory} has no steps, frames are made of a run with "
                        "several 'Time/Steps'.")
+    shared = shared_by_frames(directory, steps)
+    pictures = [os.path.join(directory, f"frame{tag}.png") for _, tag in steps]
+    for picture, (time, tag) in zip(pictures, steps):
+        run = results.read(directory, tag, time)
+        run.scale = shared.scale
+        write(draw(run, sharpness, shared), picture, sharpness)
+    give_one_height(pictures)
+    return pictures
+
+
+def shared_by_frames(directory, steps):
+    """What is the same in all frames: the scale, the layout of maps on one mesh, the
+    windows of maps, and from where to where what is drawn of the bodies goes."""
     scale, layouts = None, []
     for time, tag in steps:  # read again below: all may be too much for memory
         run = results.read(directory, tag, time)
@@ -89,16 +102,25 @@ def render_frames(directory, sharpness=SHARPNESS):
     one_mesh = len({layout.pressure.shape for layout in layouts}) == 1
     layout = functools.reduce(largest_of, layouts) if one_mesh else None
     scale.dented = set()
-    pictures = {os.path.join(directory, f"frame{tag}.png"): -1 for _, tag in steps}
-    for _ in range(2):  # once more before a dent that was found in a later step
-        for (picture, known), (time, tag) in zip(pictures.items(), steps):
-            if known < len(scale.dented) or known < 0:
-                run = results.read(directory, tag, time)
-                run.scale = scale
-                write(draw(run, sharpness, layout), picture, sharpness)
-                pictures[picture] = len(scale.dented)
-    give_one_height(pictures)
-    return list(pictures)
+    for _ in range(2):  # once more with dents that were found in a later step
+        reaches, windows = [], []
+        for time, tag in steps:
+            run = results.read(directory, tag, time)
+            run.scale = scale
+            reaches.append(body.reach_of(body.scene_of(run, ())))
+            windows.append([panel.window for panel in panels.panels_of(
+                run.contact, run.body.points, True, layout)])
+        if not scale.dented:
+            break
+    same_panels = len({len(those) for those in windows}) == 1
+    return SimpleNamespace(scale=scale, layout=layout, reach=around(reaches),
+                           windows=[around(those) for those in zip(*windows)] * same_panels)
+
+
+def around(spans):
+    """The span, from one corner to the other, that has all of these in it."""
+    spans = numpy.array(spans)
+    return spans[:, 0].min(axis=0), spans[:, 1].max(axis=0)
 
 
 def largest_of(before, one):
@@ -119,14 +141,16 @@ def give_one_height(pictures):
             save(page_of_all, picture)
 
 
-def draw(run, sharpness, layout=None):
-    """The page of a run."""
+def draw(run, sharpness, shared=SimpleNamespace(layout=None, windows=(), reach=None)):
+    """The page of a run; shared: what frames have in common."""
     def body_picture(width, height):
         dots = 2 * sharpness  # drawn larger, then shrunk: smooth lines
         return body.picture(run, page.STRESS(range(256)),
-                            (width * dots, height * dots))
+                            (width * dots, height * dots), shared.reach)
 
-    shown = panels.panels_of(run.contact, run.body.points, run.certified, layout)
+    shown = panels.panels_of(run.contact, run.body.points, run.certified, shared.layout)
+    for panel, window in zip(shown, shared.windows):
+        panels.show(panel, *window)
     return page.draw(run, shown, body_picture)
 
 

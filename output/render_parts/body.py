@@ -77,15 +77,20 @@ def stress_actor(surface, highest, colors):
     return actor
 
 
-def camera_of(basis, actors):
-    """A parallel view without its size, and extents of the actors in it."""
+def reach_of(scene):
+    """From where to where the actors of a scene go in directions of the view, (2, 3)."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    for actor in actors:
+    for actor in scene.actors:
         data = actor.GetMapper().GetInput()
         if data.GetNumberOfPoints():
-            seen = vtk_to_numpy(data.GetPoints().GetData()) @ basis.T
+            seen = vtk_to_numpy(data.GetPoints().GetData()) @ scene.basis.T
             low = np.minimum(low, seen.min(axis=0))
             high = np.maximum(high, seen.max(axis=0))
+    return low, high
+
+
+def camera_of(basis, low, high):
+    """A parallel view without its size, and extents of what goes so far in it."""
     middle, far = (low + high) / 2 @ basis, 2 * np.linalg.norm(high - low)
     camera = set_up(vtk.vtkCamera(), ParallelProjection=True,
                     FocalPoint=middle, Position=middle + far * basis[2],
@@ -93,23 +98,31 @@ def camera_of(basis, actors):
     return camera, (high - low)[:2]
 
 
-def picture(run, colors, box):
+def picture(run, colors, box, reach=None):
     """Draw the body so that it fills a box, width and height in pixels.
 
-    Returns the image, an array of rows from the top, and what was done: the
-    factor of exaggeration, the highest stress, the axes on the picture, and how
-    the obstacles were drawn, None where there are none.
+    reach: from where to where scenes of all frames go. Returns the image, an array of
+    rows from the top, and what was done: the factor of exaggeration, the highest stress,
+    the axes on the picture, and how the obstacles were drawn, None where there are none.
     """
+    scene = scene_of(run, colors)
+    camera, extents = camera_of(scene.basis, *(reach_of(scene) if reach is None else reach))
+    return SimpleNamespace(image=rendered(scene.actors, camera, extents, box),
+                           factor=scene.factor, highest=run.scale.stress,
+                           axes=scene.basis[:2].T, obstacle=scene.obstacle)
+
+
+def scene_of(run, colors):
+    """What is drawn, how large displacements are, and how it is looked at."""
     body = run.body
     factor = 1 if run.released else exaggeration(body.points, run.scale.displacement)
     basis = view_basis(body.points)
-    highest = run.scale.stress
     moved = body.points + factor * body.displacement
     deformed = surface_of(moved, body.faces, body.stress)
     faint = min(0.3, 14 / math.sqrt(len(body.faces)))
     edges = set_up(vtk.vtkExtractEdges(), InputData=deformed)
     outline = meshes.outline(body.points, body.faces, basis[2])
-    actors = [stress_actor(deformed, highest or 1, colors),
+    actors = [stress_actor(deformed, run.scale.stress or 1, colors),
               actor_of(edges, MESH, LineWidth=1, Opacity=faint),
               actor_of(lines_of(body.points, outline), LineWidth=2)]
     if run.n_bodies > 1:  # which of them is where
@@ -120,10 +133,7 @@ def picture(run, colors, box):
         faint = obstacles.covers(obstacle, run, deformed, basis[2])
         actors += [actor_of(obstacle, OBSTACLE, 0.6, Opacity=0.2 if faint else 0.4),
                    actor_of(rim, OBSTACLE, LineWidth=2)]
-    camera, extents = camera_of(basis, actors)
-    image = rendered(actors, camera, extents, box)
-    return SimpleNamespace(image=image, factor=factor, highest=highest,
-                           axes=basis[:2].T, obstacle=how)
+    return SimpleNamespace(actors=actors, basis=basis, factor=factor, obstacle=how)
 
 
 def rendered(actors, camera, extents, box):

@@ -85,7 +85,7 @@ def panels_of(contact, points, certified=True, of_all_frames=None):
             lay_flat(panel, corners[faces], normals[faces])
             if len(parts) > 1:  # opposite ones are seen from the same side
                 panel.seen = f"facing {main_direction(normals[faces])}, {panel.seen}"
-            panel.window = window_of(panel)
+            show(panel, *window_of(panel))
             result.append(panel)
     return result
 
@@ -251,21 +251,24 @@ def window_of(panel):
     """What of the plane is shown: its lower left and upper right corner.
 
     All of the boundary, or a small part where forces act with some room around.
-    Marks the faces that are then seen.
     """
     low, high = (f(panel.places.reshape(-1, 2), axis=0) for f in (np.min, np.max))
     near = panel.places[panel.layout.loaded.any(axis=1)].reshape(-1, 2)
-    panel.enlarged = False
     if len(near):
         room = 0.15 * np.ptp(near, axis=0).max()
         inner = np.maximum(low, near.min(axis=0) - room)
         outer = np.minimum(high, near.max(axis=0) + room)
-        panel.enlarged = np.prod(outer - inner) < 0.3 * np.prod(high - low)
-        if panel.enlarged:
-            low, high = inner, outer
-    panel.shown = ((panel.places.max(axis=1) >= low)
-                   & (panel.places.min(axis=1) <= high)).all(axis=1)
+        if np.prod(outer - inner) < 0.3 * np.prod(high - low):
+            return inner, outer
     return low, high
+
+
+def show(panel, low, high):
+    """Choose what of the plane is shown, and mark the faces that are then seen."""
+    panel.window = low, high
+    ends = panel.places.min(axis=1), panel.places.max(axis=1)
+    panel.enlarged = (low > ends[0].min(axis=0)).any() or (high < ends[1].max(axis=0)).any()
+    panel.shown = ((ends[1] >= low) & (ends[0] <= high)).all(axis=1)
 
 
 def counts(panel):

@@ -3,14 +3,17 @@
 
 import sys
 import unittest
+from types import SimpleNamespace
+from unittest import mock
 
-import shapes  # pylint: disable=unused-import
+from shapes import contact_on, hexahedra, mesh_of, side
 
 # found by shapes, which ends with "skipped" where there is no numpy
 import numpy as np
 
 try:
-    from render_parts import body
+    import render
+    from render_parts import body, panels
 except ImportError as error:
     print(f"Skipped: {error}")
     sys.exit(77)
@@ -36,6 +39,45 @@ class View(unittest.TestCase):
         basis = body.view_basis(np.array([[0, 0, 0], [60.0, 20, 3]]))
         self.assertLess(basis[2].max(), 0.9)
         self.assertAlmostEqual(basis[0, 2], 0)
+
+
+class Frames(unittest.TestCase):
+    """What the frames of a history on several meshes have in common."""
+
+    def run_on(self, cells, place, moved):
+        """A brick of these cells that is moved along x and touches with one node."""
+        points, faces = mesh_of(hexahedra(cells, high=(4, 3, 1)))
+        bottom = side(points, faces, 2, 0)
+        contact = contact_on(bottom, 0, (0, 0))
+        contact.normal_status[(points[bottom] == (*place, 0)).all(axis=2)] = 1
+        displacement = np.tile([moved, 0, 0], (len(points), 1))
+        return SimpleNamespace(
+            contact=contact, n_bodies=1, obstacle=None, released=False,
+            body=SimpleNamespace(points=points, faces=faces, displacement=displacement,
+                                 stress=np.zeros(len(points))),
+            scale=SimpleNamespace(displacement=abs(moved), stress=1, dented=set()))
+
+    def test_on_several_meshes_they_show_the_same(self):
+        runs = {"_1": self.run_on((4, 3, 1), (0, 0), 0),
+                "_2": self.run_on((8, 6, 2), (2, 1.5), 0.1)}
+        with mock.patch.object(render.results, "read", lambda _, tag, time: runs[tag]):
+            shared = render.shared_by_frames("", [(1, "_1"), (2, "_2")])
+        np.testing.assert_allclose(shared.windows, [[[0, 0], [2.65, 2.15]]])
+        for run in runs.values():
+            panel, = panels.panels_of(run.contact, run.body.points, True, shared.layout)
+            panels.show(panel, *shared.windows[0])
+            self.assertTrue(panel.enlarged)
+            self.assertEqual(panel.places[panel.shown][:, :, 0].max(), 3)
+        first, last = (body.reach_of(body.scene_of(run, ())) for run in runs.values())
+        np.testing.assert_allclose(shared.reach, (np.minimum(first[0], last[0]),
+                                                  np.maximum(first[1], last[1])))
+        self.assertGreater(shared.reach[1][0], first[1][0])
+        with mock.patch.object(body, "rendered") as rendered:
+            for run in runs.values():
+                body.picture(run, (), (1, 1), shared.reach)
+        views = [(call.args[1].GetFocalPoint(), call.args[1].GetPosition(), *call.args[2])
+                 for call in rendered.call_args_list]
+        self.assertEqual(views[0], views[1])
 
 
 if __name__ == "__main__":
