@@ -171,7 +171,7 @@ namespace stiction
       const Eigen::VectorXd sizes = forces.rowwise().norm();
       const double all            = sizes.sum();
       const auto enough =
-        surface.has_stiff_slaves() ? enough_on_stiff_side : enough_to_waver;
+        surface.has_wavering_side() ? enough_on_stiff_side : enough_to_waver;
       if (all <= least_force * force_scale ||
           (sizes.array() > least_share * sizes.maxCoeff()).count() < enough)
         return 0.;

@@ -218,11 +218,10 @@ namespace stiction
                bearers.closes_circle(slave, master) &&
                !bearers.closes_circle(master, slave))
         side = best.other("the side that closes no circle of bodies");
-      if (side.is_much_stiffer())
+      if (side.wavers())
         side.reason +=
-          ", although it is the stiffer one, on which pressures waver if its "
-          "cells are the smaller ones and newton multigrid takes many "
-          "iterations";
+          ", although it is the stiffer one and its cells are not the larger "
+          "ones: pressures waver, and newton multigrid takes many steps";
       return side;
     }
 
@@ -286,7 +285,7 @@ namespace stiction
             }
           if (pair.is_tied())
             require_tie(pair, n_held_alone(elasticity, mortar));
-          has_stiff_slaves_ = has_stiff_slaves_ || side.is_much_stiffer();
+          has_wavering_side_ = has_wavering_side_ || side.wavers();
           bearers.add(pair);
           require_side_by_side(pair, mortar);
           const auto parts =

@@ -1,7 +1,12 @@
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/slave_side.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -30,6 +35,20 @@ namespace stiction
       return std::all_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
         return face.normal() * faces.front().normal() > flat;
       });
+    }
+
+    // Whether the mesh was too large for the method newton before single cells of it were
+    // refined.
+    bool is_large(const Body &body)
+    {
+      const auto &mesh = body.triangulation();
+      int level        = std::numeric_limits<int>::max();
+      for (const auto &cell : body.locally_owned_cells())
+        level = std::min(level, cell->level());
+      level = Utilities::MPI::min(level, mesh.get_communicator());
+      return std::ldexp(3. * mesh.n_cells(0), 3 * level) *
+               std::pow(body.dof_handler().get_fe().degree, 3) >
+             max_for_newton;
     }
 
     double area(const std::vector<SurfaceFace> &faces)
@@ -115,18 +134,18 @@ namespace stiction
                               const std::vector<SurfaceFace> &second)
   {
     const Means a(first), b(second);
-    SlaveSide side{true, b.modulus / a.modulus, "the first side"};
-    const auto softer_or_coarser = [](const double softness) {
-      return softness >= softer ? "the softer side" : "the one of larger cells";
-    };
-    if (softer * a.stiffness <= b.stiffness)
-      return {true, side.softness, softer_or_coarser(side.softness)};
-    if (softer * b.stiffness <= a.stiffness)
-      return side.other(softer_or_coarser(1. / side.softness));
-    if (finer * a.size < b.size)
-      return {true, side.softness, "the finer side"};
-    if (finer * b.size < a.size)
-      return side.other("the finer side");
+    SlaveSide side{true, b.modulus / a.modulus, a.size / b.size, "the first side"};
+    if (softer * a.stiffness > b.stiffness && softer * b.stiffness > a.stiffness)
+      {
+        if (finer * b.size < a.size)
+          return side.other("the finer side");
+        if (finer * a.size < b.size)
+          side.reason = "the finer side";
+        return side;
+      }
+    if (a.stiffness > b.stiffness)
+      side = side.other("");
+    side.reason = side.softness >= softer ? "the softer side" : "the one of larger cells";
     return side;
   }
 
@@ -152,10 +171,12 @@ namespace stiction
                                  const std::vector<SurfaceFace> &first,
                                  const std::vector<SurfaceFace> &second)
   {
-    SlaveSide side = choose_slave_side(first, second);
-    if (side.is_first ? ends_within(elasticity, second, first)
-                      : ends_within(elasticity, first, second))
-      side = side.other("the side that ends within the other");
+    SlaveSide side        = choose_slave_side(first, second);
+    const SlaveSide inner = side.other("the side that ends within the other");
+    if (!(inner.wavers() && is_large(elasticity.body())) &&
+        (side.is_first ? ends_within(elasticity, second, first)
+                       : ends_within(elasticity, first, second)))
+      side = inner;
     if (!side.is_much_softer() &&
         (side.is_first ? stands_on_edge(first, second) : stands_on_edge(second, first)))
       side = side.other("the side that does not stand on an edge");

@@ -61,6 +61,20 @@ namespace stiction
               static_cast<Number>(values(3 * static_cast<Eigen::Index>(i) + c));
     }
 
+    Matrix block_diagonal(const std::vector<Eigen::Matrix3d> &blocks)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (std::size_t i = 0; i < blocks.size(); ++i)
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            if (blocks[i](a, b) != 0.)
+              entries.emplace_back(3 * i + a, 3 * i + b, blocks[i](a, b));
+      const auto n = 3 * static_cast<Eigen::Index>(blocks.size());
+      Matrix matrix(n, n);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    }
+
     // Weights of nodes as those of their unknowns, three each.
     Matrix of_unknowns(const std::vector<Eigen::Triplet<double>> &weights,
                        const std::size_t n_rows, const std::size_t n_columns)
@@ -161,11 +175,18 @@ namespace stiction
 
   Matrix BasisTransformation::added() const
   {
-    // T − 1 = N + N E (T − 1)
-    Matrix added = relation_->N;
+    // T − 1 = R N (1 + E (T − 1))
+    const Matrix N =
+      R_.empty() ? relation_->N : Matrix(block_diagonal(R_) * relation_->N);
+    Matrix added = N;
     for (unsigned int k = 0; k < relation_->n_chained; ++k)
-      added = relation_->N + Matrix(relation_->N * Matrix(relation_->chain * added));
+      added = N + Matrix(N * Matrix(relation_->chain * added));
     return added;
+  }
+
+  Matrix BasisTransformation::springs_of_masters() const
+  {
+    return relation_->N.transpose() * Matrix(block_diagonal(springs_) * relation_->N);
   }
 
   BasisTransformation BasisTransformation::coarser(const LevelTransfer &transfer,

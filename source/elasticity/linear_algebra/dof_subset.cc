@@ -23,7 +23,8 @@ namespace stiction
     return DofSubset(std::move(dofs));
   }
 
-  Eigen::VectorXd DofSubset::restriction(const LA::Vector &u) const
+  template<typename Number>
+  Eigen::VectorXd DofSubset::restriction(const LA::VectorOf<Number> &u) const
   {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(size());
     for (Eigen::Index i = 0; i < size(); ++i)
@@ -33,11 +34,21 @@ namespace stiction
     return values;
   }
 
-  void DofSubset::add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const
+  template<typename Number>
+  void DofSubset::add_extension(const Eigen::VectorXd &values,
+                                LA::VectorOf<Number> &dst) const
   {
     for (Eigen::Index i = 0; i < size(); ++i)
       if (dst.in_local_range(dofs_[i]))
-        dst(dofs_[i]) += values(i);
+        dst(dofs_[i]) += static_cast<Number>(values(i));
     dst.compress(dealii::VectorOperation::add);
   }
+
+#define STICTION_INSTANTIATE(Number)                                                   \
+  template Eigen::VectorXd DofSubset::restriction(const LA::VectorOf<Number> &) const; \
+  template void DofSubset::add_extension(const Eigen::VectorXd &,                      \
+                                         LA::VectorOf<Number> &) const;
+  STICTION_INSTANTIATE(float)
+  STICTION_INSTANTIATE(double)
+#undef STICTION_INSTANTIATE
 } // namespace stiction

@@ -309,9 +309,11 @@ namespace stiction
   {
     Level &fine = *levels_[level];
     fine.smooth_from_zero(fine.x, fine.b);
+    fine.solve_masters(fine.x, fine.b);
     fine.residual(fine.scratch(), fine.x, fine.b);
     correct(level, fine.x, fine.scratch());
     fine.project(fine.x);
+    fine.solve_masters(fine.x, fine.b);
     fine.smooth(fine.x, fine.b);
   }
 

@@ -79,7 +79,12 @@ namespace stiction
           nodes_.push_back(node);
         }
     if (!basis_.is_identity())
-      find_masters(mesh, blocks);
+      {
+        find_masters(mesh, blocks);
+        if (has_stiff_slaves(mesh.communicator()))
+          master_block_ =
+            std::make_unique<MasterBlock>(mesh, materials, unit, fixed, basis_);
+      }
     set_supports(NodalSupports(first_dofs.size()));
     largest_eigenvalue_ = 0.f;
   }
@@ -123,6 +128,18 @@ namespace stiction
         }
   }
 
+  bool Multigrid::Level::has_stiff_slaves(MPI_Comm communicator)
+  {
+    NodalConstraint held;
+    held.projection.setZero();
+    set_basis(NodalSupports(blocks_of_slaves_.size(), held));
+    const std::vector<Eigen::Matrix3d> added = basis_.added_blocks(blocks_of_slaves_);
+    double ratio                             = 0.;
+    for (const Master &master : masters_)
+      ratio = std::max(ratio, added[master.in_basis].trace() / master.stiffness.sum());
+    return dealii::Utilities::MPI::max(ratio, communicator) > MasterBlock::much_stiffer;
+  }
+
   void Multigrid::Level::set_basis(const NodalSupports &supports)
   {
     if (basis_.is_identity())
@@ -148,6 +165,8 @@ namespace stiction
     for (Node &node : nodes_)
       if (node.in_basis >= 0)
         node.added = added[node.in_basis];
+    if (master_block_)
+      master_block_->set_basis(basis_);
   }
 
   float Multigrid::Level::estimate_largest_eigenvalue()
@@ -273,6 +292,14 @@ namespace stiction
         basis_.vmult(K_, product_, x);
         smoothing_step<Known::everything>(x, b, k);
       }
+  }
+
+  void Multigrid::Level::solve_masters(Vector &x, const Vector &b)
+  {
+    if (!master_block_ || master_block_->is_empty())
+      return;
+    residual(product_, x, b);
+    master_block_->add_correction(x, product_);
   }
 
   void Multigrid::Level::residual(Vector &r, const Vector &x, const Vector &b) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/elasticity/levels/basis_transformation.h>
+#include <stiction/elasticity/levels/master_block.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
@@ -8,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace stiction
@@ -43,6 +45,10 @@ namespace stiction
     /// Improves x as a solution of A x = b, or makes one from nothing.
     void smooth(Vector &x, const Vector &b);
     void smooth_from_zero(Vector &x, const Vector &b);
+
+    /// Improves x at masters of slaves that are far stiffer, if there are any: see
+    /// MasterBlock.
+    void solve_masters(Vector &x, const Vector &b);
 
     /// r = b − A x, held directions left out.
     void residual(Vector &r, const Vector &x, const Vector &b) const;
@@ -88,6 +94,9 @@ namespace stiction
 
     void find_masters(const MeshLevel &mesh, const std::vector<float> &blocks);
 
+    /// Whether slaves are far stiffer than what is opposite. Collective.
+    bool has_stiff_slaves(MPI_Comm communicator);
+
     /// Takes the relative directions of the basis and what that does to diagonals.
     void set_basis(const NodalSupports &supports);
 
@@ -110,8 +119,9 @@ namespace stiction
     BasisTransformation basis_;
     std::vector<Eigen::Matrix3d> blocks_of_slaves_; ///< of K, of all ranks
     std::vector<Master> masters_;
-    StiffnessOperator<float> K_;      ///< in the absolute basis
-    std::vector<unsigned int> fixed_; ///< local unknowns
+    std::unique_ptr<MasterBlock> master_block_; ///< null: no slave is much stiffer
+    StiffnessOperator<float> K_;                ///< in the absolute basis
+    std::vector<unsigned int> fixed_;           ///< local unknowns
     std::vector<Node> nodes_;
     Vector inverse_diagonal_; ///< zero at fixed unknowns and listed nodes
     Vector product_, direction_;

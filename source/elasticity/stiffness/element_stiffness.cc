@@ -208,17 +208,21 @@ namespace stiction
         matrix_(i, j) = 0.5 * (K(i, j) + K(j, i));
   }
 
-  void for_each_element(const MeshLevel &level, const Materials &materials,
-                        const double unit,
-                        const std::function<void(const std::vector<unsigned int> &,
-                                                 const FullMatrix<double> &)> &callback)
+  void for_each_element(
+    const MeshLevel &level, const Materials &materials, const double unit,
+    const std::function<void(const std::vector<unsigned int> &,
+                             const FullMatrix<double> &)> &callback,
+    const std::function<bool(const std::vector<unsigned int> &)> &is_wanted)
   {
     if (level.is_trilinear())
       {
         ElementStiffness element_stiffness;
         level.for_each_cell([&](HexahedralCell cell) {
+          const std::vector<unsigned int> nodes(cell.nodes.begin(), cell.nodes.end());
+          if (is_wanted && !is_wanted(nodes))
+            return;
           materials.assign(cell, unit);
-          callback({cell.nodes.begin(), cell.nodes.end()}, element_stiffness(cell));
+          callback(nodes, element_stiffness(cell));
         });
         return;
       }
@@ -233,6 +237,8 @@ namespace stiction
         cell->get_dof_indices(dofs);
         for (std::size_t i = 0; i < nodes.size(); ++i)
           nodes[i] = level.local_node(dofs[3 * i]);
+        if (is_wanted && !is_wanted(nodes))
+          continue;
         K = element_stiffness(cell, materials.of(cell->material_id()));
         K /= unit;
         callback(nodes, K);

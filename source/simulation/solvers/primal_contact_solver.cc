@@ -2,6 +2,7 @@
 #include <stiction/base/phases.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/contact/pairs/slave_side.h>
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/solvers/multigrid_solver.h>
@@ -29,10 +30,6 @@ namespace stiction
     // Up to here it is where multigrid is no good: the other one factorises in each step.
     constexpr unsigned int medium_contact = 6000;
 
-    // Up to so many unknowns of the bodies the one factorisation of the other takes half
-    // a minute, and three gigabytes.
-    constexpr dealii::types::global_dof_index max_handed_over = 200000;
-
     const std::set<std::string> both_methods = {"newton", "newton multigrid"};
   } // namespace
 
@@ -53,9 +50,10 @@ namespace stiction
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
     options.other_method = other_method();
-    if (setting_.surface.has_stiff_slaves())
+    if (setting_.surface.has_wavering_side())
       options.hard_systems =
-        "the forces of a pair are on its stiffer side, see 'Slave side'; " +
+        "the forces of a pair are on its stiffer side, whose cells are not the larger "
+        "ones, see 'Slave side'; " +
         options.hard_systems;
     // a flexible body that contact alone holds is better off with factors than with
     // 'newton'
@@ -140,8 +138,10 @@ namespace stiction
   {
     if (!setting_.parameters.contact_solver.is_automatic || !can_hand_over_)
       return "";
-    if (setting_.surface.has_stiff_slaves())
-      return "Method: newton, since forces of a pair are on its stiffer side";
+    if (setting_.surface.has_wavering_side())
+      return "Method: newton, since forces of a pair are on its stiffer side, of no "
+             "larger "
+             "cells";
     if (setting_.elasticity.free_motions().n() == 0 &&
         setting_.elasticity.mesh().n_dofs() <= small_body &&
         3 * setting_.surface.n_nodes() <= small_contact)
@@ -151,7 +151,7 @@ namespace stiction
 
   bool PrimalContactSolver::can_hand_over() const
   {
-    return setting_.elasticity.mesh().n_dofs() <= max_handed_over;
+    return setting_.elasticity.mesh().n_dofs() <= max_for_newton;
   }
 
   void PrimalContactSolver::update()

@@ -254,8 +254,9 @@ namespace stiction
       return to_other_side_;
     }
 
-    /// Whether the forces of a pair are on a side that is much stiffer.
-    bool has_stiff_slaves() const { return has_stiff_slaves_; }
+    /// Whether the forces of a pair are on a side that is much stiffer, of no larger
+    /// cells.
+    bool has_wavering_side() const { return has_wavering_side_; }
 
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }
@@ -381,8 +382,8 @@ namespace stiction
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
     qp::SlipBound slip_bound_;
-    double boundary_area_  = 0.;
-    bool has_stiff_slaves_ = false;
+    double boundary_area_   = 0.;
+    bool has_wavering_side_ = false;
     ContactStiffness stiffness_;
 
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_,

@@ -13,20 +13,23 @@ namespace stiction
   struct SlaveSide
   {
     bool is_first;
-    double softness; ///< E of the other one over that of this one
+    double softness;   ///< E of the other one over that of this one
+    double coarseness; ///< size of its cells over that of the other's, both unrefined
     std::string reason;
 
     SlaveSide other(const std::string &its_reason) const
     {
-      return {!is_first, 1. / softness, its_reason};
+      return {!is_first, 1. / softness, 1. / coarseness, its_reason};
     }
 
     bool is_much_softer() const { return softness >= much; }
 
-    /// So that newton multigrid takes many iterations, or factorises its systems.
-    bool is_much_stiffer() const { return softness <= 1. / much; }
+    /// Much stiffer, and of no larger cells: such nodes move as a whole with what is
+    /// opposite, whatever forces go from one to the next, so that pressures waver, and
+    /// Newton steps are many.
+    bool wavers() const { return softness <= 1. / much && coarseness < larger; }
 
-    static constexpr double much = 30.;
+    static constexpr double much = 30., larger = 1.25;
   };
 
   /// Which bodies are slaves of which. Where pairs meet at a node, slaves must not follow
@@ -57,10 +60,18 @@ namespace stiction
                    const std::vector<SurfaceFace> &inner,
                    const std::vector<SurfaceFace> &outer);
 
+  /// Unknowns of the bodies up to which the method newton goes on where newton multigrid
+  /// comes no closer: its one factorisation takes half a minute then, and three
+  /// gigabytes.
+  constexpr dealii::types::global_dof_index max_for_newton = 200000;
+
   /// As choose_slave_side() but for a surface that ends within the other one: forces act
   /// at nodes of the slave side, so that contact ends where it should if that is the side
-  /// with the edge. They act along its normals, though, so that it is not one that stands
-  /// on an edge on the other, unless it is much softer. Collective.
+  /// with the edge. Where pressures waver that costs Newton steps, and is still nearer to
+  /// the answer on finer meshes, but not for bodies that are too large for the method
+  /// newton, before adaptive refinement. Forces act along its normals, though, so that it
+  /// is not one that stands on an edge on the other, unless it is much softer.
+  /// Collective.
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,
                                  const std::vector<SurfaceFace> &second);

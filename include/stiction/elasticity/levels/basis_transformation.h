@@ -70,7 +70,7 @@ namespace stiction
     /// The blocks N_ij of a slave, by the places of its masters.
     std::map<Eigen::Index, Eigen::Matrix3d> blocks_of(std::size_t slave) const;
 
-    /// T − 1 with R = 1, of the size of N.
+    /// T − 1, of the size of N.
     Matrix added() const;
 
     /// Takes R, which makes the displacements of slaves absolute in other directions, and
@@ -79,6 +79,9 @@ namespace stiction
                                  std::vector<Eigen::Matrix3d> springs);
 
     const std::vector<Eigen::Matrix3d> &springs() const { return springs_; }
+
+    /// What the springs add to the masters in K̂, Nᵀ S N, as if no slave were a master.
+    Matrix springs_of_masters() const;
 
     /// Takes springs between the masters and the ground, N/m, which the coarser levels
     /// get as well; without, they are zero. They are no part of K̂: a preconditioner needs

@@ -32,11 +32,13 @@ namespace stiction
     /// The entries of u at the unknowns of the list, on every rank. Each has
     /// one owner, so the result is the same to the last bit on all ranks.
     /// Collective.
-    Eigen::VectorXd restriction(const LA::Vector &u) const;
+    template<typename Number>
+    Eigen::VectorXd restriction(const LA::VectorOf<Number> &u) const;
 
     /// Adds values to the entries of dst at the unknowns of the list.
     /// Collective.
-    void add_extension(const Eigen::VectorXd &values, LA::Vector &dst) const;
+    template<typename Number>
+    void add_extension(const Eigen::VectorXd &values, LA::VectorOf<Number> &dst) const;
 
   private:
     std::vector<dealii::types::global_dof_index> dofs_;

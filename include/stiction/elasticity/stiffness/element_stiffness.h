@@ -67,9 +67,11 @@ namespace stiction
   /// numbers, and its stiffness matrix, node by node; valid during the call. Trilinear
   /// cells come in the order of MeshLevel::for_each_cell().
   ///
-  /// @param unit of the matrix, in N/m.
+  /// @param unit of the matrix, in N/m. @param is_wanted by the nodes of a cell; empty:
+  ///   each is.
   void for_each_element(
     const MeshLevel &level, const Materials &materials, double unit,
     const std::function<void(const std::vector<unsigned int> &nodes,
-                             const dealii::FullMatrix<double> &K)> &callback);
+                             const dealii::FullMatrix<double> &K)> &callback,
+    const std::function<bool(const std::vector<unsigned int> &nodes)> &is_wanted = {});
 } // namespace stiction
