@@ -240,8 +240,8 @@ namespace stiction
     for (const ContactBoundary &pair : boundaries)
       if (pair.is_pair())
         {
-          const PairFigures figures =
-            pair_figures(surface, pair, state_, std::max(force, state_.scales.force));
+          const PairFigures figures = pair_figures(elasticity(), surface, pair, state_,
+                                                   std::max(force, state_.scales.force));
           add_warnings_of_pair(pair, surface, figures, *body_, *certificate_, units_,
                                warnings);
         }

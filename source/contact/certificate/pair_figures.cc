@@ -6,6 +6,7 @@
 #include <stiction/contact/pairs/surface_face.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,10 +14,13 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace stiction
 {
+  using namespace dealii;
+
   namespace
   {
     // A node with less is beyond the edge of what lies opposite, but for rounding.
@@ -50,6 +54,7 @@ namespace stiction
     {
       Eigen::MatrixX3d positions, normals, opposite, slip;
       Eigen::VectorXd pressing; // λ_ν
+      Eigen::VectorXd forces;   // λ_ν of all nodes, 0 at those of other pairs
       Eigen::MatrixX3d friction;
       Eigen::VectorXd areas, covers, gaps, left_out; // of the distances of the meshes
       double facets = 0.;                            // m
@@ -58,13 +63,15 @@ namespace stiction
                    const State &state)
       {
         std::vector<Eigen::Index> pressed;
+        forces = Eigen::VectorXd::Zero(surface.n_nodes());
         for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
           if (surface.boundary_of(surface.nodes()[i]).id() == pair.id() &&
               state.lambda(i) > 0.)
             pressed.push_back(i);
-        pressing     = state.lambda(pressed);
-        areas        = surface.areas()(pressed);
-        const auto n = pressing.size();
+        pressing        = state.lambda(pressed);
+        forces(pressed) = pressing;
+        areas           = surface.areas()(pressed);
+        const auto n    = pressing.size();
         for (Eigen::MatrixX3d *const rows :
              {&positions, &normals, &opposite, &slip, &friction})
           rows->resize(n, 3);
@@ -157,6 +164,68 @@ namespace stiction
       figures.spacing = std::sqrt(pressed.areas.mean());
     }
 
+    // Mean length of the edges of faces with one of these nodes.
+    double mean_edge(const std::vector<SurfaceFace> &faces,
+                     const std::set<types::global_dof_index> &nodes)
+    {
+      double sum     = 0.;
+      unsigned int n = 0;
+      for (const SurfaceFace &face : faces)
+        if (std::any_of(face.dofs.begin(), face.dofs.begin() + face.n_nodes(),
+                        [&](const auto dof) { return nodes.count(dof) > 0; }))
+          {
+            sum += face.diameter() / std::sqrt(2.);
+            ++n;
+          }
+      return n > 0 ? sum / n : 0.;
+    }
+
+    // Of the directions along the surface only those count in which one of both surfaces
+    // goes on: in a plane model none does across its cells.
+    void add_width(const LinearElasticity &elasticity, const ContactSurface &surface,
+                   const ContactBoundary &pair, const PressedNodes &pressed,
+                   PairFigures &figures)
+    {
+      const ContactOperator::OtherSide &other = surface.B().other_side();
+      const Eigen::VectorXd felt = other.weights.transpose().cwiseAbs() * pressed.forces;
+      const auto first_dofs      = surface.first_dofs();
+      std::set<types::global_dof_index> own, opposite;
+      for (Eigen::Index i = 0; i < pressed.forces.size(); ++i)
+        if (pressed.forces(i) > 0.)
+          own.insert(first_dofs[i]);
+      for (Eigen::Index j = 0; j < felt.size(); ++j)
+        if (felt(j) > least_share * felt.maxCoeff())
+          opposite.insert(other.dofs.dofs()[j]);
+      const auto faces  = surface_faces(elasticity, {pair.id()}),
+                 beyond = surface_faces(elasticity, pair.partners());
+      const double size = std::max(mean_edge(faces, own), mean_edge(beyond, opposite));
+
+      const Eigen::MatrixX3d arms =
+        pressed.positions.rowwise() -
+        pressed.areas.transpose() * pressed.positions / pressed.areas.sum();
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(
+        arms.transpose() * pressed.areas.asDiagonal() * arms / pressed.areas.sum());
+      for (const Eigen::Index k : {1, 2}) // the first axis is across the surface
+        {
+          const Eigen::Vector3d axis  = spread.eigenvectors().col(k);
+          const Eigen::VectorXd along = pressed.positions * axis;
+          double least = along.minCoeff(), most = along.maxCoeff();
+          for (const auto *const side : {&faces, &beyond})
+            for (const SurfaceFace &face : *side)
+              for (unsigned int i = 0; i < face.n_nodes(); ++i)
+                {
+                  const double place =
+                    axis.dot(Eigen::Vector3d::Map(face.nodes[i].data()));
+                  least = std::min(least, place);
+                  most  = std::max(most, place);
+                }
+          if (most - least > along.maxCoeff() - along.minCoeff() + 0.5 * size)
+            figures.cells_across =
+              std::min(figures.cells_across,
+                       std::sqrt(12. * std::max(0., spread.eigenvalues()(k))) / size);
+        }
+    }
+
     double wavering(const ContactSurface &surface, const ContactBoundary &pair,
                     const State &state, const double force_scale)
     {
@@ -188,7 +257,8 @@ namespace stiction
     }
   } // namespace
 
-  PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
+  PairFigures pair_figures(const LinearElasticity &elasticity,
+                           const ContactSurface &surface, const ContactBoundary &pair,
                            const State &state, const double force_scale)
   {
     PairFigures figures;
@@ -202,6 +272,7 @@ namespace stiction
     add_gap(pressed, figures);
     add_way(pressed, figures);
     add_tilt(pressed, figures);
+    add_width(elasticity, surface, pair, pressed, figures);
     const double most = pressed.pressing.maxCoeff();
     const auto spread = [&](const Eigen::VectorXd &values) {
       const auto bears = pressed.pressing.array() > least_share * most;

@@ -22,6 +22,9 @@ namespace stiction
     // times that, by the mesh.
     constexpr double high_beyond_edge = 5.;
 
+    // Cells: of what is less wide estimates saw a half to a third of the error.
+    constexpr double narrow = 2.;
+
     // Of the moments of all forces of a pair.
     constexpr double much_across_gap = 0.02;
 
@@ -100,6 +103,20 @@ namespace stiction
              name, other, figures.peak_beyond_edge, name,
              100. * figures.share_beyond_edge) +
              change});
+    }
+
+    void add_width(const ContactBoundary &pair, const PairFigures &figures,
+                   Warnings &warnings)
+    {
+      if (figures.cells_across < narrow)
+        warnings.push_back(
+          {"width of " + pair.name(), 1. / std::max(figures.cells_across, 0.1),
+           format(
+             "where '%s' and '%s' touch is %.1f cells wide, of the side that has the "
+             "larger ones there: the estimated error sees a half to a third of the "
+             "error then; make cells smaller there, as 'Geometry/Contact "
+             "refinement' does.",
+             pair.name().c_str(), pair.partner_name().c_str(), figures.cells_across)});
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
@@ -242,6 +259,7 @@ namespace stiction
     add_overlap(pair, surface, body, units, warnings);
     add_fit(pair, surface, units, warnings);
     add_edge(pair, figures, warnings);
+    add_width(pair, figures, warnings);
     add_slide(pair, figures, units, warnings);
     add_gap(pair, figures, body, units, warnings);
     add_tilt(pair, figures, warnings);

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <limits>
 #include <vector>
 
 namespace stiction
@@ -22,6 +23,11 @@ namespace stiction
     /// How far a pressed node is at most from where it was on the other side, along the
     /// surface, and the mean distance of these nodes, m.
     double way = 0., spacing = 1.;
+
+    /// How many cells, those of the side with the larger ones there, what is pressed is
+    /// wide where it ends within a surface: √12 times the standard deviation of places
+    /// along a principal axis, which is the width of a strip.
+    double cells_across = std::numeric_limits<double>::max();
 
     /// Friction across the gap in which the meshes are made has a moment
     /// Σ g_i n_i × λ_i that bodies which touch do not have: the mean of g weighted with
@@ -54,7 +60,8 @@ namespace stiction
   ///
   /// @param force_scale that of the problem, N: a pair that bears next to nothing of it
   ///   has no figures.
-  PairFigures pair_figures(const ContactSurface &surface, const ContactBoundary &pair,
+  PairFigures pair_figures(const LinearElasticity &elasticity,
+                           const ContactSurface &surface, const ContactBoundary &pair,
                            const State &state, double force_scale);
 
   /// The forces that each of the boundaries opposite exerts on the body of a pair, N. A
