@@ -27,7 +27,7 @@ def largest_traction(run, contact):
                          for name in ("max_pressure", "max_tension"))
     largest, what = max((pressure, "pressure"), (tension, "tension"), key=lambda of: of[0])
     shear = np.linalg.norm(run.contact.tangential_traction, axis=-1).max()
-    if largest <= ROUNDING * shear:
+    if shear > 0 and largest <= ROUNDING * shear:
         largest, what = shear, "shear"
     return f"largest {what} " + quantity(run.units["stress"], largest)
 

@@ -218,10 +218,10 @@ namespace stiction
                bearers.closes_circle(slave, master) &&
                !bearers.closes_circle(master, slave))
         side = best.other("the side that closes no circle of bodies");
-      if (side.wavers())
+      if (side.wavers() && !pair.is_tied())
         side.reason +=
-          ", although it is the stiffer one and its cells are not the larger "
-          "ones: pressures waver, and newton multigrid takes many steps";
+          ", although it is the stiffer one and its cells are not larger by "
+          "a quarter: pressures waver, and newton multigrid takes many steps";
       return side;
     }
 
@@ -262,10 +262,10 @@ namespace stiction
           auto first            = surface_faces(elasticity, {pair.id()});
           auto second           = surface_faces(elasticity, pair.partners());
           const bool may_choose = is_open(pair);
-          const SlaveSide best  = may_choose
-                                    ? automatic_slave_side(elasticity, first, second)
-                                    : choose_slave_side(first, second);
-          SlaveSide side        = choose_side(pair, best, bearers, may_choose);
+          const SlaveSide best =
+            may_choose ? automatic_slave_side(elasticity, first, second, pair.is_tied())
+                       : choose_slave_side(first, second);
+          SlaveSide side = choose_side(pair, best, bearers, may_choose);
           pair.take_side(side.is_first, side.reason);
           bearers.require_one_contact(pair);
           if (!side.is_first)
@@ -285,7 +285,7 @@ namespace stiction
             }
           if (pair.is_tied())
             require_tie(pair, n_held_alone(elasticity, mortar));
-          has_wavering_side_ = has_wavering_side_ || side.wavers();
+          has_wavering_side_ = has_wavering_side_ || (side.wavers() && !pair.is_tied());
           bearers.add(pair);
           require_side_by_side(pair, mortar);
           const auto parts =

@@ -169,11 +169,12 @@ namespace stiction
 
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,
-                                 const std::vector<SurfaceFace> &second)
+                                 const std::vector<SurfaceFace> &second,
+                                 const bool is_tied)
   {
     SlaveSide side        = choose_slave_side(first, second);
     const SlaveSide inner = side.other("the side that ends within the other");
-    if (!(inner.wavers() && is_large(elasticity.body())) &&
+    if (!(!is_tied && inner.wavers() && is_large(elasticity.body())) &&
         (side.is_first ? ends_within(elasticity, second, first)
                        : ends_within(elasticity, first, second)))
       side = inner;

@@ -107,7 +107,7 @@ namespace stiction
     std::vector<Entry> chosen;
     Dofs unknowns;
     for (Eigen::Index k = 0; k < diagonal.size(); ++k)
-      if (!is_left_out_[k] && diagonal(k) > 2. * own_diagonal_(k))
+      if (!is_left_out_[k] && diagonal(k) > (1. + heavier) * own_diagonal_(k))
         {
           chosen.emplace_back(k, unknowns.size(), 1.);
           unknowns.push_back(basis.masters()[k / 3] + k % 3);
@@ -118,6 +118,8 @@ namespace stiction
     SparseColumns M(diagonal.size(), unknowns_.size());
     M.setFromTriplets(chosen.begin(), chosen.end());
     factors_.compute(M.transpose() * SparseColumns(K * M));
+    if (factors_.info() != Eigen::Success) // springs of chains are left out
+      unknowns_ = DofSubset();
   }
 
   void MasterBlock::add_correction(LA::VectorOf<float> &x,

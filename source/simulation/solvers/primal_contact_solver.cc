@@ -52,8 +52,8 @@ namespace stiction
     options.other_method = other_method();
     if (setting_.surface.has_wavering_side())
       options.hard_systems =
-        "the forces of a pair are on its stiffer side, whose cells are not the larger "
-        "ones, see 'Slave side'; " +
+        "the forces of a pair are on its stiffer side, whose cells are not larger by a "
+        "quarter, see 'Slave side'; " +
         options.hard_systems;
     // a flexible body that contact alone holds is better off with factors than with
     // 'newton'
@@ -139,9 +139,8 @@ namespace stiction
     if (!setting_.parameters.contact_solver.is_automatic || !can_hand_over_)
       return "";
     if (setting_.surface.has_wavering_side())
-      return "Method: newton, since forces of a pair are on its stiffer side, of no "
-             "larger "
-             "cells";
+      return "Method: newton, since forces of a pair are on its stiffer side, whose "
+             "cells are not larger by a quarter";
     if (setting_.elasticity.free_motions().n() == 0 &&
         setting_.elasticity.mesh().n_dofs() <= small_body &&
         3 * setting_.surface.n_nodes() <= small_contact)

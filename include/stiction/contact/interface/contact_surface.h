@@ -254,8 +254,8 @@ namespace stiction
       return to_other_side_;
     }
 
-    /// Whether the forces of a pair are on a side that is much stiffer, of no larger
-    /// cells.
+    /// Whether the forces of a pair that is not tied are on a side that wavers, see
+    /// SlaveSide.
     bool has_wavering_side() const { return has_wavering_side_; }
 
     /// Nodes left out because they face away from the obstacle.

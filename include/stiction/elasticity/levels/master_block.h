@@ -25,12 +25,16 @@ namespace stiction
     /// where it is more.
     static constexpr double much_stiffer = 10.;
 
+    /// The same, of the masters that are in it then.
+    static constexpr double heavier = 1.;
+
     /// @param unit of the stiffness, N/m. @param fixed one at prescribed unknowns.
     ///   Collective.
     MasterBlock(const MeshLevel &mesh, const Materials &materials, double unit,
                 const LA::Vector &fixed, const BasisTransformation &basis);
 
     /// Factorises it for other relative directions and springs of the same relation.
+    /// Empty if that fails: where slaves are masters, springs are those without that.
     void set_basis(const BasisTransformation &basis);
 
     bool is_empty() const { return unknowns_.size() == 0; }
