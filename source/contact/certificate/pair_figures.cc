@@ -53,8 +53,8 @@ namespace stiction
     struct PressedNodes
     {
       Eigen::MatrixX3d positions, normals, opposite, slip;
+      std::vector<Eigen::Index> nodes;
       Eigen::VectorXd pressing; // λ_ν
-      Eigen::VectorXd forces;   // λ_ν of all nodes, 0 at those of other pairs
       Eigen::MatrixX3d friction;
       Eigen::VectorXd areas, covers, gaps, left_out; // of the distances of the meshes
       double facets = 0.;                            // m
@@ -62,16 +62,13 @@ namespace stiction
       PressedNodes(const ContactSurface &surface, const ContactBoundary &pair,
                    const State &state)
       {
-        std::vector<Eigen::Index> pressed;
-        forces = Eigen::VectorXd::Zero(surface.n_nodes());
         for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
           if (surface.boundary_of(surface.nodes()[i]).id() == pair.id() &&
               state.lambda(i) > 0.)
-            pressed.push_back(i);
-        pressing        = state.lambda(pressed);
-        forces(pressed) = pressing;
-        areas           = surface.areas()(pressed);
-        const auto n    = pressing.size();
+            nodes.push_back(i);
+        pressing     = state.lambda(nodes);
+        areas        = surface.areas()(nodes);
+        const auto n = pressing.size();
         for (Eigen::MatrixX3d *const rows :
              {&positions, &normals, &opposite, &slip, &friction})
           rows->resize(n, 3);
@@ -81,15 +78,15 @@ namespace stiction
         const Eigen::VectorXd forces = surface.forces(state.lambda);
         for (Eigen::Index k = 0; k < n; ++k)
           {
-            const ContactNode &node = surface.nodes()[pressed[k]];
+            const ContactNode &node = surface.nodes()[nodes[k]];
             for (unsigned int c = 0; c < 3; ++c)
               {
                 positions(k, c) = node.center[c];
                 normals(k, c)   = node.normal[c];
                 opposite(k, c)  = node.opposite_normal[c];
               }
-            slip.row(k)     = -at_node(moved, pressed[k]);
-            friction.row(k) = at_node(forces, pressed[k]);
+            slip.row(k)     = -at_node(moved, nodes[k]);
+            friction.row(k) = at_node(forces, nodes[k]);
             covers(k)       = node.cover;
             gaps(k)         = node.mesh_gap;
             left_out(k)     = node.mesh_gap - node.gap;
@@ -187,18 +184,20 @@ namespace stiction
                    PairFigures &figures)
     {
       const ContactOperator::OtherSide &other = surface.B().other_side();
-      const Eigen::VectorXd felt = other.weights.transpose().cwiseAbs() * pressed.forces;
-      const auto first_dofs      = surface.first_dofs();
+      const auto first_dofs                   = surface.first_dofs();
+      Eigen::VectorXd forces                  = Eigen::VectorXd::Zero(surface.n_nodes());
+      forces(pressed.nodes)                   = pressed.pressing;
+      const Eigen::VectorXd felt = other.weights.transpose().cwiseAbs() * forces;
       std::set<types::global_dof_index> own, opposite;
-      for (Eigen::Index i = 0; i < pressed.forces.size(); ++i)
-        if (pressed.forces(i) > 0.)
-          own.insert(first_dofs[i]);
+      for (const Eigen::Index i : pressed.nodes)
+        own.insert(first_dofs[i]);
       for (Eigen::Index j = 0; j < felt.size(); ++j)
         if (felt(j) > least_share * felt.maxCoeff())
           opposite.insert(other.dofs.dofs()[j]);
-      const auto faces  = surface_faces(elasticity, {pair.id()}),
-                 beyond = surface_faces(elasticity, pair.partners());
-      const double size = std::max(mean_edge(faces, own), mean_edge(beyond, opposite));
+      auto boundaries = pair.partners();
+      boundaries.push_back(pair.id());
+      const auto faces  = surface_faces(elasticity, boundaries);
+      const double size = std::max(mean_edge(faces, own), mean_edge(faces, opposite));
 
       const Eigen::MatrixX3d arms =
         pressed.positions.rowwise() -
@@ -210,15 +209,13 @@ namespace stiction
           const Eigen::Vector3d axis  = spread.eigenvectors().col(k);
           const Eigen::VectorXd along = pressed.positions * axis;
           double least = along.minCoeff(), most = along.maxCoeff();
-          for (const auto *const side : {&faces, &beyond})
-            for (const SurfaceFace &face : *side)
-              for (unsigned int i = 0; i < face.n_nodes(); ++i)
-                {
-                  const double place =
-                    axis.dot(Eigen::Vector3d::Map(face.nodes[i].data()));
-                  least = std::min(least, place);
-                  most  = std::max(most, place);
-                }
+          for (const SurfaceFace &face : faces)
+            for (unsigned int i = 0; i < face.n_nodes(); ++i)
+              {
+                const double place = axis.dot(Eigen::Vector3d::Map(face.nodes[i].data()));
+                least              = std::min(least, place);
+                most               = std::max(most, place);
+              }
           if (most - least > along.maxCoeff() - along.minCoeff() + 0.5 * size)
             figures.cells_across =
               std::min(figures.cells_across,

@@ -66,23 +66,21 @@ namespace stiction
       "and cannot touch it; they must not be inside. An obstacle that is moved by "
       "formulas in t drags nothing along; for that there are 'Obstacle displacement' and "
       "'Obstacle rotation'.");
-    add_parameter(
-      "Slave side", slave_side,
-      "Of a contact pair the side whose nodes carry the contact forces: "
-      "boundary, the one of 'Contact boundary', or obstacle, the one of "
-      "'Obstacle'. automatic: the side that ends within the other, if both "
-      "are flat, or round and fit, unless it is 30 times stiffer, has no "
-      "cells that are larger by a quarter, and the bodies have more than "
-      "200,000 unknowns before single cells are refined; of two that go on the "
-      "softer one if E/h "
-      "of its cells, h being their size before refinement, is less by a "
-      "factor of two or more, otherwise that with smaller cells; the other "
-      "one if supports hold nodes of this one alone, which lack friction, or "
-      "if this one stands on an edge and is not 30 times softer; the "
-      "boundary itself if several are opposite or 'Initial gap' is a formula "
-      "of its places. Either gives the same answer "
-      "but for the error of the mesh, unless this side stands on an edge: "
-      "pressures act along its normals.");
+    add_parameter("Slave side", slave_side,
+                  "Of a contact pair the side whose nodes carry the contact forces: "
+                  "boundary, the one of 'Contact boundary', or obstacle, the one of "
+                  "'Obstacle'. automatic: the side that ends within the other, if both "
+                  "are flat, or round and fit, unless it is 30 times stiffer, has no "
+                  "cells that are larger by a quarter, and the bodies have more than "
+                  "200,000 unknowns before single cells are refined; of two that go on "
+                  "the softer one if E/h of its cells, h being their size before "
+                  "refinement, is less by a factor of two or more, otherwise that with "
+                  "smaller cells; the other one if supports hold nodes of this one "
+                  "alone, which lack friction, or if this one stands on an edge and is "
+                  "not 30 times softer; the boundary itself if several are opposite or "
+                  "'Initial gap' is a formula of its places. Either gives the same "
+                  "answer but for the error of the mesh, unless this side stands on an "
+                  "edge: pressures act along its normals.");
     add_parameter("Mesh gap", mesh_gap,
                   "Of a contact pair, kept: the distance between both sides as they are "
                   "meshed, negative where they overlap, to which 'Initial gap' is added. "

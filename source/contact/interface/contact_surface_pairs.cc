@@ -193,6 +193,12 @@ namespace stiction
              !pair.has_gap_of_places();
     }
 
+    // Of a tie, a linear problem, the first Newton step is the last one all the same.
+    bool wavers(const ContactBoundary &pair, const SlaveSide &side)
+    {
+      return side.wavers() && !pair.is_tied();
+    }
+
     // The side that the user says, or the best one, unless another bears fewer forces or
     // closes no circle.
     SlaveSide choose_side(const ContactBoundary &pair, const SlaveSide &best,
@@ -218,7 +224,7 @@ namespace stiction
                bearers.closes_circle(slave, master) &&
                !bearers.closes_circle(master, slave))
         side = best.other("the side that closes no circle of bodies");
-      if (side.wavers() && !pair.is_tied())
+      if (wavers(pair, side))
         side.reason +=
           ", although it is the stiffer one and its cells are not larger by "
           "a quarter: pressures waver, and newton multigrid takes many steps";
@@ -285,7 +291,7 @@ namespace stiction
             }
           if (pair.is_tied())
             require_tie(pair, n_held_alone(elasticity, mortar));
-          has_wavering_side_ = has_wavering_side_ || (side.wavers() && !pair.is_tied());
+          has_wavering_side_ = has_wavering_side_ || wavers(pair, side);
           bearers.add(pair);
           require_side_by_side(pair, mortar);
           const auto parts =

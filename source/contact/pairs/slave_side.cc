@@ -174,9 +174,9 @@ namespace stiction
   {
     SlaveSide side        = choose_slave_side(first, second);
     const SlaveSide inner = side.other("the side that ends within the other");
-    if (!(!is_tied && inner.wavers() && is_large(elasticity.body())) &&
-        (side.is_first ? ends_within(elasticity, second, first)
-                       : ends_within(elasticity, first, second)))
+    const bool may_bear   = is_tied || !inner.wavers() || !is_large(elasticity.body());
+    if (may_bear && (side.is_first ? ends_within(elasticity, second, first)
+                                   : ends_within(elasticity, first, second)))
       side = inner;
     if (!side.is_much_softer() &&
         (side.is_first ? stands_on_edge(first, second) : stands_on_edge(second, first)))

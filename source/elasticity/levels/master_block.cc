@@ -21,6 +21,9 @@ namespace stiction
     using SparseColumns = Eigen::SparseMatrix<double>;
     using Entry         = Eigen::Triplet<double, int>;
 
+    // As much_stiffer, of the masters that are in the block where there is one.
+    constexpr double heavier = 1.;
+
     // Column 3i + c: which unknown of the nodes is the component c of the i-th of some.
     SparseColumns places_of(const Dofs &some, const Dofs &nodes)
     {

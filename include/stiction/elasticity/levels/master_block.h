@@ -25,9 +25,6 @@ namespace stiction
     /// where it is more.
     static constexpr double much_stiffer = 10.;
 
-    /// The same, of the masters that are in it then.
-    static constexpr double heavier = 1.;
-
     /// @param unit of the stiffness, N/m. @param fixed one at prescribed unknowns.
     ///   Collective.
     MasterBlock(const MeshLevel &mesh, const Materials &materials, double unit,
