@@ -96,6 +96,41 @@ class Files(unittest.TestCase):
                 np.linalg.norm(body["displacement"], axis=1).max()
                 / run.summary["displacement"]["max"], 1, 6)
 
+    def test_nodes_of_larger_cells_where_others_hang(self):
+        # six tetrahedra with the bottom 1, 2, 4, 3; some cells touch it with an edge alone
+        paths = ("1, 2, 4, 8", "1, 2, 6, 8", "1, 3, 4, 8", "1, 3, 7, 8", "1, 5, 6, 8",
+                 "1, 5, 7, 8")
+        with tempfile.TemporaryDirectory() as directory:
+            mesh = os.path.join(directory, "cube.inp")
+            with open(mesh, "w", encoding="utf-8") as file:
+                print("*NODE", *(f"{k + 1}, {k & 1}, {k >> 1 & 1}, {k >> 2}"
+                                 for k in range(8)),
+                      "*ELEMENT, TYPE=C3D4", *(f"{k + 1}, {path}"
+                                               for k, path in enumerate(paths)),
+                      "*SURFACE, NAME=bottom", "1, S1", "3, S1",
+                      "*SURFACE, NAME=top", "5, S3", "6, S3", sep="\n", file=file)
+            run = stiction.run(f"""
+                subsection Geometry
+                  set Mesh file = {mesh}
+                  set Element degree = 2
+                  set Contact refinement = 1
+                  set Contact refinement where = x < 0.3
+                end
+                subsection Boundary conditions
+                  set Pressure = top : 1
+                  set Contact boundary = bottom
+                  set Obstacle = foundation
+                end
+                subsection Friction
+                  set Law = frictionless
+                end""", {"Material/Young's modulus": 1000, "Material/Poisson ratio": 0.3},
+                               program=PROGRAM)
+        nodes = run.contact()
+        self.assertEqual((nodes["area"] > 0).sum(),
+                         run.summary["contact"]["boundaries"][0]["nodes"])
+        np.testing.assert_allclose((nodes["traction"] * nodes["area"][:, None]).sum(axis=0),
+                                   [0, 0, 1], atol=1e-5)
+
     def test_history(self):
         run = stiction.run(os.path.join(ROOT, "parameters", "brick_loaded_unloaded.prm"),
                            {"Geometry/Table 1 level": 1}, program=PROGRAM)

@@ -96,10 +96,11 @@ namespace stiction
           return !bearers.empty() && bearers.front().first == node ? values_at_node(node)
                                                                             : mean_of(bearers);
         };
-        if (!body_.is_hanging(first_dof))
-          return at(first_dof);
+        const auto masters = body_.followed_by(first_dof);
+        // itself, or the node of degree 2 of a larger cell that is where it hangs
+        if (masters.size() == 1)
+          return at(masters.front().first);
         Values sum(row_names_.size());
-        const auto &masters = *body_.hanging_nodes().get_constraint_entries(first_dof);
         for (auto master = masters.rbegin(); master != masters.rend(); ++master)
           {
             const Values values = at(master->first);
