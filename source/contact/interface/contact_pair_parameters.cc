@@ -72,7 +72,7 @@ namespace stiction
                   "'Obstacle'. automatic: the side that ends within the other, if both "
                   "are flat, or round and fit, unless it is 30 times stiffer, has no "
                   "cells that are larger by a quarter, and the bodies have more than "
-                  "200,000 unknowns before single cells are refined; of two that go on "
+                  "200,000 unknowns before adaptive refinement; of two that go on "
                   "the softer one if E/h of its cells, h being their size before "
                   "refinement, is less by a factor of two or more, otherwise that with "
                   "smaller cells; the other one if supports hold nodes of this one "

@@ -3,10 +3,7 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -35,20 +32,6 @@ namespace stiction
       return std::all_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
         return face.normal() * faces.front().normal() > flat;
       });
-    }
-
-    // Whether the mesh was too large for the method newton before single cells of it were
-    // refined.
-    bool is_large(const Body &body)
-    {
-      const auto &mesh = body.triangulation();
-      int level        = std::numeric_limits<int>::max();
-      for (const auto &cell : body.locally_owned_cells())
-        level = std::min(level, cell->level());
-      level = Utilities::MPI::min(level, mesh.get_communicator());
-      return std::ldexp(3. * mesh.n_cells(0), 3 * level) *
-               std::pow(body.dof_handler().get_fe().degree, 3) >
-             max_for_newton;
     }
 
     double area(const std::vector<SurfaceFace> &faces)
@@ -174,7 +157,8 @@ namespace stiction
   {
     SlaveSide side        = choose_slave_side(first, second);
     const SlaveSide inner = side.other("the side that ends within the other");
-    const bool may_bear   = is_tied || !inner.wavers() || !is_large(elasticity.body());
+    const bool may_bear =
+      is_tied || !inner.wavers() || elasticity.body().n_first_dofs() <= max_for_newton;
     if (may_bear && (side.is_first ? ends_within(elasticity, second, first)
                                    : ends_within(elasticity, first, second)))
       side = inner;

@@ -48,6 +48,7 @@ namespace stiction
     distribute_dofs();
     collect_nodes();
     find_bounding_boxes();
+    begin_adaptive_refinement();
   }
 
   void Body::make_grid(const GeometryParameters &geometry,

@@ -65,5 +65,6 @@ namespace stiction
           "makes them smaller");
         body.refine(is_cut);
       }
+    body.begin_adaptive_refinement();
   }
 } // namespace stiction

@@ -68,8 +68,8 @@ namespace stiction
   /// As choose_slave_side() but for a surface that ends within the other one: forces act
   /// at nodes of the slave side, so that contact ends where it should if that is the side
   /// with the edge. That is nearer to the answer even where pressures waver, but not done
-  /// then, ties excepted, if the bodies are too large for the method newton before single
-  /// cells are refined. Forces act along its normals, so that it is not a side that
+  /// then, ties excepted, if the bodies are too large for the method newton before
+  /// adaptive refinement. Forces act along its normals, so that it is not a side that
   /// stands on an edge on the other, unless it is much softer. Collective.
   SlaveSide automatic_slave_side(const LinearElasticity &elasticity,
                                  const std::vector<SurfaceFace> &first,

@@ -142,6 +142,11 @@ namespace stiction
     /// unknowns.
     dealii::types::global_dof_index n_nodes() const { return dof_handler_.n_dofs() / 3; }
 
+    /// Unknowns before adaptive refinement, the same in all of a history: those when
+    /// begin_adaptive_refinement() was called, or the body was made.
+    dealii::types::global_dof_index n_first_dofs() const { return n_first_dofs_; }
+    void begin_adaptive_refinement() { n_first_dofs_ = dof_handler_.n_dofs(); }
+
     /// Where a vertex is on the curved body: of hanging ones the place that they have
     /// once they do not hang.
     const dealii::Point<3> &vertex_on_curve(
@@ -240,7 +245,7 @@ namespace stiction
     bool is_uniform_ = true, is_curved_ = false;
     std::vector<dealii::Point<3>> curved_vertices_; // before hanging ones were moved
     dealii::AffineConstraints<double> hanging_nodes_;
-    dealii::types::global_dof_index n_hanging_nodes_ = 0;
+    dealii::types::global_dof_index n_hanging_nodes_ = 0, n_first_dofs_ = 0;
     std::vector<Node> nodes_;
     MeshPieces pieces_;
     dealii::BoundingBox<3> bounding_box_;
