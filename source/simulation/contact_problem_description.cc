@@ -85,9 +85,11 @@ namespace stiction
     std::string elements;
     for (const auto &[kind, n] : body_->cut_elements())
       elements += (elements.empty() ? "" : ", ") + std::to_string(n) + ' ' + kind;
-    if (!elements.empty())
+    if (!elements.empty()) // beside other bodies the cells are not of these alone
       log_->line("Mesh file: " + elements + ", cut into " +
-                 std::to_string(body_->triangulation().n_cells(0)) + " hexahedra");
+                 (parameters_.geometry.bodies.empty()
+                    ? std::to_string(body_->triangulation().n_cells(0)) + " hexahedra"
+                    : "hexahedra"));
     if (!elements.empty() && parameters_.geometry.element_degree == 1)
       log_->line("Cut elements bend too stiffly, by some 7 % with two elements across a "
                  "beam and 2 % with three; 'Geometry/Element degree = 2' does not");
