@@ -2,7 +2,6 @@
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/levels/level_transfer.h>
 #include <stiction/elasticity/linear_algebra/sorted_list.h>
-#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 
@@ -22,22 +21,6 @@ namespace stiction
     // More nodes than this do not count from each other one by one, but in a circle.
     constexpr unsigned int longest_chain = 50;
 
-    // Three numbers a node, on all ranks.
-    template<typename Number>
-    Eigen::VectorXd values_at(const Dofs &first_dofs, const LA::VectorOf<Number> &v)
-    {
-      Eigen::VectorXd values =
-        Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(first_dofs.size()));
-      const auto first = v.get_partitioner()->local_range().first;
-      for (std::size_t i = 0; i < first_dofs.size(); ++i)
-        if (v.in_local_range(first_dofs[i]))
-          for (unsigned int c = 0; c < 3; ++c)
-            values(3 * static_cast<Eigen::Index>(i) + c) =
-              v.begin()[first_dofs[i] - first + c];
-      sum_over_ranks(values, v.get_mpi_communicator());
-      return values;
-    }
-
     // A matrix at each node, empty: the identity.
     Eigen::VectorXd times(const std::vector<Eigen::Matrix3d> &matrices, Eigen::VectorXd x)
     {
@@ -47,18 +30,6 @@ namespace stiction
           at_node      = (matrices[i] * at_node).eval();
         }
       return x;
-    }
-
-    template<typename Number>
-    void add_at(const Dofs &first_dofs, const Eigen::VectorXd &values,
-                LA::VectorOf<Number> &v)
-    {
-      const auto first = v.get_partitioner()->local_range().first;
-      for (std::size_t i = 0; i < first_dofs.size(); ++i)
-        if (v.in_local_range(first_dofs[i]))
-          for (unsigned int c = 0; c < 3; ++c)
-            v.begin()[first_dofs[i] - first + c] +=
-              static_cast<Number>(values(3 * static_cast<Eigen::Index>(i) + c));
     }
 
     Matrix block_diagonal(const std::vector<Eigen::Matrix3d> &blocks)
@@ -153,10 +124,12 @@ namespace stiction
         if (++relation->n_chained > longest_chain)
           throw CircleOfSlaves("slaves count from each other in a circle");
       }
-    relation->slaves  = std::move(slaves);
-    relation->masters = std::move(masters);
-    relation->N       = N;
-    relation_         = relation;
+    relation->slave_dofs  = DofSubset::node_by_node(slaves);
+    relation->master_dofs = DofSubset::node_by_node(masters);
+    relation->slaves      = std::move(slaves);
+    relation->masters     = std::move(masters);
+    relation->N           = N;
+    relation_             = relation;
     ground_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(relation->masters.size()));
   }
 
@@ -258,9 +231,9 @@ namespace stiction
 
   Eigen::VectorXd BasisTransformation::opposite(const Eigen::VectorXd &of_masters) const
   {
-    const auto &[slaves, masters, N, chain, n_chained] = *relation_;
-    Eigen::VectorXd moved                              = N * of_masters;
-    for (unsigned int k = 0; k < n_chained; ++k)
+    const auto &[N, chain] = std::tie(relation_->N, relation_->chain);
+    Eigen::VectorXd moved  = N * of_masters;
+    for (unsigned int k = 0; k < relation_->n_chained; ++k)
       moved = N * (of_masters + chain * times(R_, moved));
     return moved;
   }
@@ -269,7 +242,8 @@ namespace stiction
   void BasisTransformation::to_absolute(LA::VectorOf<Number> &v) const
   {
     if (!is_identity())
-      add_at(slaves(), times(R_, opposite(values_at(masters(), v))), v);
+      relation_->slave_dofs.add_extension(
+        times(R_, opposite(relation_->master_dofs.restriction(v))), v);
   }
 
   template<typename Number>
@@ -277,7 +251,8 @@ namespace stiction
   {
     if (is_identity())
       return;
-    add_at(slaves(), times(R_, -(relation_->N * values_at(masters(), v))), v);
+    relation_->slave_dofs.add_extension(
+      times(R_, -(relation_->N * relation_->master_dofs.restriction(v))), v);
   }
 
   template<typename Number>
@@ -285,12 +260,12 @@ namespace stiction
   {
     if (is_identity())
       return;
-    const auto &[slaves, masters, N, chain, n_chained] = *relation_;
-    const Eigen::VectorXd of_slaves                    = values_at(slaves, r);
-    Eigen::VectorXd change = N.transpose() * times(R_, of_slaves);
-    for (unsigned int k = 0; k < n_chained; ++k)
+    const auto &[N, chain]          = std::tie(relation_->N, relation_->chain);
+    const Eigen::VectorXd of_slaves = relation_->slave_dofs.restriction(r);
+    Eigen::VectorXd change          = N.transpose() * times(R_, of_slaves);
+    for (unsigned int k = 0; k < relation_->n_chained; ++k)
       change = N.transpose() * times(R_, of_slaves + chain.transpose() * change);
-    add_at(masters, change, r);
+    relation_->master_dofs.add_extension(change, r);
   }
 
   template<typename Number>
@@ -298,7 +273,8 @@ namespace stiction
   {
     if (is_identity())
       return;
-    add_at(masters(), -(relation_->N.transpose() * times(R_, values_at(slaves(), r))), r);
+    relation_->master_dofs.add_extension(
+      -(relation_->N.transpose() * times(R_, relation_->slave_dofs.restriction(r))), r);
   }
 
   template<typename Number>
@@ -308,19 +284,20 @@ namespace stiction
   {
     if (is_identity())
       return K.vmult(dst, src);
-    const Eigen::VectorXd moved = opposite(values_at(masters(), src));
+    const Eigen::VectorXd moved = opposite(relation_->master_dofs.restriction(src));
     auto &u                     = std::get<LA::VectorOf<Number>>(scratch_);
     if (u.size() != src.size())
       u.reinit(src, true);
     u.copy_locally_owned_data_from(src);
-    add_at(slaves(), times(R_, moved), u);
+    relation_->slave_dofs.add_extension(times(R_, moved), u);
     K.vmult(dst, u);
     if (springs_.empty())
       return forces_to_relative(dst);
-    const Eigen::VectorXd forces = times(springs_, values_at(slaves(), src) - moved);
-    add_at(masters(), -(relation_->N.transpose() * forces), dst);
+    const Eigen::VectorXd forces =
+      times(springs_, relation_->slave_dofs.restriction(src) - moved);
+    relation_->master_dofs.add_extension(-(relation_->N.transpose() * forces), dst);
     forces_to_relative(dst);
-    add_at(slaves(), forces, dst);
+    relation_->slave_dofs.add_extension(forces, dst);
   }
 
   std::vector<Eigen::Matrix3d> BasisTransformation::added_blocks(

@@ -69,9 +69,14 @@ namespace stiction
             of_cell.begin(), of_cell.end(),
             [&](const unsigned int node) { return !places[node].empty(); });
         });
-      entries      = all_gather(entries, mesh.communicator());
       const auto n = 3 * static_cast<Eigen::Index>(nodes.size());
       SparseColumns K(n, n);
+      K.setFromTriplets(entries.begin(), entries.end());
+      entries.clear(); // what is sent is the sum of all cells of a rank
+      for (Eigen::Index j = 0; j < n; ++j)
+        for (SparseColumns::InnerIterator entry(K, j); entry; ++entry)
+          entries.emplace_back(entry.row(), entry.col(), entry.value());
+      entries = all_gather(entries, mesh.communicator());
       K.setFromTriplets(entries.begin(), entries.end());
       return K;
     }
@@ -92,13 +97,11 @@ namespace stiction
     of_masters_   = places_of(masters, nodes);
     own_diagonal_ = of_masters_.transpose() * Eigen::VectorXd(K_.diagonal());
 
-    const auto n                   = static_cast<Eigen::Index>(masters.size());
-    const Eigen::VectorXd is_fixed = DofSubset::of_nodes(masters).restriction(fixed);
-    for (Eigen::Index j = 0; j < n; ++j)
-      for (Eigen::Index c = 0; c < 3; ++c)
-        is_left_out_.push_back(
-          is_fixed(j + c * n) != 0. ||
-          std::binary_search(slaves.begin(), slaves.end(), masters[j]));
+    const Eigen::VectorXd is_fixed = DofSubset::node_by_node(masters).restriction(fixed);
+    for (Eigen::Index k = 0; k < is_fixed.size(); ++k)
+      is_left_out_.push_back(
+        is_fixed(k) != 0. ||
+        std::binary_search(slaves.begin(), slaves.end(), masters[k / 3]));
   }
 
   void MasterBlock::set_basis(const BasisTransformation &basis)

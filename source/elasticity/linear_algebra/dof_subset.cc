@@ -23,6 +23,15 @@ namespace stiction
     return DofSubset(std::move(dofs));
   }
 
+  DofSubset DofSubset::node_by_node(
+    const std::vector<dealii::types::global_dof_index> &first_dofs)
+  {
+    std::vector<dealii::types::global_dof_index> dofs;
+    for (const auto first : first_dofs)
+      dofs.insert(dofs.end(), {first, first + 1, first + 2});
+    return DofSubset(std::move(dofs));
+  }
+
   template<typename Number>
   Eigen::VectorXd DofSubset::restriction(const LA::VectorOf<Number> &u) const
   {
@@ -41,7 +50,6 @@ namespace stiction
     for (Eigen::Index i = 0; i < size(); ++i)
       if (dst.in_local_range(dofs_[i]))
         dst(dofs_[i]) += static_cast<Number>(values(i));
-    dst.compress(dealii::VectorOperation::add);
   }
 
 #define STICTION_INSTANTIATE(Number)                                                   \

@@ -1,12 +1,14 @@
 // Displacements that count from other nodes: T⁻¹T = 1, Tᵀ does the same work, K̂ = TᵀKT
 // is symmetric, slaves that are masters of others are followed in any order, circles are
 // refused, a coarse slave sees what it sees on the finer level, and K̂ with any supports
-// is factorised exactly, of elements of degree 2 and with hanging nodes as well.
+// is factorised exactly, of elements of degree 2 and with hanging nodes as well, and so
+// is K̂ within the masters on which slaves weigh.
 
 #include "tests.h"
 
 #include <stiction/elasticity/levels/basis_transformation.h>
 #include <stiction/elasticity/levels/dof_subset_hierarchy.h>
+#include <stiction/elasticity/levels/master_block.h>
 #include <stiction/elasticity/levels/mesh_hierarchy.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/multigrid/coarse_solver.h>
@@ -79,14 +81,21 @@ namespace
     return difference.l2_norm() / b.l2_norm();
   }
 
-  // P K̂ P x = b for slaves held and released: all three take the same solver.
-  void check_factors(const std::string &name, const BasisTransformation &T,
-                     const LinearElasticity &elasticity)
+  // One at prescribed unknowns.
+  LA::Vector prescribed(const LinearElasticity &elasticity)
   {
     LA::Vector fixed = elasticity.zero_vector();
     for (const auto dof : fixed.locally_owned_elements())
       if (elasticity.constraints().is_constrained(dof))
         fixed(dof) = 1.;
+    return fixed;
+  }
+
+  // P K̂ P x = b for slaves held and released: all three take the same solver.
+  void check_factors(const std::string &name, const BasisTransformation &T,
+                     const LinearElasticity &elasticity)
+  {
+    const LA::Vector fixed = prescribed(elasticity);
     NodalSupports supports(T.slaves().size());
     CoarseSolver solver(elasticity.materials(), elasticity.mesh(), fixed, T.slaves(), T,
                         supports, true);
@@ -120,6 +129,49 @@ namespace
         is_exact = is_exact && distance(found, x) < 1e-9;
       }
     out() << name << ": factorised exactly " << yes(is_exact) << std::endl;
+  }
+
+  // K̂ x = r where masters are in the block, which no slaves and no prescribed unknowns
+  // are. Slaves are relative along x and y, with springs there, which the block leaves
+  // out in chains.
+  void check_masters(const std::string &name, BasisTransformation T, const double spring,
+                     const LinearElasticity &elasticity)
+  {
+    const MeshLevel &mesh  = elasticity.mesh();
+    const LA::Vector fixed = prescribed(elasticity), r = filled(mesh, 2.3);
+    MasterBlock block(mesh, elasticity.materials(), 1., fixed, T);
+    const std::size_t n = T.slaves().size();
+    T.set_relative_directions(
+      std::vector<Eigen::Matrix3d>(n, Eigen::Vector3d::UnitZ().asDiagonal()),
+      std::vector<Eigen::Matrix3d>(
+        n, Eigen::Vector3d(spring, 2. * spring, 0.).asDiagonal()));
+    block.set_basis(T);
+    auto x = mesh.zero_vector<float>(), right = x;
+    right.copy_locally_owned_data_from(r);
+    block.add_correction(x, right);
+
+    LA::Vector u = elasticity.zero_vector(), Ku = u;
+    u.copy_locally_owned_data_from(x);
+    T.vmult(elasticity.stiffness(), Ku, u);
+    double deviation = 0., n_solved = 0.;
+    bool is_left_out = true;
+    for (const auto dof : u.locally_owned_elements())
+      if (u(dof) != 0.)
+        {
+          ++n_solved;
+          deviation = std::max(deviation, std::abs(Ku(dof) - r(dof)));
+          is_left_out =
+            is_left_out && fixed(dof) == 0. &&
+            std::count(T.slaves().begin(), T.slaves().end(), dof - dof % 3) == 0;
+        }
+    out() << name << ": solves for "
+          << dealii::Utilities::MPI::sum(n_solved, MPI_COMM_WORLD)
+          << " unknowns of masters "
+          << yes(dealii::Utilities::MPI::max(deviation, MPI_COMM_WORLD) < 1e-5)
+          << ", none prescribed or of a slave "
+          << yes(dealii::Utilities::MPI::logical_or(!is_left_out, MPI_COMM_WORLD) ==
+                 false)
+          << std::endl;
   }
 
   void check(const std::string &name, const BasisTransformation &T,
@@ -186,6 +238,9 @@ int main(int argc, char *argv[])
   check("a chain", chain, elasticity);
   check_factors("T", T, elasticity);
   check_factors("a chain", chain, elasticity);
+  check_masters("T", {bottom, top, 3. * relation(bottom.size(), top.size())}, 1e11,
+                elasticity);
+  check_masters("a chain", {slaves, masters, 3. * N}, 0., elasticity);
   for (const std::string more : {"Element degree=2", "Contact refinement=1"})
     {
       parameters.read(shipped("brick.prm"),
@@ -194,11 +249,11 @@ int main(int argc, char *argv[])
                        "Geometry/" + more});
       const Body other_body(parameters.geometry, MPI_COMM_WORLD);
       const LinearElasticity other(other_body, parameters.of_body());
-      const Dofs first  = nodes_at(other_body, 2, 0.),
-                 second = nodes_at(other_body, 2, 1.);
-      check_factors(
-        more, BasisTransformation(first, second, relation(first.size(), second.size())),
-        other);
+      const Dofs first   = nodes_at(other_body, 2, 0.),
+                 second  = nodes_at(other_body, 2, 1.);
+      const auto weights = relation(first.size(), second.size());
+      check_factors(more, {first, second, weights}, other);
+      check_masters(more, {first, second, 3. * weights}, 1e11, other);
     }
 
   try

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <stiction/elasticity/linear_algebra/linear_algebra.h>
+#include <stiction/elasticity/linear_algebra/dof_subset.h>
 
 #include <deal.II/base/types.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -114,6 +114,7 @@ namespace stiction
     struct Relation
     {
       Dofs slaves, masters;
+      DofSubset slave_dofs, master_dofs; ///< as the rows and columns of N
       Matrix N;
       Matrix chain;               ///< E: where slaves are masters
       unsigned int n_chained = 0; ///< the k with (N E)^k N = 0, less one

@@ -25,6 +25,10 @@ namespace stiction
     static DofSubset of_nodes(
       const std::vector<dealii::types::global_dof_index> &first_dofs);
 
+    /// The three unknowns of each node, node by node.
+    static DofSubset node_by_node(
+      const std::vector<dealii::types::global_dof_index> &first_dofs);
+
     Eigen::Index size() const { return static_cast<Eigen::Index>(dofs_.size()); }
 
     const std::vector<dealii::types::global_dof_index> &dofs() const { return dofs_; }
@@ -35,8 +39,8 @@ namespace stiction
     template<typename Number>
     Eigen::VectorXd restriction(const LA::VectorOf<Number> &u) const;
 
-    /// Adds values to the entries of dst at the unknowns of the list.
-    /// Collective.
+    /// Adds values to the entries of dst at the unknowns of the list, of which each rank
+    /// takes those that it owns.
     template<typename Number>
     void add_extension(const Eigen::VectorXd &values, LA::VectorOf<Number> &dst) const;
 
