@@ -139,6 +139,28 @@ namespace
     read("and by a surface of that name", "inp",
          abaqus + plane + "*ELSET, ELSET=floor\n12\n*SURFACE, NAME=floor\n1, S1\n",
          {"floor"});
+    read("a set that stands before them", "inp",
+         abaqus + "*ELSET, ELSET=floor\n11, 12\n" + with(plane, ", ELSET=Surface1", ""));
+    read("a generated one", "inp",
+         abaqus + "*ELSET, ELSET=floor, GENERATE\n11, 12\n" +
+           with(plane, ", ELSET=Surface1", ""));
+    read("sets of sets that stand behind", "inp",
+         abaqus + "*ELSET, ELSET=floor\nboth, 11\n*ELSET, ELSET=both\nSURFACE1, floor\n" +
+           plane + "*SURFACE, NAME=all faces\nBOTH2, S1\n*ELSET, ELSET=both2\nall\n",
+         {"floor"});
+    read("a set of a set that is nowhere", "inp",
+         abaqus + "*ELSET, ELSET=floor\n11, flor\n" + plane);
+    read("names in other capital letters", "inp",
+         abaqus + plane + "*ELSET, ELSET=SURFACE1\n11\n*ELSET, ELSET=FLOOR\n12\n" +
+           "*SURFACE, NAME=Floor\n1, S1\n",
+         {"Floor"});
+    read("surfaces in other capital letters", "inp",
+         abaqus + surface + with(surface, "the floor", "The Floor"));
+    read("a surface of them", "inp",
+         abaqus + plane + "*SURFACE, NAME=floor\nSurface1, S1\n");
+    read("of one of them", "inp", abaqus + plane + "*SURFACE, NAME=floor\n11, S1\n");
+    read("of one that is not there", "inp",
+         abaqus + "*ELSET, ELSET=set\n1, 7\n*SURFACE, NAME=floor\nset, S1\n");
     read("one twice", "inp", abaqus + plane + "11, 1, 2, 5, 4\n");
     read("of second order", "inp",
          "*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n3, 0, 2, 0\n4, 0, 0, 2\n5, 1, 0, 0\n6, 1, 1, "

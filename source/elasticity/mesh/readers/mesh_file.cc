@@ -39,16 +39,18 @@ namespace stiction
       const std::string way =
         kind == ".MSH"   ? "write 'Physical Surface(\"bottom\") = {...};' for each "
                            "and a 'Physical Volume' for the body before Gmsh meshes it"
-        : kind == ".INP" ? "write a '*SURFACE, NAME=bottom' for each, with elements, or "
-                           "sets of them, and their faces S1, S2, ..."
+        : kind == ".INP" ? "write a '*SURFACE, NAME=bottom' for each, with cells, or "
+                           "sets of them, and their faces S1, S2, ..., or an '*ELSET' of "
+                           "its plane elements"
                          : "write triangles or quadrilaterals of each with a number of "
                            "its own in the cell data 'MaterialID', which is what to "
                            "call it";
-      const std::string lacking = mesh.faces.boundary_quads.empty()
-                                    ? "the file has no surface elements, so all of its "
-                                      "surface is the boundary 0; "
-                                    : "its boundaries have no names; ";
-      return lacking + way;
+      if (!mesh.faces.boundary_quads.empty())
+        return "its boundaries have no names; " + way;
+      return std::string("the file has no ") +
+             (kind == ".INP" ? "'*SURFACE' of cells and no '*ELSET' of plane elements"
+                             : "surface elements") +
+             ", so all of its surface is the boundary 0; " + way;
     }
 
     void require_cells(const MeshData &mesh, const std::string &location)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "abaqus_keyword.h"
+
 #include <stiction/base/text/text_scanner.h>
 
 #include <cstdint>
@@ -18,6 +20,14 @@ namespace stiction
     std::string prefix;     ///< of names: "LEFT-1.", empty outside
   };
 
+  /// Elements as they are referred to somewhere: a number or the name of a set.
+  struct AbaqusReference
+  {
+    std::string what;
+    AbaqusScope scope;
+    TextScanner::Place place; ///< behind it
+  };
+
   /// An element by its number in a scope.
   struct AbaqusElement
   {
@@ -30,17 +40,21 @@ namespace stiction
     }
   };
 
-  /// The numbers of a line below '*ELSET, GENERATE': the first, the last and the step.
-  /// Throws InputError if they are too many, or none.
-  std::vector<std::int64_t> generated_numbers(const std::vector<std::string> &items,
-                                              const TextScanner &text);
-
   /// The sets of elements of an Abaqus file by their names, which are not case
-  /// sensitive. Whatever it refuses, it does so with the line that the file is at.
+  /// sensitive. What a set has may stand behind it, so that its members are known once
+  /// all is read.
   class AbaqusSets
   {
   public:
-    explicit AbaqusSets(const TextScanner &text)
+    struct Set
+    {
+      AbaqusReference name; ///< where it begins, as it is written there
+      std::vector<AbaqusElement> elements;
+      std::vector<AbaqusReference> others; ///< sets that are in it, read or not
+      bool has_cells = false;              ///< by '*ELEMENT, ELSET=name'
+    };
+
+    explicit AbaqusSets(TextScanner &text)
       : text_(text)
     {
     }
@@ -52,23 +66,35 @@ namespace stiction
     /// Throws InputError if there is none of this name.
     AbaqusScope scope_of(const std::string &instance) const;
 
-    void add(const AbaqusScope &scope, const std::string &set,
-             const AbaqusElement &element);
+    /// That of a name, which begins here if it is not there yet; stays where it is.
+    Set &at(const AbaqusReference &name);
 
-    /// The members of a set, or the element of a number. Outside of instances
-    /// "LEFT-1.all" and "LEFT-1.7" are those of one; where there is only one, "all" and
-    /// "7" are, too.
+    /// Takes a line below "*ELSET", which has numbers and names of sets or, if they are
+    /// generated, the first number, the last one and the step.
+    ///
+    /// @param scope that of the keyword, which may say "INSTANCE=" for its lines.
+    ///
+    /// Throws InputError if generated numbers are too many, or none.
+    void add_line(Set &set, const AbaqusKeyword &keyword,
+                  const std::vector<std::string> &items, const AbaqusScope &scope) const;
+
+    /// By prefix and name in capitals.
+    const std::map<std::string, Set> &all() const { return sets_; }
+
+    /// The members of a set and of those in it, or the element of a number. Outside of
+    /// instances "LEFT-1.all" and "LEFT-1.7" are those of one; where there is only one,
+    /// "all" and "7" are, too. The file is behind the reference afterwards.
     ///
     /// Throws InputError if it is neither a set nor a number.
-    std::vector<AbaqusElement> elements(const AbaqusScope &scope,
-                                        const std::string &what) const;
+    std::vector<AbaqusElement> elements(const AbaqusReference &reference) const;
 
   private:
-    const std::vector<AbaqusElement> *find(const AbaqusScope &scope,
-                                           const std::string &set) const;
+    const Set *find(const AbaqusScope &scope, const std::string &set) const;
 
-    const TextScanner &text_;
-    std::map<std::string, AbaqusScope> scopes_;              // by names in capitals
-    std::map<std::string, std::vector<AbaqusElement>> sets_; // by prefix and name in such
+    AbaqusElement element(const AbaqusReference &reference) const;
+
+    TextScanner &text_;
+    std::map<std::string, AbaqusScope> scopes_; // by names in capitals
+    std::map<std::string, Set> sets_;
   };
 } // namespace stiction

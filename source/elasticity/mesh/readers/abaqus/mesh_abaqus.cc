@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ namespace stiction
         , mesh_(text)
         , parts_(text)
         , sets_(text)
-        , cells_(1)
+        , elements_(1)
       {
       }
 
@@ -42,6 +43,7 @@ namespace stiction
         const TextScanner::Place end = text_.here();
         if (mesh_.is_of_cells())
           {
+            // plane elements so far, which count in sets alone
             const auto of_file = std::exchange(mesh_.mesh.faces.boundary_quads, {});
             add_surfaces();
             add_face_sets(of_file);
@@ -56,12 +58,10 @@ namespace stiction
       }
 
     private:
-      // Elements as they are referred to somewhere.
-      struct Reference
+      struct Element
       {
-        std::string what;
-        AbaqusScope scope;
-        TextScanner::Place place; // behind it
+        bool is_cell;      // or a plane one
+        std::size_t place; // among the cells or the faces of the mesh
       };
 
       struct Surface
@@ -69,7 +69,8 @@ namespace stiction
         std::string name;
         AbaqusScope scope;
         TextScanner::Place place;
-        std::vector<std::pair<Reference, unsigned int>> parts; // with the face of each
+        // with the face of each
+        std::vector<std::pair<AbaqusReference, unsigned int>> parts;
       };
 
       // Reads up to a keyword, or the end of the file.
@@ -100,6 +101,9 @@ namespace stiction
         keyword_                = AbaqusKeyword(line, text_);
         const std::string &name = keyword_.name;
         const std::string type  = upper(keyword_.value("TYPE"));
+        const std::string elset = keyword_.value("ELSET");
+        const bool has_members  = name == "*ELSET" || name == "*ELEMENT";
+        set_ = has_members && !elset.empty() ? &sets_.at(refer_to(elset)) : nullptr;
         if (const std::string more = keyword_.of_the_problem(); !more.empty())
           passed_over_.insert(more);
         if (name == "*SURFACE" && (type.empty() || type == "ELEMENT"))
@@ -119,8 +123,9 @@ namespace stiction
                  (name == "*ENDPART" && !parts_.have_instances()))
           begin({});
         else if (name == "*SOLIDSECTION")
-          sections_.emplace_back(refer_to(keyword_.value("ELSET")),
-                                 keyword_.value("MATERIAL"));
+          sections_.emplace_back(refer_to(elset), keyword_.value("MATERIAL"));
+        else if (name == "*ELSET" && elset.empty())
+          text_.refuse("a set without a name, must be '*ELSET, ELSET=name'");
         else
           keyword_.require_all_is_here(text_);
       }
@@ -137,8 +142,8 @@ namespace stiction
       {
         scope_     = scope;
         placement_ = {};
-        cells_.resize(std::max(cells_.size(), scope.number + 1));
-        mesh_.mesh.body_names.resize(parts_.are_several() ? cells_.size() : 0);
+        elements_.resize(std::max(elements_.size(), scope.number + 1));
+        mesh_.mesh.body_names.resize(parts_.are_several() ? elements_.size() : 0);
         if (parts_.are_several() && scope.number > 0)
           mesh_.mesh.body_names[scope.number] = keyword_.value("NAME");
         mesh_.forget_numbers();
@@ -160,7 +165,7 @@ namespace stiction
         if (keyword_.name == "*NODE")
           read_node(items);
         else if (keyword_.name == "*ELSET")
-          read_set(items);
+          sets_.add_line(*set_, keyword_, items, scope_);
         else if (keyword_.name == "*SURFACE")
           {
             if (items.size() != 2)
@@ -199,38 +204,30 @@ namespace stiction
 
       void read_element(const std::vector<std::string> &items)
       {
-        const std::string type = upper(keyword_.value("TYPE"));
-        if (const auto [gmsh_type, n_nodes] = abaqus::type_of_cell(type); n_nodes > 0)
+        const std::string type    = upper(keyword_.value("TYPE"));
+        auto [gmsh_type, n_nodes] = abaqus::type_of_cell(type);
+        const bool is_cell        = n_nodes > 0;
+        if (!is_cell)
+          std::tie(gmsh_type, n_nodes) = abaqus::type_of_face(type);
+        if (n_nodes > 0)
           {
             const MeshBuilder::Nodes nodes =
               abaqus::nodes_of(items, n_nodes, type, text_);
             const std::int64_t number = text_.to_integer(items[0]);
-            if (faces_.count({scope_.number, number}) > 0 ||
-                !cells_[scope_.number].emplace(number, mesh_.mesh.cells.size()).second)
+            const std::size_t place =
+              is_cell ? mesh_.mesh.cells.size() : mesh_.mesh.faces.boundary_quads.size();
+            if (!elements_[scope_.number].emplace(number, Element{is_cell, place}).second)
               text_.refuse("element " + items[0] + " stands twice, must stand once");
             // nodes inside of a hexahedron: the centre, then faces S1 to S6
             mesh_.add_element(gmsh_type, 0,
                               in_gmsh_order(nodes, {{21, 23, 26, 24, 25, 22, 20}}));
-            if (parts_.are_several())
+            if (is_cell && parts_.are_several())
               mesh_.mesh.body_of_cell.push_back(scope_.number);
-            if (const std::string set = keyword_.value("ELSET"); !set.empty())
+            if (set_ != nullptr)
               {
-                add_to_set(set, {scope_.number, number});
-                element_sets_.try_emplace(upper(scope_.prefix + set), refer_to(set));
+                set_->elements.push_back({scope_.number, number});
+                set_->has_cells = set_->has_cells || is_cell;
               }
-          }
-        else if (const auto [gmsh_type, n_nodes] = abaqus::type_of_face(type);
-                 n_nodes > 0)
-          {
-            const std::int64_t number = text_.to_integer(items[0]);
-            const AbaqusElement element{scope_.number, number};
-            if (cells_[scope_.number].count(number) > 0 ||
-                !faces_.emplace(element, faces_.size()).second)
-              text_.refuse("element " + items[0] + " stands twice, must stand once");
-            mesh_.add_element(gmsh_type, 0,
-                              abaqus::nodes_of(items, n_nodes, type, text_));
-            if (const std::string set = keyword_.value("ELSET"); !set.empty())
-              add_to_set(set, element);
           }
         else if (abaqus::begins_with_any(type, {"C3D5", "C3D13"}))
           ++mesh_.mesh.other_elements["pyramids"];
@@ -242,42 +239,21 @@ namespace stiction
           ++mesh_.mesh.other_elements["elements of type " + type];
       }
 
-      void read_set(const std::vector<std::string> &items)
-      {
-        const std::string set = keyword_.value("ELSET");
-        if (set.empty())
-          text_.refuse("a set without a name, must be '*ELSET, ELSET=name'");
-        // whose numbers the data below the keyword are
-        const std::string instance = keyword_.value("INSTANCE");
-        const AbaqusScope scope    = instance.empty() ? scope_ : sets_.scope_of(instance);
-        if (keyword_.has("GENERATE"))
-          for (const std::int64_t number : generated_numbers(items, text_))
-            add_to_set(set, {scope.number, number});
-        else
-          for (const std::string &item : items)
-            if (!item.empty())
-              for (const AbaqusElement &element : sets_.elements(scope, item))
-                add_to_set(set, element);
-      }
-
-      void add_to_set(const std::string &set, const AbaqusElement &element)
-      {
-        sets_.add(scope_, set, element);
-        if (faces_.count(element) > 0)
-          face_sets_.try_emplace(upper(scope_.prefix + set), refer_to(set));
-      }
-
       void add_surfaces()
       {
-        unsigned int id = 0;
         for (const Surface &surface : surfaces_)
           {
             text_.go_to(surface.place);
-            mesh_.add_name(name_of(surface), ++id, mesh_.mesh.boundary_names);
+            const std::string name = name_of(surface);
+            if (ids_.count(upper(name)) > 0)
+              text_.refuse("surface '" + name +
+                           "' stands twice, must stand once: capital letters make no "
+                           "difference in names");
+            const unsigned int id = id_of_boundary(name);
             for (const auto &part : surface.parts)
-              for (const AbaqusElement &element : elements(part.first))
+              for (const AbaqusElement &element : sets_.elements(part.first))
                 {
-                  const auto &of_cell = cell(element).vertices;
+                  const auto &of_cell = cell(element, part.first).vertices;
                   const auto &faces   = abaqus::faces_of(of_cell.size());
                   if (part.second >= faces.size())
                     text_.refuse("element " + std::to_string(element.number) + " is a " +
@@ -295,20 +271,23 @@ namespace stiction
       // As Gmsh writes boundaries. A surface of the same name has their faces, too.
       void add_face_sets(const std::vector<dealii::CellData<2>> &of_file)
       {
-        auto &names = mesh_.mesh.boundary_names;
-        for (const auto &[key, set] : face_sets_)
-          {
-            const auto of_set = elements(set);
-            const auto known  = names.find(name_of(set));
-            const auto id     = known == names.end() ? names.size() + 1 : known->second;
-            mesh_.add_name(name_of(set), id, names);
-            for (const AbaqusElement &element : of_set)
-              if (faces_.count(element) > 0)
-                mesh_.add_face(id, of_file[faces_.at(element)].vertices);
-          }
+        for (const auto &[key, set] : sets_.all())
+          for (const AbaqusElement &element : sets_.elements(set.name))
+            if (const Element *const face = find(element); is_plane(face))
+              mesh_.add_face(id_of_boundary(name_of(set.name)),
+                             of_file[face->place].vertices);
       }
 
-      std::string name_of(const Reference &set) const
+      // Capital letters make no difference: its name is as it is written first.
+      unsigned int id_of_boundary(const std::string &name)
+      {
+        const auto [id, is_new] = ids_.emplace(upper(name), ids_.size() + 1);
+        if (is_new)
+          mesh_.add_name(name, id->second, mesh_.mesh.boundary_names);
+        return id->second;
+      }
+
+      std::string name_of(const AbaqusReference &set) const
       {
         return (parts_.are_several() ? set.scope.prefix : "") + set.what;
       }
@@ -326,8 +305,9 @@ namespace stiction
       void name_materials()
       {
         if (sections_.empty())
-          for (const auto &[key, set] : element_sets_)
-            sections_.emplace_back(set, name_of(set));
+          for (const auto &[key, set] : sets_.all())
+            if (set.has_cells)
+              sections_.emplace_back(set.name, name_of(set.name));
         unsigned int last = 0;
         std::map<std::string, unsigned int> ids;
         for (const auto &section : sections_)
@@ -336,11 +316,11 @@ namespace stiction
             const auto id = ids.emplace(upper(section.second), last + 1);
             if (id.second)
               mesh_.add_name(section.second, ++last, mesh_.mesh.material_names);
-            for (const AbaqusElement &element : elements(section.first))
+            for (const AbaqusElement &element : sets_.elements(section.first))
               {
-                if (faces_.count(element) > 0)
+                if (is_plane(find(element)))
                   continue;
-                unsigned int &material = cell(element).material_id;
+                unsigned int &material = cell(element, section.first).material_id;
                 if (material != 0 && material != id.first->second)
                   text_.refuse("element " + std::to_string(element.number) +
                                " has two materials, must have one");
@@ -350,48 +330,62 @@ namespace stiction
       }
 
       // What stands on the line that was read last.
-      Reference refer_to(const std::string &what) { return {what, scope_, text_.here()}; }
-
-      // Whatever is wrong with them is so where they are referred to.
-      std::vector<AbaqusElement> elements(const Reference &reference)
+      AbaqusReference refer_to(const std::string &what)
       {
-        text_.go_to(reference.place);
-        return sets_.elements(reference.scope, reference.what);
+        return {what, scope_, text_.here()};
       }
 
-      dealii::CellData<3> &cell(const AbaqusElement &element)
+      // Nothing if it is of no use here, or nowhere.
+      const Element *find(const AbaqusElement &element) const
       {
+        const auto found = elements_[element.scope].find(element.number);
+        if (found != elements_[element.scope].end())
+          return &found->second;
         // outside of the only instance its numbers count as well
-        const bool is_of_only = element.scope == 0 && cells_.size() == 2 &&
-                                cells_[0].count(element.number) == 0;
-        const auto &cells = cells_[is_of_only ? 1 : element.scope];
-        const auto found  = cells.find(element.number);
-        if (found == cells.end())
-          text_.refuse("there is no element " + std::to_string(element.number));
-        return mesh_.mesh.cells[found->second];
+        return element.scope == 0 && elements_.size() == 2 ? find({1, element.number})
+                                                           : nullptr;
+      }
+
+      static bool is_plane(const Element *const element)
+      {
+        return element != nullptr && !element->is_cell;
+      }
+
+      dealii::CellData<3> &cell(const AbaqusElement &element,
+                                const AbaqusReference &reference)
+      {
+        const Element *const found = find(element);
+        if (found != nullptr && found->is_cell)
+          return mesh_.mesh.cells[found->place];
+        const std::string number = std::to_string(element.number);
+        const std::string name =
+          "element " + number +
+          (reference.what == number ? "" : " of '" + reference.what + "'");
+        text_.refuse(found == nullptr
+                       ? "there is no " + name
+                       : name + " is a plane element, must be a tetrahedron, prism or "
+                                "hexahedron with faces S1, S2, ...; a set of plane "
+                                "elements is a boundary without a '*SURFACE'");
       }
 
       TextScanner &text_;
       MeshBuilder mesh_;
       const AbaqusParts parts_;
       AbaqusSets sets_;
-      // where they are in the mesh, by their numbers in each scope
-      std::vector<std::unordered_map<std::int64_t, std::size_t>> cells_;
-      // flat elements by scope and number, in the order of the file, and sets with such
-      std::map<AbaqusElement, std::size_t> faces_;
-      std::map<std::string, Reference> face_sets_;
+      std::vector<std::unordered_map<std::int64_t, Element>> elements_; // by scopes
+      std::map<std::string, unsigned int> ids_; // of boundaries by names in capitals
 
       AbaqusScope scope_; // the present one
       AbaqusPlacement placement_;
       std::string part_; // to be read when it is known where the instance stands
 
       AbaqusKeyword keyword_;
+      AbaqusSets::Set *set_ = nullptr; // that of the keyword, if it has one
       std::string unfinished_;
 
       std::set<std::string> passed_over_;
       std::vector<Surface> surfaces_;
-      std::vector<std::pair<Reference, std::string>> sections_; // with the material
-      std::map<std::string, Reference> element_sets_;           // those of *ELEMENT
+      std::vector<std::pair<AbaqusReference, std::string>> sections_; // with the material
     };
   } // namespace
 
