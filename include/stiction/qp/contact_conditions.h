@@ -65,7 +65,7 @@ namespace stiction
 
     /// If rounding is above the tolerance and explains every figure: that, and
     /// what to change; otherwise empty.
-    std::string why_out_of_reach(double tolerance) const;
+    virtual std::string why_out_of_reach(double tolerance) const;
 
     /// The largest of them; a NaN is larger than any number.
     std::pair<std::string, double> worst_figure() const;

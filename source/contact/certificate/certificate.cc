@@ -1,7 +1,9 @@
+#include <stiction/base/log.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/base/mpi.h>
@@ -191,6 +193,19 @@ namespace stiction
     if (body_figures_.obstacle_force >= 0.)
       figures.emplace_back("obstacle_force", body_figures_.obstacle_force);
     return figures;
+  }
+
+  std::string Certificate::why_out_of_reach(const double tolerance) const
+  {
+    const std::string why = ContactConditions::why_out_of_reach(tolerance);
+    const double ratio    = elasticity_.materials().largest_youngs_modulus() /
+                         elasticity_.materials().smallest_youngs_modulus();
+    return why.empty() || ratio * unit_roundoff <= tolerance
+             ? why
+             : why + format("; Young's moduli differ by a factor of %.2g: let something "
+                            "rigid ('Obstacle', 'Prescribed displacement') stand for "
+                            "what is so much stiffer, or make it less stiff",
+                            ratio);
   }
 
   bool Certificate::is_solved(const double tolerance) const

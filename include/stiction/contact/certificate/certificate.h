@@ -83,6 +83,9 @@ namespace stiction
     /// As if the obstacles, and a body that contact alone holds, were where they are.
     bool is_solved(double tolerance) const override;
 
+    /// Young's moduli are named where their ratio alone takes the digits.
+    std::string why_out_of_reach(double tolerance) const override;
+
     /// Whether there are neither loads nor contact forces, and no node resists: then S is
     /// that of no force.
     bool bears_nothing() const { return bears_nothing_; }
