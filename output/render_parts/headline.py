@@ -23,8 +23,7 @@ def numbers(run):
 def largest_traction(run, contact):
     """The largest pressure or, where more is pulled than pressed, tension; shear of a tie
     that is neither."""
-    pressure, tension = (max(part.get(name, 0) for part in [contact, *contact["boundaries"]])
-                         for name in ("max_pressure", "max_tension"))
+    pressure, tension = (contact.get(name, 0) for name in ("max_pressure", "max_tension"))
     largest, what = max((pressure, "pressure"), (tension, "tension"), key=lambda of: of[0])
     shear = np.linalg.norm(run.contact.tangential_traction, axis=-1).max()
     if shear > 0 and largest <= ROUNDING * shear:

@@ -14,15 +14,15 @@ from render_parts import headline, words
 class Headline(unittest.TestCase):
     """The numbers above the picture."""
 
-    def numbers(self, released=False, **boundary):
+    def numbers(self, released=False, max_pressure=0, max_tension=0):
         """The line of a pair with these numbers."""
         boundary = {"name": "a", "opposite": "b", "force_on_body": [0, 0, -1],
-                    "normal_force": 1, **boundary}
+                    "normal_force": 1}
         return headline.numbers(SimpleNamespace(
             certified=True, released=released, contact=SimpleNamespace(
                 tangential_traction=np.array([[[0, 3e-6, 4e-6]]])), units={"force": "N", "stress": "MPa"},
-            summary={"contact": {"boundaries": [boundary], "max_pressure": 0,
-                                 "tied": 9}}))
+            summary={"contact": {"boundaries": [boundary], "max_pressure": max_pressure,
+                                 "max_tension": max_tension, "tied": 9}}))
 
     def test_what_is_largest(self):
         self.assertEqual(self.numbers(max_pressure=3, max_tension=2),

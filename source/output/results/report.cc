@@ -96,14 +96,19 @@ namespace stiction
       return text;
     }
 
-    void print_largest_pressure(Log &log, const std::string &indentation,
-                                const RunResult::Contact &contact, const Units &units)
+    // Of all nodes, traction and tension of tied ones.
+    void print_tractions(Log &log, const std::string &indentation,
+                         const RunResult::Contact &contact, const Units &units)
     {
-      print_row(log, indentation + label("largest pressure", units.stress),
-                format("%.6g", contact.max_pressure));
+      const auto row = [&](const std::string &name, const double value) {
+        print_row(log, indentation + label(name, units.stress), format("%.6g", value));
+      };
+      row("largest pressure", contact.max_pressure);
       if (contact.tied > 0)
-        print_row(log, indentation + label("largest tension", units.stress),
-                  format("%.6g", contact.max_tension));
+        {
+          row("largest tension", contact.max_tension);
+          row("largest tied traction", contact.max_tied_traction);
+        }
     }
 
     // The parts of several contact boundaries.
@@ -133,7 +138,7 @@ namespace stiction
                     force.text_of(boundary.tangential_force));
           print_row(log, "  " + label("moment", units.moment),
                     moment.text_of(boundary.moment));
-          print_largest_pressure(log, "  ", boundary, units);
+          print_tractions(log, "  ", boundary, units);
         }
     }
 
@@ -180,11 +185,7 @@ namespace stiction
                         format("%.6g", boundary.torque));
             }
         }
-      if (contact.open + contact.closed + contact.undecided_normal > 0)
-        print_largest_pressure(log, "", contact, units);
-      else // of ties alone
-        print_row(log, label("largest traction", units.stress),
-                  format("%.6g", contact.max_tied_traction));
+      print_tractions(log, "", contact, units);
       print_row(log, label("largest displacement", units.length),
                 format("%.6g", result.displacement.max));
       const auto energies =

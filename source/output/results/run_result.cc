@@ -171,13 +171,6 @@ namespace stiction
       if (status.normal == NormalStatus::closed)
         contact.area += node.area;
       contact.normal_force += lambda(0);
-      contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
-      if (status.tangential == TangentialStatus::tied)
-        {
-          contact.max_tension = std::max(contact.max_tension, -lambda(0) / node.area);
-          contact.max_tied_traction =
-            std::max(contact.max_tied_traction, force.norm() / node.area);
-        }
       contact.tangential_force += friction;
       if (is_outer)
         {
@@ -185,6 +178,17 @@ namespace stiction
           contact.moment += cross_product_3d(node.center, force);
         }
       return friction;
+    }
+
+    void add_tractions(RunResult::Contact &contact, const ContactNode &node,
+                       const Eigen::Vector3d &lambda, const bool is_tied)
+    {
+      contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
+      if (!is_tied)
+        return;
+      contact.max_tension       = std::max(contact.max_tension, -lambda(0) / node.area);
+      contact.max_tied_traction = std::max(
+        contact.max_tied_traction, node.force_to_cartesian(lambda).norm() / node.area);
     }
 
     // Collective.
@@ -293,15 +297,11 @@ namespace stiction
         ++part.nodes;
         count(part, statuses[i]);
         part.torque += node.arm * add_forces(part, node, lambda, statuses[i]);
+        const bool is_tied = statuses[i].tangential == TangentialStatus::tied;
+        add_tractions(part, node, lambda, is_tied);
+        add_tractions(result.contact, node, lambda, is_tied);
         // sums of contact are without what ties bear
-        if (statuses[i].tangential == TangentialStatus::tied)
-          {
-            result.contact.max_tension =
-              std::max(result.contact.max_tension, part.max_tension);
-            result.contact.max_tied_traction =
-              std::max(result.contact.max_tied_traction, part.max_tied_traction);
-          }
-        else
+        if (!is_tied)
           add_forces(result.contact, node, lambda, statuses[i], part.opposite.empty());
       }
 

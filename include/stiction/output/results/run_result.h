@@ -80,7 +80,7 @@ namespace stiction
     /// tangential_force the sum of the parts tangential to the contact surface;
     /// moments are about the origin, area is that of the closed nodes. Tension is
     /// what pulls at tied nodes along the normal, their traction that in any direction.
-    /// Sums over all boundaries are without tied ones.
+    /// Sums over all boundaries are without tied ones; the largest of what acts is not.
     struct Contact : NodeCounts
     {
       double normal_force = 0., max_pressure = 0., max_tension = 0.;
