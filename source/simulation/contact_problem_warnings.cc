@@ -140,7 +140,7 @@ namespace stiction
              "its force, without friction in the directions that it holds; prescribe "
              "it where the boundary does not touch",
              boundary.name().c_str(), 100. * frictionless) +
-             (boundary.partners().size() == 1
+             (boundary.other_side_may_bear()
                 ? ", or let the other side bear the forces ('Slave side')."
               : boundary.is_pair() || boundary.friction().is_orthotropic()
                 ? "."

@@ -292,6 +292,7 @@ namespace stiction
           if (pair.is_tied())
             require_tie(pair, n_held_alone(elasticity, mortar));
           has_wavering_side_ = has_wavering_side_ || wavers(pair, side);
+          pair.set_other_side_wavers(wavers(pair, side.other("")));
           bearers.add(pair);
           require_side_by_side(pair, mortar);
           const auto parts =

@@ -78,7 +78,7 @@ namespace stiction
       const char *const name  = pair.name().c_str();
       const char *const other = pair.partner_name().c_str();
       const std::string change =
-        pair.partners().size() == 1
+        pair.other_side_may_bear()
           ? format(", or let the other side bear the forces ('Slave side') if it ends "
                    "nowhere on '%s'.",
                    name)

@@ -107,6 +107,16 @@ namespace stiction
     /// not.
     void take_side(bool is_slave, const std::string &reason);
 
+    /// Says whether pressures would waver with the forces on the other side, see
+    /// SlaveSide.
+    void set_other_side_wavers(const bool wavers) { other_side_wavers_ = wavers; }
+
+    /// Whether the other side is one boundary, on which pressures would not waver.
+    bool other_side_may_bear() const
+    {
+      return partners_.size() == 1 && !other_side_wavers_;
+    }
+
     /// The value of 'Initial gap' at a place, by which the obstacle is farther
     /// away than its own surface. Throws InputError if it has none.
     double initial_gap(const dealii::Point<3> &p) const;
@@ -169,6 +179,7 @@ namespace stiction
     std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_,
       sliding_, gap_text_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
+    bool other_side_wavers_        = false;
     std::vector<dealii::types::boundary_id> partners_;
 
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation
