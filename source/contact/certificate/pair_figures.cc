@@ -32,6 +32,12 @@ namespace stiction
     // Of the largest force at a node: those with less are left open by rounding.
     constexpr double least_share = 1e-3;
 
+    // The sine of half of the angle between faces at an edge of the body, of 40 degrees.
+    constexpr double sharp = 0.34;
+
+    // Of the depth of facets: those of meshes that match keep apart by less.
+    constexpr double matching = 0.1;
+
     // Of how much the distances of the meshes differ: gaps that leave out less are
     // theirs.
     constexpr double much_left_out = 0.5;
@@ -161,25 +167,37 @@ namespace stiction
       figures.spacing = std::sqrt(pressed.areas.mean());
     }
 
-    // Mean length of the edges of faces with one of these nodes.
-    double mean_edge(const std::vector<SurfaceFace> &faces,
-                     const std::set<types::global_dof_index> &nodes)
+    // The faces with one of some nodes.
+    struct BearingFaces
     {
-      double sum     = 0.;
-      unsigned int n = 0;
-      for (const SurfaceFace &face : faces)
-        if (std::any_of(face.dofs.begin(), face.dofs.begin() + face.n_nodes(),
-                        [&](const auto dof) { return nodes.count(dof) > 0; }))
-          {
-            sum += face.diameter() / std::sqrt(2.);
-            ++n;
-          }
-      return n > 0 ? sum / n : 0.;
-    }
+      unsigned int n   = 0;
+      double mean_edge = 0.; // m
+      double softness  = 0.; // 1/E, 1/Pa
+      double angle     = 0.; // mean of that to the next face, without edges of the body
+
+      BearingFaces(const std::vector<SurfaceFace> &faces,
+                   const std::set<types::global_dof_index> &nodes)
+      {
+        const auto kinks_of = kinks(faces);
+        for (std::size_t f = 0; f < faces.size(); ++f)
+          if (std::any_of(faces[f].dofs.begin(),
+                          faces[f].dofs.begin() + faces[f].n_nodes(),
+                          [&](const auto dof) { return nodes.count(dof) > 0; }))
+            {
+              ++n;
+              mean_edge += faces[f].diameter() / std::sqrt(2.);
+              softness += 1. / faces[f].youngs_modulus;
+              if (faces[f].degree == 1 && kinks_of[f][1] < sharp)
+                angle += 2. * kinks_of[f][1];
+            }
+        for (double *const sum : {&mean_edge, &softness, &angle})
+          *sum /= std::max(1U, n);
+      }
+    };
 
     // Of the directions along the surface only those count in which one of both surfaces
     // goes on: in a plane model none does across its cells.
-    void add_width(const LinearElasticity &elasticity, const ContactSurface &surface,
+    void add_sizes(const LinearElasticity &elasticity, const ContactSurface &surface,
                    const ContactBoundary &pair, const PressedNodes &pressed,
                    PairFigures &figures)
     {
@@ -196,8 +214,14 @@ namespace stiction
           opposite.insert(other.dofs.dofs()[j]);
       auto boundaries = pair.partners();
       boundaries.push_back(pair.id());
-      const auto faces  = surface_faces(elasticity, boundaries);
-      const double size = std::max(mean_edge(faces, own), mean_edge(faces, opposite));
+      const auto faces = surface_faces(elasticity, boundaries);
+      const BearingFaces of_own(faces, own), of_other(faces, opposite);
+      const double size = std::max(of_own.mean_edge, of_other.mean_edge);
+      if (pressed.gaps.cwiseAbs().maxCoeff() > matching * pressed.facets)
+        figures.facet_pressure =
+          M_PI * (of_own.angle + of_other.angle) /
+          (16. * (of_own.softness + of_other.softness) *
+           pressed.pressing.cwiseQuotient(pressed.areas).maxCoeff());
 
       const Eigen::MatrixX3d arms =
         pressed.positions.rowwise() -
@@ -269,7 +293,7 @@ namespace stiction
     add_gap(pressed, figures);
     add_way(pressed, figures);
     add_tilt(pressed, figures);
-    add_width(elasticity, surface, pair, pressed, figures);
+    add_sizes(elasticity, surface, pair, pressed, figures);
     const double most = pressed.pressing.maxCoeff();
     const auto spread = [&](const Eigen::VectorXd &values) {
       const auto bears = pressed.pressing.array() > least_share * most;

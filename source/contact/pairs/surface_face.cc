@@ -122,16 +122,16 @@ namespace stiction
         }
   }
 
-  double depth_of_facets(const std::vector<SurfaceFace> &faces)
+  std::vector<std::array<double, 2>> kinks(const std::vector<SurfaceFace> &faces)
   {
     std::map<types::global_dof_index, Tensor<1, 3>> at_nodes;
     for (const SurfaceFace &face : faces)
       for (const auto dof : face.corner_dofs())
         at_nodes[dof] += face.area() * face.normal();
-    double depth = 0.;
+    std::vector<std::array<double, 2>> of_faces;
     for (const SurfaceFace &face : faces)
       {
-        double least = 1., most = 0.; // half of the angle to the next face, by its sine
+        double least = 1., most = 0.;
         for (const auto dof : face.corner_dofs())
           {
             const Tensor<1, 3> mean = at_nodes.at(dof) / at_nodes.at(dof).norm();
@@ -139,9 +139,22 @@ namespace stiction
             least                   = std::min(least, half);
             most                    = std::max(most, half);
           }
+        of_faces.push_back({{least, most}});
+      }
+    return of_faces;
+  }
+
+  double depth_of_facets(const std::vector<SurfaceFace> &faces)
+  {
+    const auto of_faces = kinks(faces);
+    double depth        = 0.;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      {
+        const auto [least, most] = of_faces[f];
         // a part of a large facet has edges of that on one side alone
-        const double size = least > 0.5 * most ? face.diameter() : face.coarse_diameter;
-        depth             = std::max(depth, most * size / 4.);
+        const double size =
+          least > 0.5 * most ? faces[f].diameter() : faces[f].coarse_diameter;
+        depth = std::max(depth, most * size / 4.);
       }
     return depth;
   }

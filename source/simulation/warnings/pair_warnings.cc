@@ -46,6 +46,9 @@ namespace stiction
     // Of the distance of nodes: facets that are less deep are of a flat surface.
     constexpr double no_facets = 1e-6;
 
+    // Of the largest pressure of a pair: a ball on half a cell has 0.4.
+    constexpr double much_facet_pressure = 0.5;
+
     // Of the tractions of a pair: as much as the other side feels.
     constexpr double much_wavering = 0.5;
 
@@ -201,6 +204,21 @@ namespace stiction
              pair.name().c_str(), pair.partner_name().c_str(), figures.misfit)});
     }
 
+    void add_corners(const ContactBoundary &pair, const PairFigures &figures,
+                     Warnings &warnings)
+    {
+      if (pair.keeps_mesh_gap() && figures.facet_pressure > much_facet_pressure)
+        warnings.push_back(
+          {"corners of " + pair.name(), figures.facet_pressure,
+           format("flat faces stand for the round '%s' and '%s', which may touch at "
+                  "corners alone: that makes pressures %.2g times the largest one where "
+                  "they do, and none beside them; say 'Geometry/Element degree = 2' on "
+                  "a mesh of second order, make cells smaller, or, where they fit, say "
+                  "'Mesh gap = removed' with their overlap as 'Initial gap'.",
+                  pair.name().c_str(), pair.partner_name().c_str(),
+                  figures.facet_pressure)});
+    }
+
     void add_facets(const ContactBoundary &pair, const PairFigures &figures,
                     const Body &body, const Certificate &certificate, Warnings &warnings)
     {
@@ -264,6 +282,7 @@ namespace stiction
     add_gap(pair, figures, body, units, warnings);
     add_tilt(pair, figures, warnings);
     add_misfit(pair, figures, warnings);
+    add_corners(pair, figures, warnings);
     add_facets(pair, figures, body, certificate, warnings);
   }
 } // namespace stiction

@@ -45,6 +45,12 @@ namespace stiction
     /// over what facets of surfaces that fit make them differ by.
     double misfit = 0.;
 
+    /// What facets of elements of degree 1 do to pressures, over the largest of them:
+    /// those of a wave of the depth θh/8 and the length h between half-spaces,
+    /// πθ / (16 (1/E₁ + 1/E₂)) with the mean angle θ between faces that bear, of both
+    /// sides (Johnson, Contact Mechanics, 13.2). None on meshes that match.
+    double facet_pressure = 0.;
+
     /// The energy from facets, J, see climbed_facets().
     double climbed = 0.;
 

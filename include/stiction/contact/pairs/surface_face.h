@@ -61,6 +61,10 @@ namespace stiction
     std::array<std::array<double, 2>, 9> gradient;
   };
 
+  /// Of each face, by the sines of half of the angles to the next ones: the least and the
+  /// most of its corners.
+  std::vector<std::array<double, 2>> kinks(const std::vector<SurfaceFace> &faces);
+
   /// How far the faces of a round surface are below it at most, m: of one with the angle
   /// θ to the next face and the size h, before refinement if that left it flat, it is
   /// θh/8.
