@@ -2,6 +2,7 @@
 
 #include <stiction/elasticity/linear_algebra/sorted_list.h>
 
+#include <iterator>
 #include <map>
 
 namespace stiction
@@ -9,6 +10,30 @@ namespace stiction
   namespace
   {
     using Interpolation = BackgroundMultigrid::Interpolation;
+
+    // Of one, to which weights sum up.
+    constexpr double small = 1e-2;
+
+    // Those of a slave but for the small ones, with the same sum. Where slaves hang on
+    // each other weights decay along all of their edge: with them, springs would couple
+    // whole boundaries.
+    std::map<Eigen::Index, Eigen::Matrix3d> large_blocks(const BasisTransformation &basis,
+                                                         const std::size_t slave)
+    {
+      auto blocks = basis.blocks_of(slave);
+      double all = 0., kept = 0.;
+      for (auto b = blocks.begin(); b != blocks.end();)
+        {
+          const double weight = b->second.trace();
+          const bool is_small = b->second.cwiseAbs().maxCoeff() < small;
+          all += weight;
+          kept += is_small ? 0. : weight;
+          b = is_small ? blocks.erase(b) : std::next(b);
+        }
+      for (auto &[j, N] : blocks)
+        N *= all / kept;
+      return blocks;
+    }
   } // namespace
 
   BackgroundMultigrid::SpringsBetweenBodies::SpringsBetweenBodies(
@@ -20,7 +45,7 @@ namespace stiction
   {
     for (std::size_t i = 0; i < of_slave_.size(); ++i)
       {
-        const auto opposite = basis.blocks_of(i);
+        const auto opposite = large_blocks(basis, i);
         if (opposite.empty())
           continue;
         std::map<unsigned int, Eigen::Matrix3f> blocks;
@@ -35,9 +60,6 @@ namespace stiction
         for (const auto &[j, N] : opposite)
           add(static_cast<Eigen::Index>(of_slave_.size()) + j, -N.cast<float>());
         of_slave_[i].assign(blocks.begin(), blocks.end());
-        sets_.emplace_back();
-        for (const auto &[vertex, block] : blocks)
-          sets_.back().push_back(vertex);
       }
     for (std::size_t g = 1; g < grids.size(); ++g)
       {
@@ -55,20 +77,29 @@ namespace stiction
   std::vector<BlockMatrix> BackgroundMultigrid::SpringsBetweenBodies::on_grids(
     const std::vector<Eigen::Matrix3f> &S) const
   {
-    std::vector<BlockMatrix> matrices;
-    matrices.emplace_back(n_touched_, sets_);
-    BlockMatrix::Entries entries;
+    std::vector<std::size_t> slaves; // with springs, and their vertices
+    std::vector<std::vector<unsigned int>> sets;
     for (std::size_t i = 0; i < of_slave_.size(); ++i)
+      if (has(i) && !S[i].isZero(0.f))
+        {
+          slaves.push_back(i);
+          sets.emplace_back();
+          for (const auto &[vertex, block] : of_slave_[i])
+            sets.back().push_back(vertex);
+        }
+    std::vector<BlockMatrix> matrices;
+    matrices.reserve(1 + to_finer_.size());
+    matrices.emplace_back(n_touched_, sets);
+    BlockMatrix::Entries entries;
+    for (std::size_t s = 0; s < slaves.size(); ++s)
       {
-        const Row &row = of_slave_[i];
-        if (row.empty() || S[i].isZero(0.f))
-          continue;
-        const auto n = static_cast<Eigen::Index>(row.size());
-        entries.vertices.clear();
+        const std::size_t i = slaves[s];
+        const Row &row      = of_slave_[i];
+        const auto n        = static_cast<Eigen::Index>(row.size());
+        entries.vertices    = std::move(sets[s]);
         entries.blocks.resize(9 * n, n);
         for (Eigen::Index a = 0; a < n; ++a)
           {
-            entries.vertices.push_back(row[a].first);
             const Eigen::Matrix3f force = row[a].second.transpose() * S[i];
             for (Eigen::Index b = 0; b <= a; ++b)
               {

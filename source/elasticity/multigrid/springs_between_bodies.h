@@ -35,7 +35,6 @@ namespace stiction
     using Row = std::vector<std::pair<unsigned int, Eigen::Matrix3f>>;
 
     std::vector<Row> of_slave_;
-    std::vector<std::vector<unsigned int>> sets_; ///< the vertices of each row
     std::vector<Interpolation> to_finer_; ///< of touched vertices alone, from the second
     std::size_t n_touched_;               ///< on the first grid
   };
