@@ -16,7 +16,8 @@ namespace stiction
                          .force_to_cartesian(state.lambda)
                          .cwiseQuotient(surface.areas().replicate(3, 1)),
                        traction_);
-    dofs.add_extension(state.history.path.replicate(3, 1), path_);
+    if (state.history.path.size() > 0)
+      dofs.add_extension(state.history.path.replicate(3, 1), path_);
     // hanging nodes are between others on the refined mesh, too
     elasticity.distribute(traction_);
     elasticity.distribute(path_);

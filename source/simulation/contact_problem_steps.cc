@@ -261,8 +261,11 @@ namespace stiction
 
   void ContactProblem::make_next_mesh(const std::vector<bool> &is_cut)
   {
+    // the end of the last step or, without steps, the answer, to begin with
     std::optional<CarriedState> carried;
-    if (!ends_.empty())
+    if (!steps_ && status_.converged && !contact_surface().slides_far())
+      carried.emplace(state_, elasticity(), contact_surface());
+    else if (!ends_.empty())
       {
         // on the contact nodes and in the frames of that end
         discretization_->solver.reset();
@@ -282,7 +285,12 @@ namespace stiction
     history_->begin_mesh();
     assemble_system();
     make_contact_surface();
-    if (carried)
+    if (carried && !steps_)
+      {
+        state_         = carried->on(elasticity(), contact_surface());
+        state_.history = {};
+      }
+    else if (carried)
       {
         const double time = ends_.front().time;
         discretization_->set_time(parameters_.of_contact(), time, {});

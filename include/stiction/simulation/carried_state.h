@@ -12,8 +12,8 @@ namespace stiction
   class ContactSurface;
   class LinearElasticity;
 
-  /// The end of a step on its way to a refined mesh, as fields over the body:
-  /// displacement, contact traction and slip path. Meshes are nested, so that the
+  /// The end of a step, or an answer, on its way to a refined mesh, as fields over the
+  /// body: displacement, contact traction and slip path. Meshes are nested, so that the
   /// displacement that was certified, and with it where slip is counted from, stay
   /// the same functions; traction and path are interpolated between nodes.
   class CarriedState
