@@ -18,7 +18,7 @@ namespace stiction
                                                  const SlipHistory &history,
                                                  const State *const there)
   {
-    ContactSurface before(*elasticity, contact, history, there);
+    ContactSurface before(*elasticity, contact, history, there, surface.get());
     std::swap(before, *surface);
     if (!surface->B().is_turned(before.B()))
       solver.reset();

@@ -292,10 +292,17 @@ namespace stiction
         std::swap(id_, partners_.front());
         std::swap(name_, partner_name_);
       }
+    reason_of_side_ = reason;
     description_ =
       "boundary " + partner_name_ + details_ +
       (keeps_mesh_gap() || is_tied() ? "" : ", distance of the meshes removed") +
       "; forces on " + name_ + ", " + reason;
+  }
+
+  void ContactBoundary::take_side_as(const ContactBoundary &before)
+  {
+    take_side(id_ == before.id_, before.reason_of_side_);
+    other_side_wavers_ = before.other_side_wavers_;
   }
 
   void ContactBoundary::set_rotation(const std::vector<double> &numbers)

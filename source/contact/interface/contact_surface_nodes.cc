@@ -46,12 +46,16 @@ namespace stiction
 
   ContactSurface::ContactSurface(const LinearElasticity &elasticity,
                                  const ContactParameters &parameters,
-                                 const SlipHistory &history, const State *const there)
+                                 const SlipHistory &history, const State *const there,
+                                 const ContactSurface *const before)
     : boundaries_(ContactBoundary::read(parameters, elasticity.body(), elasticity.time()))
     , angles_before_(history.angles)
   {
     angles_before_.resize(boundaries_.size());
-    join_pairs(elasticity);
+    if (before != nullptr)
+      join_pairs_as(*before);
+    else
+      join_pairs(elasticity);
     collect_nodes(elasticity);
     stiffness_.softest = elasticity.materials().smallest_youngs_modulus();
     require_nodes(contact_boundary_entry,

@@ -303,6 +303,16 @@ namespace stiction
         }
   }
 
+  void ContactSurface::join_pairs_as(const ContactSurface &before)
+  {
+    mortars_           = before.mortars_;
+    parts_             = before.parts_;
+    has_wavering_side_ = before.has_wavering_side_;
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      if (boundaries_[b].is_pair())
+        boundaries_[b].take_side_as(before.boundaries_[b]);
+  }
+
   bool ContactSurface::place_in_pair(ContactNode &node) const
   {
     const Mortar &mortar = mortars_[node.boundary][node.part];

@@ -107,6 +107,9 @@ namespace stiction
     /// not.
     void take_side(bool is_slave, const std::string &reason);
 
+    /// The side that this boundary had at another time.
+    void take_side_as(const ContactBoundary &before);
+
     /// Says whether pressures would waver with the forces on the other side, see
     /// SlaveSide.
     void set_other_side_wavers(const bool wavers) { other_side_wavers_ = wavers; }
@@ -176,8 +179,8 @@ namespace stiction
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_,
-      sliding_, gap_text_;
+    std::string name_, description_, details_, partner_name_, slave_side_,
+      reason_of_side_, mesh_gap_, sliding_, gap_text_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
     bool other_side_wavers_        = false;
     std::vector<dealii::types::boundary_id> partners_;

@@ -101,9 +101,11 @@ namespace stiction
     ///   touch the body as it is made.
     /// @param there where the body and pressed obstacles are about which gaps of
     ///   boundaries that slide far are linearised; none: where they are made.
+    /// @param before of the same mesh, at any time: what lies opposite to pairs, which
+    ///   takes long to find, is taken from it.
     ContactSurface(const LinearElasticity &elasticity,
                    const ContactParameters &parameters, const SlipHistory &history = {},
-                   const State *there = nullptr);
+                   const State *there = nullptr, const ContactSurface *before = nullptr);
 
     ContactSurface(ContactSurface &&) noexcept;
     ContactSurface &operator=(ContactSurface &&) noexcept;
@@ -302,6 +304,9 @@ namespace stiction
     /// Throws InputError if one would be the slave of two, and if a tie would be lost or
     /// its sides are far apart.
     void join_pairs(const LinearElasticity &elasticity);
+
+    /// The same, as it was done before.
+    void join_pairs_as(const ContactSurface &before);
 
     void collect_nodes(const LinearElasticity &elasticity);
 
