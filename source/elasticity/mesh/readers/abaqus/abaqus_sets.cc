@@ -57,9 +57,11 @@ namespace stiction
 
   AbaqusSets::Set &AbaqusSets::at(const AbaqusReference &name)
   {
-    return sets_
-      .try_emplace(upper(name.scope.prefix + name.what), Set{name, {}, {}, false})
-      .first->second;
+    const auto [set, is_new] =
+      sets_.try_emplace(upper(name.scope.prefix + name.what), Set{name, {}, {}, false});
+    if (is_new)
+      in_order_.push_back(&set->second);
+    return set->second;
   }
 
   void AbaqusSets::add_line(Set &set, const AbaqusKeyword &keyword,

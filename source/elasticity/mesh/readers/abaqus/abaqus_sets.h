@@ -78,8 +78,8 @@ namespace stiction
     void add_line(Set &set, const AbaqusKeyword &keyword,
                   const std::vector<std::string> &items, const AbaqusScope &scope) const;
 
-    /// By prefix and name in capitals.
-    const std::map<std::string, Set> &all() const { return sets_; }
+    /// In the order in which they begin.
+    const std::vector<const Set *> &all() const { return in_order_; }
 
     /// The members of a set and of those in it, or the element of a number. Outside of
     /// instances "LEFT-1.all" and "LEFT-1.7" are those of one; where there is only one,
@@ -95,6 +95,7 @@ namespace stiction
 
     TextScanner &text_;
     std::map<std::string, AbaqusScope> scopes_; // by names in capitals
-    std::map<std::string, Set> sets_;
+    std::map<std::string, Set> sets_;           // by prefixes and names in such
+    std::vector<const Set *> in_order_;
   };
 } // namespace stiction

@@ -271,10 +271,10 @@ namespace stiction
       // As Gmsh writes boundaries. A surface of the same name has their faces, too.
       void add_face_sets(const std::vector<dealii::CellData<2>> &of_file)
       {
-        for (const auto &[key, set] : sets_.all())
-          for (const AbaqusElement &element : sets_.elements(set.name))
+        for (const AbaqusSets::Set *const set : sets_.all())
+          for (const AbaqusElement &element : sets_.elements(set->name))
             if (const Element *const face = find(element); is_plane(face))
-              mesh_.add_face(id_of_boundary(name_of(set.name)),
+              mesh_.add_face(id_of_boundary(name_of(set->name)),
                              of_file[face->place].vertices);
       }
 
@@ -305,9 +305,9 @@ namespace stiction
       void name_materials()
       {
         if (sections_.empty())
-          for (const auto &[key, set] : sets_.all())
-            if (set.has_cells)
-              sections_.emplace_back(set.name, name_of(set.name));
+          for (const AbaqusSets::Set *const set : sets_.all())
+            if (set->has_cells)
+              sections_.emplace_back(set->name, name_of(set->name));
         unsigned int last = 0;
         std::map<std::string, unsigned int> ids;
         for (const auto &section : sections_)
