@@ -21,6 +21,9 @@ namespace stiction
 
   namespace
   {
+    // Before and after anything that happens, s.
+    constexpr double other_time = 1e9;
+
     // Where an unknown of a cell near this rank is, and along which axis.
     std::string place_of(const Body &body, const types::global_dof_index dof)
     {
@@ -63,14 +66,18 @@ namespace stiction
           throw InputError(points_location_ + " = " + text +
                            ", must read 'x; y; z : ux; uy; uz', several "
                            "separated by '|'.");
-        const ParsedFunction position(place, 3, points_location_, time);
+        const ParsedFunction position(place, 3, points_location_, time),
+          early(place, 3, points_location_, -other_time),
+          late(place, 3, points_location_, other_time);
         PrescribedPoint point;
         for (unsigned int c = 0; c < 3; ++c)
           {
             point.position[c] = position.value(Point<3>(), c);
-            if (position.value(Point<3>(0.37, 0.61, 0.83), c) != point.position[c])
+            if (position.value(Point<3>(0.37, 0.61, 0.83), c) != point.position[c] ||
+                early.value(Point<3>(), c) != point.position[c] ||
+                late.value(Point<3>(), c) != point.position[c])
               throw InputError(points_location_ + " = " + place +
-                               ", the place of a node must not depend on x, y, z.");
+                               ", the place of a node must not depend on x, y, z or t.");
           }
         point.displacement = parse_components(*displacement, points_location_,
                                               "the point (" + place + ")", time);
