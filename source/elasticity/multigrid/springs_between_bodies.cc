@@ -11,7 +11,7 @@ namespace stiction
   {
     using Interpolation = BackgroundMultigrid::Interpolation;
 
-    // Of one, to which weights sum up.
+    // Of the largest weight of a slave.
     constexpr double small = 1e-2;
 
     // Those of a slave but for the small ones, with the same sum. Where slaves hang on
@@ -20,12 +20,15 @@ namespace stiction
     std::map<Eigen::Index, Eigen::Matrix3d> large_blocks(const BasisTransformation &basis,
                                                          const std::size_t slave)
     {
-      auto blocks = basis.blocks_of(slave);
+      auto blocks    = basis.blocks_of(slave);
+      double largest = 0.;
+      for (const auto &[j, N] : blocks)
+        largest = std::max(largest, N.cwiseAbs().maxCoeff());
       double all = 0., kept = 0.;
       for (auto b = blocks.begin(); b != blocks.end();)
         {
           const double weight = b->second.trace();
-          const bool is_small = b->second.cwiseAbs().maxCoeff() < small;
+          const bool is_small = b->second.cwiseAbs().maxCoeff() < small * largest;
           all += weight;
           kept += is_small ? 0. : weight;
           b = is_small ? blocks.erase(b) : std::next(b);
