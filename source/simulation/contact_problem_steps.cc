@@ -142,7 +142,7 @@ namespace stiction
     if (status_.converged || status_.interrupted || !is_warm)
       return;
     if (parameters_.output.print_progress)
-      log_->line("The step is solved once more, without what was known of it.");
+      log_->line("It is solved once more, without what was known of it.");
     if (contact_surface().slides_far())
       discretization_->place_obstacles(parameters_.of_contact(), history, nullptr);
     solve_from({{}, {}, state_.distances, {}});
@@ -261,7 +261,8 @@ namespace stiction
 
   void ContactProblem::make_next_mesh(const std::vector<bool> &is_cut)
   {
-    // the end of the last step or, without steps, the answer, to begin with
+    // The end of the last step or, without steps, the answer, to begin with. With
+    // 'Sliding = far' frames are those of the answer, which is not known there.
     std::optional<CarriedState> carried;
     if (!steps_ && status_.converged && !contact_surface().slides_far())
       carried.emplace(state_, elasticity(), contact_surface());

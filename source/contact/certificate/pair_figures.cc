@@ -32,8 +32,12 @@ namespace stiction
     // Of the largest force at a node: those with less are left open by rounding.
     constexpr double least_share = 1e-3;
 
-    // The sine of half of the angle between faces at an edge of the body, of 40 degrees.
-    constexpr double sharp = 0.34;
+    // Sines of half of the angle between faces: less is flat, more an edge of the body,
+    // of 40 degrees.
+    constexpr double flat = 1e-3, sharp = 0.34;
+
+    // Nodes: what fewer of them bear tells nothing of pressures anyway.
+    constexpr Eigen::Index enough_for_pressures = 5;
 
     // Of the depth of facets: those of meshes that match keep apart by less.
     constexpr double matching = 0.1;
@@ -173,12 +177,13 @@ namespace stiction
       unsigned int n   = 0;
       double mean_edge = 0.; // m
       double softness  = 0.; // 1/E, 1/Pa
-      double angle     = 0.; // mean of that to the next face, without edges of the body
+      double angle     = 0.; // mean of those to a next face that is inclined
 
       BearingFaces(const std::vector<SurfaceFace> &faces,
                    const std::set<types::global_dof_index> &nodes)
       {
-        const auto kinks_of = kinks(faces);
+        const auto kinks_of    = kinks(faces);
+        unsigned int n_of_kink = 0;
         for (std::size_t f = 0; f < faces.size(); ++f)
           if (std::any_of(faces[f].dofs.begin(),
                           faces[f].dofs.begin() + faces[f].n_nodes(),
@@ -187,11 +192,16 @@ namespace stiction
               ++n;
               mean_edge += faces[f].diameter() / std::sqrt(2.);
               softness += 1. / faces[f].youngs_modulus;
-              if (faces[f].degree == 1 && kinks_of[f][1] < sharp)
-                angle += 2. * kinks_of[f][1];
+              if (const double kink = kinks_of[f][1];
+                  faces[f].degree == 1 && kink > flat && kink < sharp)
+                {
+                  angle += 2. * kink;
+                  ++n_of_kink;
+                }
             }
-        for (double *const sum : {&mean_edge, &softness, &angle})
-          *sum /= std::max(1U, n);
+        mean_edge /= std::max(1U, n);
+        softness /= std::max(1U, n);
+        angle /= std::max(1U, n_of_kink);
       }
     };
 
@@ -217,7 +227,10 @@ namespace stiction
       const auto faces = surface_faces(elasticity, boundaries);
       const BearingFaces of_own(faces, own), of_other(faces, opposite);
       const double size = std::max(of_own.mean_edge, of_other.mean_edge);
-      if (pressed.gaps.cwiseAbs().maxCoeff() > matching * pressed.facets)
+      const double most = pressed.pressing.maxCoeff();
+      if ((pressed.pressing.array() > least_share * most).count() >=
+            enough_for_pressures &&
+          pressed.gaps.cwiseAbs().maxCoeff() > matching * pressed.facets)
         figures.facet_pressure =
           M_PI * (of_own.angle + of_other.angle) /
           (16. * (of_own.softness + of_other.softness) *

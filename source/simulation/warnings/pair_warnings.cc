@@ -210,11 +210,12 @@ namespace stiction
       if (pair.keeps_mesh_gap() && figures.facet_pressure > much_facet_pressure)
         warnings.push_back(
           {"corners of " + pair.name(), figures.facet_pressure,
-           format("flat faces stand for the round '%s' and '%s', which may touch at "
-                  "corners alone: that makes pressures %.2g times the largest one where "
-                  "they do, and none beside them; say 'Geometry/Element degree = 2' on "
-                  "a mesh of second order, make cells smaller, or, where they fit, say "
-                  "'Mesh gap = removed' with their overlap as 'Initial gap'.",
+           format("flat faces stand for a round surface where '%s' and '%s' touch: it "
+                  "would take %.2g times the largest pressure to press them flat, so "
+                  "that corners may bear alone, with too much, and nothing beside them; "
+                  "say 'Geometry/Element degree = 2' on a mesh of second order, make "
+                  "cells smaller, or, where they fit, say 'Mesh gap = removed' with "
+                  "their overlap as 'Initial gap'.",
                   pair.name().c_str(), pair.partner_name().c_str(),
                   figures.facet_pressure)});
     }

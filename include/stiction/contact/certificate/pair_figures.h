@@ -45,10 +45,11 @@ namespace stiction
     /// over what facets of surfaces that fit make them differ by.
     double misfit = 0.;
 
-    /// What facets of elements of degree 1 do to pressures, over the largest of them:
-    /// those of a wave of the depth θh/8 and the length h between half-spaces,
-    /// πθ / (16 (1/E₁ + 1/E₂)) with the mean angle θ between faces that bear, of both
-    /// sides (Johnson, Contact Mechanics, 13.2). None on meshes that match.
+    /// The pressure that presses facets of elements of degree 1 flat, over the largest
+    /// one: that of a wave of the depth θh/8 and the length h between half-spaces, πθ /
+    /// (16 (1/E₁ + 1/E₂)) with the mean angles θ to next faces that are inclined, summed
+    /// over both sides (Johnson, Contact Mechanics, 13.2). 0 on meshes that match, and
+    /// where next to no nodes bear.
     double facet_pressure = 0.;
 
     /// The energy from facets, J, see climbed_facets().
