@@ -9,6 +9,7 @@
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/obstacles/obstacle.h>
+#include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 
 #include <deal.II/base/utilities.h>
@@ -32,10 +33,6 @@ namespace stiction
     const std::string mesh_gap_entry     = "Boundary conditions/Mesh gap";
     const std::string sliding_entry      = "Boundary conditions/Sliding";
     const std::string force_entry        = "Boundary conditions/Obstacle force";
-
-    // Below this cosine between the outward normal and the direction towards
-    // the obstacle a node faces away from it.
-    constexpr double facing_cosine = 0.1;
 
     // Above this sine between its motion and its tangent plane a surface that turns
     // does not move along itself. The facets of round ones that are made of 32 to a

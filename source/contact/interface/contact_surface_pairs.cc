@@ -88,8 +88,10 @@ namespace stiction
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick, all
     // over: two balls side by side do so where they look away from each other. And if
-    // several are opposite to the same places.
-    void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar)
+    // nothing is opposite, or several are to the same places.
+    void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
+                              const std::vector<SurfaceFace> &slave,
+                              const std::vector<SurfaceFace> &master)
     {
       pair.source().require(
         !mortar.slaves.empty() || !(mortar.deepest_left_out > 0.), obstacle_entry,
@@ -97,6 +99,11 @@ namespace stiction
           " behind '" + pair.partner_name() + "', and a body of both is only " +
           format("%.3g", mortar.thickness) +
           " thick, must lie opposite to it but for a small interference");
+      if (mortar.slaves.empty())
+        pair.source().refuse(
+          obstacle_entry,
+          "boundary '" + pair.name() + "' has nothing of '" + pair.partner_name() +
+            "' opposite: where they are nearest they " + why_not_opposite(slave, master));
       const Eigen::ArrayXd areas = mortar.areas.array().max(0.);
       const double twice         = ((mortar.covers.array() - 1.).max(0.) * areas).sum();
       pair.source().require(
@@ -294,7 +301,7 @@ namespace stiction
           has_wavering_side_ = has_wavering_side_ || wavers(pair, side);
           pair.set_other_side_wavers(wavers(pair, side.other("")));
           bearers.add(pair);
-          require_side_by_side(pair, mortar);
+          require_side_by_side(pair, mortar, first, second);
           const auto parts =
             pair.is_tied() ? decltype(parts_.split(first)){first} : parts_.split(first);
           for (const auto &faces : parts)

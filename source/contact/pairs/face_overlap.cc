@@ -14,9 +14,6 @@ namespace stiction
     using Point2  = std::array<double, 2>;
     using Polygon = std::vector<Point2>;
 
-    // Below this cosine with the opposite of the other's normal faces do not meet.
-    constexpr double facing_cosine = 0.1;
-
     // Of the face: a smaller overlap is rounding.
     constexpr double no_area = 1e-12;
 

@@ -1,4 +1,5 @@
 #include <stiction/base/all_gather.h>
+#include <stiction/base/log.h>
 #include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -157,6 +159,29 @@ namespace stiction
         depth = std::max(depth, most * size / 4.);
       }
     return depth;
+  }
+
+  std::string why_not_opposite(const std::vector<SurfaceFace> &first,
+                               const std::vector<SurfaceFace> &second)
+  {
+    double distance = std::numeric_limits<double>::max(), cosine = 0.;
+    for (const SurfaceFace &a : first)
+      for (const SurfaceFace &b : second)
+        if (const double d = a.centre().distance(b.centre()); d < distance)
+          {
+            distance = d;
+            cosine   = a.normal() * b.normal();
+          }
+    const double reach =
+      std::min(first.front().surface_size, second.front().surface_size);
+    if (distance > reach)
+      return format("are %.3g apart, must be nearer than the smaller one is large, %.3g",
+                    distance, reach);
+    if (cosine > -facing_cosine)
+      return format("have outward normals that are %.0f degrees apart, must look at each "
+                    "other",
+                    std::acos(std::min(1., cosine)) * 180. / numbers::PI);
+    return "lie beside each other, must overlap along their normals";
   }
 
   double mean_diameter(const std::vector<SurfaceFace> &faces)

@@ -5,6 +5,7 @@
 #include <deal.II/base/types.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace stiction
@@ -65,10 +66,19 @@ namespace stiction
   /// most of its corners.
   std::vector<std::array<double, 2>> kinks(const std::vector<SurfaceFace> &faces);
 
+  /// Below this cosine between an outward normal and the direction towards another
+  /// surface it faces away from that.
+  constexpr double facing_cosine = 0.1;
+
   /// How far the faces of a round surface are below it at most, m: of one with the angle
   /// θ to the next face and the size h, before refinement if that left it flat, it is
   /// θh/8.
   double depth_of_facets(const std::vector<SurfaceFace> &faces);
+
+  /// Why nothing of one surface is opposite to the other, from where they are nearest, a
+  /// part of a sentence that begins with "they".
+  std::string why_not_opposite(const std::vector<SurfaceFace> &first,
+                               const std::vector<SurfaceFace> &second);
 
   /// The mean of their diameters, m.
   double mean_diameter(const std::vector<SurfaceFace> &faces);
