@@ -287,10 +287,7 @@ namespace stiction
     assemble_system();
     make_contact_surface();
     if (carried && !steps_)
-      {
-        state_         = carried->on(elasticity(), contact_surface());
-        state_.history = {};
-      }
+      state_ = carried->on(elasticity(), contact_surface());
     else if (carried)
       {
         const double time = ends_.front().time;

@@ -32,10 +32,6 @@ namespace stiction
     // Of the largest force at a node: those with less are left open by rounding.
     constexpr double least_share = 1e-3;
 
-    // Sines of half of the angle between faces: less is flat, more an edge of the body,
-    // of 40 degrees.
-    constexpr double flat = 1e-3, sharp = 0.34;
-
     // Nodes: what fewer of them bear tells nothing of pressures anyway.
     constexpr Eigen::Index enough_for_pressures = 5;
 
@@ -103,6 +99,12 @@ namespace stiction
             facets          = node.facets;
           }
         friction = along_surface(friction);
+      }
+
+      // Those that are not left open but for rounding.
+      Eigen::Array<bool, Eigen::Dynamic, 1> bear() const
+      {
+        return pressing.array() > least_share * pressing.maxCoeff();
       }
 
       // Without what vectors have along the normals.
@@ -174,7 +176,6 @@ namespace stiction
     // The faces with one of some nodes.
     struct BearingFaces
     {
-      unsigned int n   = 0;
       double mean_edge = 0.; // m
       double softness  = 0.; // 1/E, 1/Pa
       double angle     = 0.; // mean of those to a next face that is inclined
@@ -182,8 +183,8 @@ namespace stiction
       BearingFaces(const std::vector<SurfaceFace> &faces,
                    const std::set<types::global_dof_index> &nodes)
       {
-        const auto kinks_of    = kinks(faces);
-        unsigned int n_of_kink = 0;
+        const auto kinks_of = kinks(faces);
+        unsigned int n = 0, n_of_kink = 0;
         for (std::size_t f = 0; f < faces.size(); ++f)
           if (std::any_of(faces[f].dofs.begin(),
                           faces[f].dofs.begin() + faces[f].n_nodes(),
@@ -193,7 +194,7 @@ namespace stiction
               mean_edge += faces[f].diameter() / std::sqrt(2.);
               softness += 1. / faces[f].youngs_modulus;
               if (const double kink = kinks_of[f][1];
-                  faces[f].degree == 1 && kink > flat && kink < sharp)
+                  faces[f].degree == 1 && kink > flat_kink && kink < sharp_kink)
                 {
                   angle += 2. * kink;
                   ++n_of_kink;
@@ -227,9 +228,7 @@ namespace stiction
       const auto faces = surface_faces(elasticity, boundaries);
       const BearingFaces of_own(faces, own), of_other(faces, opposite);
       const double size = std::max(of_own.mean_edge, of_other.mean_edge);
-      const double most = pressed.pressing.maxCoeff();
-      if ((pressed.pressing.array() > least_share * most).count() >=
-            enough_for_pressures &&
+      if (pressed.bear().count() >= enough_for_pressures &&
           pressed.gaps.cwiseAbs().maxCoeff() > matching * pressed.facets)
         figures.facet_pressure =
           M_PI * (of_own.angle + of_other.angle) /
@@ -307,9 +306,8 @@ namespace stiction
     add_way(pressed, figures);
     add_tilt(pressed, figures);
     add_sizes(elasticity, surface, pair, pressed, figures);
-    const double most = pressed.pressing.maxCoeff();
+    const auto bears  = pressed.bear();
     const auto spread = [&](const Eigen::VectorXd &values) {
-      const auto bears = pressed.pressing.array() > least_share * most;
       return bears.select(values.array(), values.minCoeff()).maxCoeff() -
              bears.select(values.array(), values.maxCoeff()).minCoeff();
     };

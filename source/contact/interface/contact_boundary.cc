@@ -9,7 +9,6 @@
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/interface/friction_parameters.h>
 #include <stiction/contact/obstacles/obstacle.h>
-#include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 
 #include <deal.II/base/utilities.h>
@@ -282,24 +281,18 @@ namespace stiction
 
   bool ContactBoundary::is_tied() const { return friction_->law() == FrictionLaw::tied; }
 
-  void ContactBoundary::take_side(const bool is_slave, const std::string &reason)
+  void ContactBoundary::take_side(const SlaveSide &side)
   {
-    if (!is_slave)
+    if (side.is_first != side_.is_first)
       {
         std::swap(id_, partners_.front());
         std::swap(name_, partner_name_);
       }
-    reason_of_side_ = reason;
+    side_ = side;
     description_ =
       "boundary " + partner_name_ + details_ +
       (keeps_mesh_gap() || is_tied() ? "" : ", distance of the meshes removed") +
-      "; forces on " + name_ + ", " + reason;
-  }
-
-  void ContactBoundary::take_side_as(const ContactBoundary &before)
-  {
-    take_side(id_ == before.id_, before.reason_of_side_);
-    other_side_wavers_ = before.other_side_wavers_;
+      "; forces on " + name_ + ", " + side.reason;
   }
 
   void ContactBoundary::set_rotation(const std::vector<double> &numbers)

@@ -81,6 +81,13 @@ namespace stiction
       [](const ContactBoundary &boundary) { return boundary.slides_far(); });
   }
 
+  bool ContactSurface::has_wavering_side() const
+  {
+    return std::any_of(
+      boundaries_.begin(), boundaries_.end(),
+      [](const ContactBoundary &boundary) { return boundary.wavers(boundary.side()); });
+  }
+
   bool ContactSurface::is_other_side(const types::boundary_id id) const
   {
     return std::any_of(

@@ -8,7 +8,6 @@
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
-#include <stiction/contact/pairs/slave_side.h>
 #include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/linear_algebra/sorted_list.h>
@@ -200,12 +199,6 @@ namespace stiction
              !pair.has_gap_of_places();
     }
 
-    // Of a tie, a linear problem, the first Newton step is the last one all the same.
-    bool wavers(const ContactBoundary &pair, const SlaveSide &side)
-    {
-      return side.wavers() && !pair.is_tied();
-    }
-
     // The side that the user says, or the best one, unless another bears fewer forces or
     // closes no circle.
     SlaveSide choose_side(const ContactBoundary &pair, const SlaveSide &best,
@@ -231,7 +224,7 @@ namespace stiction
                bearers.closes_circle(slave, master) &&
                !bearers.closes_circle(master, slave))
         side = best.other("the side that closes no circle of bodies");
-      if (wavers(pair, side))
+      if (pair.wavers(side))
         side.reason +=
           ", although it is the stiffer one and its cells are not larger by "
           "a quarter: pressures waver, and newton multigrid takes many steps";
@@ -279,7 +272,7 @@ namespace stiction
             may_choose ? automatic_slave_side(elasticity, first, second, pair.is_tied())
                        : choose_slave_side(first, second);
           SlaveSide side = choose_side(pair, best, bearers, may_choose);
-          pair.take_side(side.is_first, side.reason);
+          pair.take_side(side);
           bearers.require_one_contact(pair);
           if (!side.is_first)
             std::swap(first, second);
@@ -294,12 +287,10 @@ namespace stiction
               std::swap(first, second);
               mortar = Mortar(elasticity, first, second);
               side   = side.other("the side that is held less");
-              pair.take_side(false, side.reason);
+              pair.take_side(side);
             }
           if (pair.is_tied())
             require_tie(pair, n_held_alone(elasticity, mortar));
-          has_wavering_side_ = has_wavering_side_ || wavers(pair, side);
-          pair.set_other_side_wavers(wavers(pair, side.other("")));
           bearers.add(pair);
           require_side_by_side(pair, mortar, first, second);
           const auto parts =
@@ -312,12 +303,11 @@ namespace stiction
 
   void ContactSurface::join_pairs_as(const ContactSurface &before)
   {
-    mortars_           = before.mortars_;
-    parts_             = before.parts_;
-    has_wavering_side_ = before.has_wavering_side_;
+    mortars_ = before.mortars_;
+    parts_   = before.parts_;
     for (std::size_t b = 0; b < boundaries_.size(); ++b)
       if (boundaries_[b].is_pair())
-        boundaries_[b].take_side_as(before.boundaries_[b]);
+        boundaries_[b].take_side(before.boundaries_[b].side());
   }
 
   bool ContactSurface::place_in_pair(ContactNode &node) const

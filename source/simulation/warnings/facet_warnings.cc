@@ -4,6 +4,7 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
+#include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/simulation/warnings/facet_warnings.h>
 
@@ -24,10 +25,6 @@ namespace stiction
   {
     // Of the way that elastic bodies give.
     constexpr double much_of_way = 0.05;
-
-    // Sines of half of the angle between facets: less is flat, more an edge, of 40
-    // degrees.
-    constexpr double flat = 1e-3, edge = 0.34;
 
     using Face = Triangulation<3>::face_iterator;
 
@@ -125,7 +122,7 @@ namespace stiction
       {
         const Tensor<1, 3> &own = triangle.normals.front();
         for (const Tensor<1, 3> &other : triangle.normals)
-          if (cross_product_3d(own, other).norm() > flat)
+          if (cross_product_3d(own, other).norm() > flat_kink)
             return 0.;
         return depth_below(triangle.corners, own);
       }
@@ -150,7 +147,7 @@ namespace stiction
           }
         if (least == 1.) // one row
           least = least_of_all;
-        if (least < 0.5 * most || most < flat || most > edge)
+        if (least < 0.5 * most || most < flat_kink || most > sharp_kink)
           return 0.;
         const std::vector<double> weights(corners.size(),
                                           1. / static_cast<double>(corners.size()));

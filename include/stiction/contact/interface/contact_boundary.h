@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/base/text/numbers.h>
+#include <stiction/contact/pairs/slave_side.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -103,21 +104,21 @@ namespace stiction
     /// Whether the distance of the meshes of a pair is part of the gap.
     bool keeps_mesh_gap() const { return mesh_gap_ == "kept"; }
 
-    /// Says why the slave of a pair is one, after exchanging the sides if this one is
-    /// not.
-    void take_side(bool is_slave, const std::string &reason);
+    /// Makes it the slave of a pair, after exchanging the sides if it is not yet.
+    void take_side(const SlaveSide &side);
 
-    /// The side that this boundary had at another time.
-    void take_side_as(const ContactBoundary &before);
+    /// That which bears the forces of a pair, the first one of the parameter file to
+    /// begin with.
+    const SlaveSide &side() const { return side_; }
 
-    /// Says whether pressures would waver with the forces on the other side, see
-    /// SlaveSide.
-    void set_other_side_wavers(const bool wavers) { other_side_wavers_ = wavers; }
+    /// Whether pressures on such a side waver. Of a tie, a linear problem, the first
+    /// Newton step is the last one all the same.
+    bool wavers(const SlaveSide &side) const { return side.wavers() && !is_tied(); }
 
     /// Whether the other side is one boundary, on which pressures would not waver.
     bool other_side_may_bear() const
     {
-      return partners_.size() == 1 && !other_side_wavers_;
+      return partners_.size() == 1 && !wavers(side_.other(""));
     }
 
     /// The value of 'Initial gap' at a place, by which the obstacle is farther
@@ -179,10 +180,10 @@ namespace stiction
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_, details_, partner_name_, slave_side_,
-      reason_of_side_, mesh_gap_, sliding_, gap_text_;
+    std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_,
+      sliding_, gap_text_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
-    bool other_side_wavers_        = false;
+    SlaveSide side_{true, 1., 1., ""};
     std::vector<dealii::types::boundary_id> partners_;
 
     std::unique_ptr<Obstacle> obstacle_; ///< none: the foundation

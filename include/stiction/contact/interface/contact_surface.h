@@ -258,7 +258,7 @@ namespace stiction
 
     /// Whether the forces of a pair that is not tied are on a side that wavers, see
     /// SlaveSide.
-    bool has_wavering_side() const { return has_wavering_side_; }
+    bool has_wavering_side() const;
 
     /// Nodes left out because they face away from the obstacle.
     std::size_t n_facing_away() const { return facing_away_.size(); }
@@ -387,8 +387,7 @@ namespace stiction
     Eigen::VectorXd areas_;
     ObstacleMotion motion_;
     qp::SlipBound slip_bound_;
-    double boundary_area_   = 0.;
-    bool has_wavering_side_ = false;
+    double boundary_area_ = 0.;
     ContactStiffness stiffness_;
 
     std::map<dealii::types::global_dof_index, Eigen::Index> node_of_dof_,

@@ -62,6 +62,10 @@ namespace stiction
     std::array<std::array<double, 2>, 9> gradient;
   };
 
+  /// Sines of half of the angle between faces: less is flat, more an edge of the body, of
+  /// 40 degrees.
+  constexpr double flat_kink = 1e-3, sharp_kink = 0.34;
+
   /// Of each face, by the sines of half of the angles to the next ones: the least and the
   /// most of its corners.
   std::vector<std::array<double, 2>> kinks(const std::vector<SurfaceFace> &faces);

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stiction
@@ -33,11 +32,6 @@ namespace stiction
   {
     std::size_t scope;
     std::int64_t number;
-
-    bool operator<(const AbaqusElement &other) const
-    {
-      return std::pair(scope, number) < std::pair(other.scope, other.number);
-    }
   };
 
   /// The sets of elements of an Abaqus file by their names, which are not case
