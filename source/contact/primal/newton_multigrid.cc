@@ -137,8 +137,11 @@ namespace stiction
 
   SolveStatus NewtonMultigrid::solve(State &solution, const double tolerance,
                                      const unsigned int max_steps,
-                                     const Observer &observer)
+                                     const Observer &observer, const bool falls_back)
   {
+    LevelNewton::Options options = options_;
+    if (!falls_back)
+      options.max_fallbacks = 0;
     const unsigned int first = first_level(solution);
     Eigen::VectorXd lambda   = begin(first, solution);
     const auto earlier       = statistics_;
@@ -185,7 +188,7 @@ namespace stiction
         try
           {
             LevelNewton newton(*problems_[l], l, multigrid_,
-                               is_finest ? options_ : for_start(options_));
+                               is_finest ? options : for_start(options_));
             status.reason =
               newton.solve(*state_, lambda,
                            is_finest ? tolerance : std::max(coarse_tolerance, tolerance),

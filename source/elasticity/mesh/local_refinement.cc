@@ -18,7 +18,8 @@ namespace stiction
 {
   void refine_contact_boundary(Body &body, const GeometryParameters &geometry,
                                const std::string &contact_boundary,
-                               const ParameterFile &source)
+                               const ParameterFile &source,
+                               const std::function<std::vector<LA::Vector *>()> &fields)
   {
     const std::string where = "Geometry/Contact refinement where";
     const ParsedFunction is_refined(geometry.contact_refinement_where, 1,
@@ -63,7 +64,7 @@ namespace stiction
           "is above 0 at the centre of no face of a contact boundary, must be at one: "
           "faces may be larger than what it speaks of, 'Geometry/Global refinement' "
           "makes them smaller");
-        body.refine(is_cut);
+        body.refine(is_cut, fields ? fields() : std::vector<LA::Vector *>());
       }
     body.begin_adaptive_refinement();
   }

@@ -251,6 +251,7 @@ namespace stiction
 
   void add_method(RunResult::Solver &solver, const NewtonMultigrid &newton)
   {
+    solver.coarse_krylov_iterations += solver.krylov_iterations; // on a coarser mesh
     for (unsigned int l = 0; l < newton.statistics().size(); ++l)
       {
         const LevelNewton::Statistics &level = newton.statistics()[l];

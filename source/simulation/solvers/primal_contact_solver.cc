@@ -9,6 +9,7 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/solvers/coarser_meshes.h>
 #include <stiction/simulation/solvers/dual_contact_solver.h>
 #include <stiction/simulation/solvers/primal_contact_solver.h>
 
@@ -65,6 +66,8 @@ namespace stiction
       {
         newton_ = std::make_unique<NewtonMultigrid>(setting_.elasticity, setting_.surface,
                                                     parameters.is_matrix_free(), options);
+        if (newton_->finest_level() == 0 && CoarserMeshes::are_there(setting_))
+          coarser_meshes_ = std::make_unique<CoarserMeshes>(setting_);
       }
     catch (const CircleOfSlaves &)
       {
@@ -85,33 +88,50 @@ namespace stiction
 
   PrimalContactSolver::~PrimalContactSolver() = default;
 
+  SolveStatus PrimalContactSolver::solve_for_displacements(State &state,
+                                                           ContactStep &last,
+                                                           const Observer &observer)
+  {
+    const auto phase = setting_.phases.scope("displacement_iteration");
+    const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
+    const bool has_another_start          = coarser_meshes_ && state.u.size() == 0;
+    const auto solve                      = [&](const bool falls_back) {
+      return newton_->solve(state, chosen.tolerance, chosen.maximum_iterations,
+                                                 after(last, observer), falls_back);
+    };
+    SolveStatus status = solve(!has_another_start);
+    if (has_another_start && status.stands_still && !status.interrupted)
+      {
+        print_progress("Newton steps come no closer: the problem is solved on coarser "
+                       "meshes to begin with.");
+        if (State start = coarser_meshes_->find(state, after(last, observer));
+            start.u.size() > 0)
+          {
+            start.history = state.history;
+            start.scales  = state.scales;
+            state         = std::move(start);
+          }
+        status = solve(true);
+      }
+    setting_.elasticity.distribute(state.u);
+    return status;
+  }
+
   SolveStatus PrimalContactSolver::solve(State &state, const Observer &observer)
   {
-    const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
-    unsigned int n_steps                  = 0;
-    const auto solve_dual                 = [&]() {
-      return dual_->solve(state, [&, n_before = n_steps](ContactStep step) {
+    ContactStep last;
+    const auto solve_dual = [&]() {
+      return dual_->solve(state, [&, n_before = last.step](ContactStep step) {
         step.step += n_before;
         step.unknowns = setting_.elasticity.mesh().n_dofs();
-        n_steps       = step.step;
+        last.step     = step.step;
         observer(step);
       });
     };
     if (!newton_ || is_dual_alone_)
       return solve_dual();
 
-    SolveStatus status;
-    double residual = 0.;
-    {
-      const auto phase = setting_.phases.scope("displacement_iteration");
-      status = newton_->solve(state, chosen.tolerance, chosen.maximum_iterations,
-                              [&](const ContactStep &step) {
-                                n_steps  = step.step;
-                                residual = step.residual;
-                                observer(step);
-                              });
-      setting_.elasticity.distribute(state.u);
-    }
+    SolveStatus status = solve_for_displacements(state, last, observer);
     if (!status.stands_still || status.interrupted || !can_hand_over_)
       return status;
     const auto n_dual = static_cast<unsigned int>(3 * setting_.surface.n_nodes());
@@ -122,7 +142,7 @@ namespace stiction
     if (!dual_)
       dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
     const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
-    const bool is_warm = residual < residual_of_start;
+    const bool is_warm = last.residual < residual_of_start;
     if (!is_warm)
       forget();
     status         = solve_dual();
@@ -177,6 +197,8 @@ namespace stiction
 
   void PrimalContactSolver::add_to(RunResult &result) const
   {
+    if (coarser_meshes_)
+      result.solver = coarser_meshes_->statistics();
     if (newton_)
       add_method(result.solver, *newton_);
     if (!dual_)

@@ -49,8 +49,10 @@ namespace stiction
     /// @param solution in: what is known of the solution: a displacement
     ///   near the solution, from which the finest level begins, and distances of
     ///   pressed obstacles, from which the coarsest one does; out: the solution.
+    /// @param falls_back whether the interior point method takes turns with Newton steps
+    ///   that come no closer; otherwise that stands still.
     SolveStatus solve(State &solution, double tolerance, unsigned int max_steps,
-                      const Observer &observer);
+                      const Observer &observer, bool falls_back = true);
 
     /// What all calls of solve() did, from the coarsest level to the mesh itself.
     const std::vector<LevelNewton::Statistics> &statistics() const { return statistics_; }

@@ -4,6 +4,7 @@
 
 namespace stiction
 {
+  class CoarserMeshes;
   class DualContactSolver;
   class NewtonMultigrid;
 
@@ -32,7 +33,13 @@ namespace stiction
     /// why. Else empty.
     std::string why_not_at_all() const;
 
+    /// Newton steps, and where they come no closer from nothing, again from what coarser
+    /// meshes find. Collective.
+    SolveStatus solve_for_displacements(State &state, ContactStep &last,
+                                        const Observer &observer);
+
     const bool can_hand_over_;
+    std::unique_ptr<CoarserMeshes> coarser_meshes_; ///< if there are some
     std::unique_ptr<NewtonMultigrid> newton_; ///< none where it is left to newton at once
     std::unique_ptr<DualContactSolver> dual_; ///< once it was needed
     bool is_dual_alone_ = false;              ///< from the next step on: it was the one

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stiction/output/results/run_result.h>
+#include <stiction/simulation/solvers/contact_solver.h>
+
+namespace stiction
+{
+  /// Finds a state to begin with where 'Contact refinement' leaves no levels to begin on:
+  /// solves the problem on the body without it, to a few digits, takes the answer to the
+  /// body refined once, and so on. Newton steps on the mesh itself then begin with its
+  /// contact set but for a row of cells; from nothing it grows by some rows a step, and
+  /// pairs that one node more sets turning may not find it at all.
+  class CoarserMeshes
+  {
+  public:
+    /// The setting must outlive the object.
+    explicit CoarserMeshes(const ContactSolver::Setting &setting);
+
+    /// Whether this mesh is the one that 'Contact refinement' makes of such a body, and
+    /// contact the one of the mesh alone. With 'Sliding = far' obstacles are where the
+    /// answer is.
+    static bool are_there(const ContactSolver::Setting &setting);
+
+    /// A state on the mesh of the setting, empty if a coarser one had none. Collective.
+    ///
+    /// @param known distances of pressed obstacles, as far as they are known.
+    /// @param observer called after every step; may throw Interrupted on all ranks.
+    State find(const State &known, const ContactSolver::Observer &observer);
+
+    /// What all calls of find() did.
+    const RunResult::Solver &statistics() const { return statistics_; }
+
+  private:
+    const ContactSolver::Setting &setting_;
+    RunResult::Solver statistics_;
+  };
+} // namespace stiction
