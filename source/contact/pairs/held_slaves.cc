@@ -1,7 +1,6 @@
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
-#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
@@ -27,12 +26,9 @@ namespace stiction
     return dofs.restriction(held);
   }
 
-  bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces)
+  bool is_held(const LinearElasticity &elasticity,
+               const std::vector<dealii::types::global_dof_index> &nodes)
   {
-    std::vector<dealii::types::global_dof_index> nodes;
-    for (const SurfaceFace &face : faces)
-      nodes.insert(nodes.end(), face.dofs.begin(), face.dofs.begin() + face.n_nodes());
-    sort_once(nodes);
     return !prescribed_of(elasticity, DofSubset::of_nodes(nodes)).isZero(0.);
   }
 

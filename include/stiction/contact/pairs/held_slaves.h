@@ -22,5 +22,8 @@ namespace stiction
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar);
 
   /// Whether some displacement component is prescribed at a node of these. Collective.
-  bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces);
+  ///
+  /// @param nodes by their first unknowns.
+  bool is_held(const LinearElasticity &elasticity,
+               const std::vector<dealii::types::global_dof_index> &nodes);
 } // namespace stiction
