@@ -76,11 +76,12 @@ namespace stiction
   void FrictionParameters::check(const ParameterFile &source) const
   {
     const std::vector<std::string> allowed = {"frictionless", "given", "coulomb", "tied"};
+    std::size_t number                     = 0;
     for (const std::string &law : split_at_bars(law_name))
-      source.require(law_name.empty() ||
-                       std::count(allowed.begin(), allowed.end(), law) > 0,
-                     "Friction/Law",
-                     "each law must be 'frictionless', 'given', 'coulomb' or 'tied'" +
-                       did_you_mean(law, allowed));
+      source.of_pair(number++).require(
+        law_name.empty() || std::count(allowed.begin(), allowed.end(), law) > 0,
+        "Friction/Law",
+        "each law must be 'frictionless', 'given', 'coulomb' or 'tied'" +
+          did_you_mean(law, allowed));
   }
 } // namespace stiction

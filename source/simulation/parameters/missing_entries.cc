@@ -1,5 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
+#include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/mesh_names.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -76,15 +77,17 @@ namespace stiction
       return contact.initial_gap != "0" || contact.obstacle != "foundation";
     }
 
-    // The section of the first contact boundary of a law, empty if there is none.
-    std::string section_of_law(const Parameters &parameters, const FrictionLaw law)
+    // The section of the first contact boundary of a law that has no value for it, empty
+    // if there is none.
+    std::string section_without(const Parameters &parameters, const FrictionLaw law,
+                                const std::string &values)
     {
-      const auto laws  = parameters.friction.laws();
-      const auto found = std::find(laws.begin(), laws.end(), law);
-      return found == laws.end()
-               ? ""
-               : parameters.source.section_of_pair(
-                   "Friction/Law", static_cast<std::size_t>(found - laws.begin()));
+      const auto laws = parameters.friction.laws();
+      const auto all  = split_at_bars(values);
+      for (std::size_t k = 0; k < laws.size(); ++k)
+        if (laws[k] == law && all[all.size() == laws.size() ? k : 0].empty())
+          return parameters.source.section_of_pair("Friction/Law", k);
+      return "";
     }
   } // namespace
 
@@ -113,11 +116,13 @@ namespace stiction
                   std::string("Law = frictionless', 'set Law = given'") +
                     (pair == conditions ? " or 'set Law = coulomb"
                                         : ", 'set Law = coulomb' or 'set Law = tied"));
-    const std::string of_coulomb = section_of_law(parameters, FrictionLaw::coulomb);
-    if (!of_coulomb.empty() && friction.coefficient.empty())
+    const std::string of_coulomb =
+      section_without(parameters, FrictionLaw::coulomb, friction.coefficient);
+    if (!of_coulomb.empty())
       missing.add(of_coulomb, "the coefficient of Coulomb's law", "Coefficient = 0.3");
-    const std::string of_given = section_of_law(parameters, FrictionLaw::given);
-    if (!of_given.empty() && friction.slip_stress.empty())
+    const std::string of_given =
+      section_without(parameters, FrictionLaw::given, friction.slip_stress);
+    if (!of_given.empty())
       missing.add(of_given, "the slip stress of given friction",
                   "Slip stress = " + examples.slip_stress);
 

@@ -124,6 +124,8 @@ namespace
                   "*SURFACE, NAME=floor\nboth, s1\n");
     read("surfaces of nodes are passed over", "inp",
          abaqus + surface + "*SURFACE, NAME=n, TYPE=NODE\n1, 1.\n");
+    read("so are those of other surfaces", "inp",
+         abaqus + surface + "*SURFACE, NAME=both, COMBINE=UNION\nthe floor, skin\n");
     const std::string on_two =
       abaqus + "*SURFACE, NAME=skin\nall, S1\nall, S2\n" + surface;
     read("a face on two boundaries", "inp", on_two);

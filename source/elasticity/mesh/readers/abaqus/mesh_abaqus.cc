@@ -106,11 +106,12 @@ namespace stiction
         set_ = has_members && !elset.empty() ? &sets_.at(refer_to(elset)) : nullptr;
         if (const std::string more = keyword_.of_the_problem(); !more.empty())
           passed_over_.insert(more);
-        if (name == "*SURFACE" && (type.empty() || type == "ELEMENT"))
+        const bool is_combined = keyword_.has("COMBINE");
+        if (name == "*SURFACE" && !is_combined && (type.empty() || type == "ELEMENT"))
           surfaces_.push_back({keyword_.value("NAME"), scope_, text_.here(), {}});
         else if (name == "*SURFACE")
           {
-            passed_over_.insert("surfaces of nodes");
+            passed_over_.insert(is_combined ? "combined surfaces" : "surfaces of nodes");
             keyword_.name = "*IGNORED";
           }
         else if (name == "*INSTANCE")
