@@ -14,7 +14,7 @@
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
 #include <stiction/simulation/adaptive_refinement.h>
-#include <stiction/simulation/carried_state.h>
+#include <stiction/simulation/checkpoint/carried_state.h>
 #include <stiction/simulation/checkpoint/checkpoint.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>

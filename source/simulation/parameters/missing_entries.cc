@@ -78,15 +78,20 @@ namespace stiction
     }
 
     // The section of the first contact boundary of a law that has no value for it, empty
-    // if there is none.
+    // if there is none; lists must have all of theirs.
     std::string section_without(const Parameters &parameters, const FrictionLaw law,
                                 const std::string &values)
     {
       const auto laws = parameters.friction.laws();
       const auto all  = split_at_bars(values);
       for (std::size_t k = 0; k < laws.size(); ++k)
-        if (laws[k] == law && all[all.size() == laws.size() ? k : 0].empty())
-          return parameters.source.section_of_pair("Friction/Law", k);
+        {
+          const std::string section =
+            parameters.source.section_of_pair("Friction/Law", k);
+          const bool has_own = section != "Friction" && all.size() == laws.size();
+          if (laws[k] == law && (has_own ? all[k] : values).empty())
+            return section;
+        }
       return "";
     }
   } // namespace

@@ -7,7 +7,7 @@
 #include <stiction/elasticity/mesh/local_refinement.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/simulation/carried_state.h>
+#include <stiction/simulation/checkpoint/carried_state.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/solvers/coarser_meshes.h>
 

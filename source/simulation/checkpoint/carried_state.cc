@@ -1,6 +1,6 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
-#include <stiction/simulation/carried_state.h>
+#include <stiction/simulation/checkpoint/carried_state.h>
 
 namespace stiction
 {
