@@ -36,6 +36,24 @@ namespace
       "another one there");
   }
 
+  // A shell on a ball. Normals stay with what turns, unless they are taken anew.
+  void turned(const std::string &sliding, const std::string &angle,
+              const std::string &words)
+  {
+    warned(
+      sliding + " sliding, turned by " + angle + ", " + words,
+      section("Geometry", {"Type = generator", "Generator = hyper_shell",
+                           "Generator arguments = 0,0,0 : 10 : 14 : 6 : true",
+                           "Global refinement = 2"}) +
+        section("Material", {"Young's modulus = 1000", "Poisson ratio = 0.3"}) +
+        section("Boundary conditions",
+                {"Prescribed displacement = 1 : -" + angle + "*y; " + angle + "*x; 0",
+                 "Contact boundary = 0", "Obstacle = sphere : 0; 0; 0; 10",
+                 "Initial gap = -0.05", "Sliding = " + sliding}) +
+        section("Friction", {"Law = coulomb", "Coefficient = 0.2"}),
+      words);
+  }
+
   std::string blocks(const std::string &lower, const std::string &upper,
                      const std::string &supports, const std::string &pair)
   {
@@ -108,6 +126,10 @@ int main(int argc, char *argv[])
 
   out_and_back("1", "from where they were");
   out_and_back("2", "at t = 1: nodes of 'upper.bottom' are");
+
+  turned("little", "0.03", "turn");
+  turned("far", "0.03", "of the friction angle");
+  turned("little", "0.6", "is no better");
 
   const std::string lacks = "without friction in the directions",
                     held  = "upper.left : 0;free;free | upper.right : 0;free;free",
