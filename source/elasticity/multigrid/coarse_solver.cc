@@ -56,23 +56,31 @@ namespace stiction
     {
       DynamicSparsityPattern pattern(owned);
       for (const auto row : owned)
-        {
-          Indices columns    = unknowns_of({row / 3 * 3});
-          const auto of_node = columns;
-          for_each_entry(product, row, [&](const auto column, const double) {
+        if (row % 3 == 0)
+          {
+            Indices nodes = {row};
             for (unsigned int c = 0; c < 3; ++c)
-              columns.push_back(column / 3 * 3 + c);
-          });
-          sort_once(columns);
-          for (const auto of_same_node : of_node)
-            pattern.add_entries(of_same_node, columns.begin(), columns.end(), true);
-        }
+              for_each_entry(product, row + c, [&](const auto column, const double) {
+                if (const auto node = column / 3 * 3; nodes.back() != node)
+                  nodes.push_back(node);
+              });
+            sort_once(nodes);
+            const Indices columns = unknowns_of(nodes);
+            for (unsigned int c = 0; c < 3; ++c)
+              pattern.add_entries(row + c, columns.begin(), columns.end(), true);
+          }
       auto matrix = std::make_unique<LA::SparseMatrix>();
       matrix->reinit(owned, owned, pattern, communicator);
       for (const auto row : owned)
-        for_each_entry(product, row, [&](const auto column, const double value) {
-          matrix->set(row, column, value);
-        });
+        {
+          Indices columns;
+          std::vector<double> values;
+          for_each_entry(product, row, [&](const auto column, const double value) {
+            columns.push_back(column);
+            values.push_back(value);
+          });
+          matrix->set(row, columns, values);
+        }
       matrix->compress(VectorOperation::insert);
       return matrix;
     }
