@@ -56,8 +56,11 @@ namespace stiction
     // Radians by which normals may turn.
     constexpr double much_turned = 0.05;
 
-    // By which a body may turn where it is pressed.
+    // By which normals may turn with a body.
     constexpr double much_of_friction_angle = 0.1;
+
+    // Of the turn of normals: with more of it shared by the body there is little else.
+    constexpr double shared = 0.5;
 
     // Nodes that bear the force of a contact, of how many: they are too few to tell of
     // pressures.
@@ -181,8 +184,6 @@ namespace stiction
                        const ObstacleDeparture &departure, const double way,
                        const Units &units, Warnings &warnings)
     {
-      const double of_friction =
-        departure.coefficient > 0. ? departure.body_turn / departure.coefficient : 0.;
       if (departure.slip > departure.spacing &&
           (departure.distance > much_of_way * way || departure.turn > much_turned))
         warnings.push_back(
@@ -193,19 +194,20 @@ namespace stiction
              format(", the normal by %.2g degrees, while bodies give ",
                     departure.turn * 180. / dealii::numbers::PI) +
              with_unit(format("%.2g", way), units.length) +
-             (of_friction > much_of_friction_angle
+             (departure.with_body > shared * departure.turn
                 ? "; the body turned with it, so that 'Sliding = far' is no better."
                 : "; 'Sliding = far' takes gaps and normals where they come to.")});
-      if (boundary.slides_far() && of_friction > much_of_friction_angle)
+      if (boundary.slides_far() && departure.coefficient > 0. &&
+          departure.with_body > much_of_friction_angle * departure.coefficient)
         warnings.push_back(
-          {"turn of " + boundary.name(), departure.body_turn,
+          {"turn of " + boundary.name(), departure.with_body,
            format(
              "'%s' turned by %.2g degrees where it is pressed, which is %.2g of the "
              "friction angle: with 'Sliding = far' normals turn with it and its "
              "stiffness does not, so that friction seems more or less by about that; "
              "'Sliding = little' turns neither.",
-             boundary.name().c_str(), departure.body_turn * 180. / dealii::numbers::PI,
-             of_friction)});
+             boundary.name().c_str(), departure.with_body * 180. / dealii::numbers::PI,
+             departure.with_body / departure.coefficient)});
     }
   } // namespace
 

@@ -46,10 +46,11 @@ namespace
     CoarserMeshes meshes(setting);
     unsigned int n_steps = 0;
     bool is_counted_on   = true;
-    const State start    = meshes.find({}, [&](const ContactStep &step) {
+    ContactStep last;
+    const State start  = meshes.find({}, last, [&](const ContactStep &step) {
       is_counted_on = is_counted_on && step.step == ++n_steps;
     });
-    const auto &lambda   = problem.state().lambda;
+    const auto &lambda = problem.state().lambda;
     out() << "start within half of the answer's forces "
           << yes((start.lambda - lambda).norm() < 0.5 * lambda.norm()) << ", levels "
           << meshes.statistics().levels.size() << ", steps are counted on "

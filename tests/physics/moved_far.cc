@@ -22,18 +22,20 @@ namespace
           << n_warnings(run, words) << std::endl;
   }
 
-  void dragged(const std::string &obstacle, const std::string &way)
+  // @param twist of the body about the z axis.
+  void dragged(const std::string &obstacle, const std::string &way,
+               const std::string &twist = "0")
   {
-    warned(
-      obstacle + " dragged by " + way,
-      section("Geometry", {"Lengths = 40,20,10", "Subdivisions = 20,10,4"}) +
-        section("Material", {"Young's modulus = 1000", "Poisson ratio = 0.3"}) +
-        section("Boundary conditions",
-                {"Prescribed displacement = bottom : 0; 0; 0", "Contact boundary = top",
-                 "Obstacle = " + obstacle, "Initial gap = -0.1",
-                 "Obstacle displacement = " + way + "; 0; 0"}) +
-        section("Friction", {"Law = coulomb", "Coefficient = 0.2"}),
-      "another one there");
+    warned(obstacle + " dragged by " + way + ", twisted by " + twist,
+           section("Geometry", {"Lengths = 40,20,10", "Subdivisions = 20,10,4"}) +
+             section("Material", {"Young's modulus = 1000", "Poisson ratio = 0.3"}) +
+             section(
+               "Boundary conditions",
+               {"Prescribed displacement = bottom : -" + twist + "*y; " + twist + "*x; 0",
+                "Contact boundary = top", "Obstacle = " + obstacle, "Initial gap = -0.1",
+                "Obstacle displacement = " + way + "; 0; 0"}) +
+             section("Friction", {"Law = coulomb", "Coefficient = 0.2"}),
+           "'Sliding = far' takes");
   }
 
   // A shell on a ball. Normals stay with what turns, unless they are taken anew.
@@ -123,12 +125,21 @@ int main(int argc, char *argv[])
   dragged("sphere : 15;10;60;50", "0.3");
   dragged("sphere : 15;10;60;50", "5");
   dragged("plane : 0;0;10;0;0;-1", "5");
+  dragged("sphere : 15;10;60;50", "5", "0.021");
 
   out_and_back("1", "from where they were");
   out_and_back("2", "at t = 1: nodes of 'upper.bottom' are");
 
-  turned("little", "0.03", "turn");
   turned("far", "0.03", "of the friction angle");
+  warned("twisted on a plane with far sliding",
+         section("Geometry", {"Lengths = 40,20,10", "Subdivisions = 20,10,4"}) +
+           section("Material", {"Young's modulus = 1000", "Poisson ratio = 0.3"}) +
+           section("Boundary conditions",
+                   {"Prescribed displacement = bottom : -0.03*y; 0.03*x; 0",
+                    "Contact boundary = top", "Obstacle = plane : 0;0;10;0;0;-1",
+                    "Initial gap = -0.1", "Sliding = far"}) +
+           section("Friction", {"Law = coulomb", "Coefficient = 0.2"}),
+         "of the friction angle");
   turned("little", "0.6", "is no better");
 
   const std::string lacks = "without friction in the directions",

@@ -74,21 +74,30 @@ namespace stiction
       {
         const ContactNode &node = surface.nodes()[i];
         const double force      = state.lambda(i);
-        ContactNode there       = node;
-        there.moved             = -to_tensor(at_node(moved, i));
+        ContactNode undeformed = node, there = node;
+        undeformed.moved = Tensor<1, 3>();
+        boundary.place_if_possible(undeformed);
+        there.moved = -to_tensor(at_node(moved, i));
         boundary.place_if_possible(there);
         const double distance = there.gap - there.normal * there.moved,
                      linear   = node.gap - node.normal * there.moved;
         departure.distance += force * std::abs(distance - linear);
-        const Tensor<1, 3> turned = cross_product_3d(to_tensor(rotation), node.normal);
-        const Tensor<1, 3> other  = there.normal - node.normal;
-        departure.turn += force * std::min(other.norm(), (other - turned).norm());
+        const Tensor<1, 3> turned =
+          cross_product_3d(to_tensor(rotation), undeformed.normal);
+        departure.turn += force * (there.normal - node.normal).norm();
+        departure.with_body +=
+          force * ((there.normal - undeformed.normal).norm() -
+                   (there.normal - undeformed.normal - turned).norm());
         departure.coefficient = std::max(departure.coefficient, node.coefficient);
         departure.slip += force * (there.moved - node.moved).norm();
         departure.spacing += force * std::sqrt(node.area);
       }
     const double all = forces.sum();
-    return {departure.distance / all, departure.turn / all, departure.slip / all,
-            departure.spacing / all,  rotation.norm(),      departure.coefficient};
+    return {departure.distance / all,
+            departure.turn / all,
+            departure.slip / all,
+            departure.spacing / all,
+            std::max(departure.with_body / all, 0.),
+            departure.coefficient};
   }
 } // namespace stiction

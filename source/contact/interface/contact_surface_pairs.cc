@@ -232,15 +232,14 @@ namespace stiction
     }
 
     // Whether supports hold another side less than the slave, which does not end within
-    // it. Of contact it counts whether they hold nodes at all that have something
-    // opposite, which is the same after the mesh is refined in the middle of a history.
+    // it. Of contact it counts whether they hold nodes at all near the other side, which
+    // is the same after the mesh is refined in the middle of a history.
     bool is_held_less(const LinearElasticity &elasticity, const ContactBoundary &pair,
                       const Mortar &mortar, const std::vector<SurfaceFace> &slave,
                       const std::vector<SurfaceFace> &other)
     {
       if (!pair.is_tied())
-        return is_held(elasticity, mortar.slaves) &&
-               !is_held(elasticity, mortar.masters) &&
+        return is_held(elasticity, slave, other) && !is_held(elasticity, other, slave) &&
                !ends_within(elasticity, slave, other);
       return n_held_alone(elasticity, mortar) > 0 &&
              n_held_alone(elasticity, Mortar(elasticity, other, slave)) == 0;

@@ -1,10 +1,14 @@
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/elasticity/linear_algebra/dof_subset.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 
 namespace stiction
@@ -26,10 +30,33 @@ namespace stiction
     return dofs.restriction(held);
   }
 
-  bool is_held(const LinearElasticity &elasticity,
-               const std::vector<dealii::types::global_dof_index> &nodes)
+  bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces,
+               const std::vector<SurfaceFace> &opposite)
   {
-    return !prescribed_of(elasticity, DofSubset::of_nodes(nodes)).isZero(0.);
+    std::vector<dealii::types::global_dof_index> nodes;
+    for (const SurfaceFace &face : faces)
+      nodes.insert(nodes.end(), face.dofs.begin(), face.dofs.begin() + face.n_nodes());
+    sort_once(nodes);
+    const Eigen::MatrixXd held = prescribed_of(elasticity, DofSubset::of_nodes(nodes))
+                                   .reshaped(static_cast<Eigen::Index>(nodes.size()), 3);
+    const auto is_held_node = [&](const dealii::types::global_dof_index dof) {
+      const auto place = std::lower_bound(nodes.begin(), nodes.end(), dof);
+      return held.row(place - nodes.begin()).maxCoeff() > 0.;
+    };
+    Eigen::AlignedBox3d other;
+    for (const SurfaceFace &face : opposite)
+      for (unsigned int i = 0; i < face.n_nodes(); ++i)
+        other.extend(Eigen::Vector3d(face.nodes[i].data()));
+    for (const SurfaceFace &face : faces)
+      {
+        Eigen::AlignedBox3d box; // of its held nodes
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
+          if (is_held_node(face.dofs[i]))
+            box.extend(Eigen::Vector3d(face.nodes[i].data()));
+        if (!box.isEmpty() && box.exteriorDistance(other) <= face.coarse_diameter)
+          return true;
+      }
+    return false;
   }
 
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar)

@@ -137,7 +137,8 @@ namespace stiction
 
   SolveStatus NewtonMultigrid::solve(State &solution, const double tolerance,
                                      const unsigned int max_steps,
-                                     const Observer &observer, const bool falls_back)
+                                     const Observer &observer, const bool falls_back,
+                                     const ContactStep &before)
   {
     LevelNewton::Options options = options_;
     if (!falls_back)
@@ -146,6 +147,8 @@ namespace stiction
     Eigen::VectorXd lambda   = begin(first, solution);
     const auto earlier       = statistics_;
     ContactStep row;
+    row.step       = before.step;
+    row.iterations = before.iterations;
     SolveStatus status;
     unsigned int steps = 0;
     for (unsigned int l = first; l < hierarchy_.n_levels(); ++l)

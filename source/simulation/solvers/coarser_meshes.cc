@@ -1,4 +1,5 @@
 #include <stiction/base/errors.h>
+#include <stiction/base/interrupted.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/primal/newton_multigrid.h>
@@ -50,16 +51,18 @@ namespace stiction
 
   bool CoarserMeshes::are_there(const ContactSolver::Setting &setting)
   {
+    const Body &body = setting.elasticity.body();
     return setting.parameters.geometry.contact_refinement > 0 &&
+           body.n_first_dofs() == body.dof_handler().n_dofs() &&
            !setting.surface.slides_far();
   }
 
-  State CoarserMeshes::find(const State &known, const ContactSolver::Observer &observer)
+  State CoarserMeshes::find(const State &known, ContactStep &last,
+                            const ContactSolver::Observer &observer)
   {
     const Parameters &parameters = setting_.parameters;
     const Body &finest           = setting_.elasticity.body();
     std::optional<CarriedState> carried;
-    ContactStep last;
 
     const auto solve_on = [&](Body &body) {
       LinearElasticity elasticity(body, parameters.of_body());
@@ -74,9 +77,15 @@ namespace stiction
       const SolveStatus status = newton.solve(
         state, std::max(coarse_tolerance, parameters.contact_solver.tolerance),
         parameters.contact_solver.maximum_iterations,
-        ContactSolver::after(last, observer));
+        [&](const ContactStep &step) {
+          last = step;
+          observer(step);
+        },
+        true, last);
       add_method(statistics_, newton);
-      if (!status.interrupted && (status.converged || last.residual < worthless))
+      if (status.interrupted)
+        throw Interrupted();
+      if (status.converged || last.residual < worthless)
         carried.emplace(state, elasticity, surface);
       return carried ? carried->fields() : std::vector<LA::Vector *>();
     };

@@ -30,17 +30,6 @@ namespace stiction
       setting_.surface.slip_bound().is_coulomb(), true, tried);
   }
 
-  ContactSolver::Observer ContactSolver::after(ContactStep &last,
-                                               const Observer &observer)
-  {
-    return [&last, &observer, before = last](ContactStep step) {
-      step.step += before.step;
-      step.iterations += before.iterations;
-      last = step;
-      observer(step);
-    };
-  }
-
   void ContactSolver::print_progress(const std::string &line) const
   {
     if (setting_.parameters.output.print_progress)

@@ -1,3 +1,4 @@
+#include <stiction/base/interrupted.h>
 #include <stiction/base/log.h>
 #include <stiction/base/phases.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -95,24 +96,35 @@ namespace stiction
     const auto phase = setting_.phases.scope("displacement_iteration");
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
     const bool has_another_start          = coarser_meshes_ && state.u.size() == 0;
-    const auto solve                      = [&](const bool falls_back) {
-      return newton_->solve(state, chosen.tolerance, chosen.maximum_iterations,
-                                                 after(last, observer), falls_back);
+    const State known                     = has_another_start ? state : State();
+    const auto observe                    = [&](const ContactStep &step) {
+      last = step;
+      observer(step);
     };
-    SolveStatus status = solve(!has_another_start);
+    SolveStatus status = newton_->solve(
+      state, chosen.tolerance, chosen.maximum_iterations, observe, !has_another_start);
     if (has_another_start && status.stands_still && !status.interrupted)
-      {
-        print_progress("Newton steps come no closer: the problem is solved on coarser "
-                       "meshes to begin with.");
-        if (State start = coarser_meshes_->find(state, after(last, observer));
-            start.u.size() > 0)
-          {
-            start.history = state.history;
-            start.scales  = state.scales;
-            state         = std::move(start);
-          }
-        status = solve(true);
-      }
+      try
+        {
+          print_progress("Newton steps come no closer: the problem is solved on coarser "
+                         "meshes to begin with.");
+          const unsigned int n_steps = last.step;
+          State start                = coarser_meshes_->find(known, last, observer);
+          if (start.u.size() == 0)
+            print_progress("They are of no use: it is solved from the beginning.");
+          start.history = known.history;
+          start.scales  = known.scales;
+          if (start.u.size() == 0)
+            start.distances = known.distances;
+          state = std::move(start);
+          status =
+            newton_->solve(state, chosen.tolerance, chosen.maximum_iterations - n_steps,
+                           observe, true, last);
+        }
+      catch (const Interrupted &)
+        {
+          status.interrupted = true;
+        }
     setting_.elasticity.distribute(state.u);
     return status;
   }

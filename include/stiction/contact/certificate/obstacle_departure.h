@@ -11,13 +11,14 @@ namespace stiction
   struct ObstacleDeparture
   {
     double distance = 0.; ///< by how much gaps are others where nodes came to, m
-    double turn     = 0.; ///< by how much normals are, but for turns of the body, radians
+    double turn     = 0.; ///< by how much normals are, radians
     double slip     = 0.; ///< how far nodes are from where they were on it, m
     double spacing  = 0.; ///< the distance of nodes, m
-    /// By how much the body turns there: the rotation that fits the displacement of these
-    /// nodes best, radians. Normals that turn with the body leave nothing out, and
-    /// 'Sliding = far', which lets them turn beside a stiffness that does not, does.
-    double body_turn   = 0.;
+    /// By how much normals have turned with the body since it was undeformed, radians:
+    /// what the rotation that fits the displacement of these nodes best explains of it.
+    /// It leaves nothing out, and 'Sliding = far', which lets normals turn beside a
+    /// stiffness that does not, does.
+    double with_body   = 0.;
     double coefficient = 0.; ///< the largest of Coulomb's law there
   };
 

@@ -21,9 +21,10 @@ namespace stiction
   /// a tie has no hold on that there, since such a slave has no unknown left. Collective.
   unsigned int n_held_alone(const LinearElasticity &elasticity, const Mortar &mortar);
 
-  /// Whether some displacement component is prescribed at a node of these. Collective.
-  ///
-  /// @param nodes by their first unknowns.
-  bool is_held(const LinearElasticity &elasticity,
-               const std::vector<dealii::types::global_dof_index> &nodes);
+  /// Whether some displacement component is prescribed at a node of these faces that is
+  /// no farther from the box around the opposite ones than a cell is large before
+  /// refinement. Whole edges and boxes count, so that it is the same after the mesh is
+  /// refined. Collective.
+  bool is_held(const LinearElasticity &elasticity, const std::vector<SurfaceFace> &faces,
+               const std::vector<SurfaceFace> &opposite);
 } // namespace stiction

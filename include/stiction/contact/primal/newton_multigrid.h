@@ -51,8 +51,11 @@ namespace stiction
     ///   pressed obstacles, from which the coarsest one does; out: the solution.
     /// @param falls_back whether the interior point method takes turns with Newton steps
     ///   that come no closer; otherwise that stands still.
+    /// @param before the last step of another solve, from which steps and iterations are
+    ///   counted on.
     SolveStatus solve(State &solution, double tolerance, unsigned int max_steps,
-                      const Observer &observer, bool falls_back = true);
+                      const Observer &observer, bool falls_back = true,
+                      const ContactStep &before = {});
 
     /// What all calls of solve() did, from the coarsest level to the mesh itself.
     const std::vector<LevelNewton::Statistics> &statistics() const { return statistics_; }

@@ -16,16 +16,20 @@ namespace stiction
     /// The setting must outlive the object.
     explicit CoarserMeshes(const ContactSolver::Setting &setting);
 
-    /// Whether this mesh is the one that 'Contact refinement' makes of such a body, and
-    /// contact the one of the mesh alone. With 'Sliding = far' obstacles are where the
-    /// answer is.
+    /// Whether this mesh is the one that 'Contact refinement' makes, and contact that of
+    /// the mesh alone. With 'Sliding = far' obstacles are where the answer is.
     static bool are_there(const ContactSolver::Setting &setting);
 
-    /// A state on the mesh of the setting, empty if a coarser one had none. Collective.
+    /// A state on the mesh of the setting, empty if the last mesh before it has none that
+    /// is worth more than nothing, or contact there is no valid one. Collective.
+    ///
+    /// Throws Interrupted if the observer does.
     ///
     /// @param known distances of pressed obstacles, as far as they are known.
+    /// @param last the last step before, in and out, from which steps are counted on.
     /// @param observer called after every step; may throw Interrupted on all ranks.
-    State find(const State &known, const ContactSolver::Observer &observer);
+    State find(const State &known, ContactStep &last,
+               const ContactSolver::Observer &observer);
 
     /// What all calls of find() did.
     const RunResult::Solver &statistics() const { return statistics_; }

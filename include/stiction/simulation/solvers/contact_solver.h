@@ -41,10 +41,6 @@ namespace stiction
 
     virtual ~ContactSolver();
 
-    /// An observer of steps that are counted on from the last one, which it keeps; both
-    /// must outlive it.
-    static Observer after(ContactStep &last, const Observer &observer);
-
     /// Solves until the tolerance is reached or nothing helps any more.
     /// Collective.
     ///
