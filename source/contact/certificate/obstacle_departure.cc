@@ -22,11 +22,19 @@ namespace stiction
     // The rotation about the centre of the forces that fits displacements best, in the
     // sense of least squares weighted with the forces.
     //
-    // @param places, displacements a row for each node.
-    Eigen::Vector3d fitted_rotation(const Eigen::VectorXd &forces,
-                                    Eigen::MatrixX3d places,
-                                    Eigen::MatrixX3d displacements)
+    // @param nodes of which forces and displacements count.
+    Eigen::Vector3d fitted_rotation(const ContactSurface &surface,
+                                    const std::vector<Eigen::Index> &nodes,
+                                    const Eigen::VectorXd &forces,
+                                    const Eigen::VectorXd &u)
     {
+      Eigen::MatrixX3d places(forces.size(), 3), displacements(forces.size(), 3);
+      for (Eigen::Index k = 0; k < forces.size(); ++k)
+        {
+          displacements.row(k) = at_node(u, nodes[k]);
+          for (unsigned int c = 0; c < 3; ++c)
+            places(k, c) = surface.nodes()[nodes[k]].position[c];
+        }
       const double all = forces.sum();
       places.rowwise() -= (forces.transpose() * places / all).eval();
       displacements.rowwise() -= (forces.transpose() * displacements / all).eval();
@@ -52,8 +60,7 @@ namespace stiction
     ObstacleDeparture departure;
     if (boundary.obstacle() == nullptr)
       return departure;
-    const Eigen::VectorXd moved = surface.relative_displacement(state),
-                          u     = surface.B().dofs().restriction(state.u);
+    const Eigen::VectorXd moved = surface.relative_displacement(state);
     std::vector<Eigen::Index> pressed;
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       if (state.lambda(i) > 0. &&
@@ -62,14 +69,8 @@ namespace stiction
     if (pressed.empty())
       return departure;
     const Eigen::VectorXd forces = state.lambda(pressed);
-    Eigen::MatrixX3d places(forces.size(), 3), displacements(forces.size(), 3);
-    for (Eigen::Index k = 0; k < forces.size(); ++k)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          places(k, c)        = surface.nodes()[pressed[k]].position[c];
-          displacements(k, c) = u(pressed[k] + c * surface.n_nodes());
-        }
-    const Eigen::Vector3d rotation = fitted_rotation(forces, places, displacements);
+    const Tensor<1, 3> rotation  = to_tensor(
+       fitted_rotation(surface, pressed, forces, surface.B().dofs().restriction(state.u)));
     for (const Eigen::Index i : pressed)
       {
         const ContactNode &node = surface.nodes()[i];
@@ -82,8 +83,7 @@ namespace stiction
         const double distance = there.gap - there.normal * there.moved,
                      linear   = node.gap - node.normal * there.moved;
         departure.distance += force * std::abs(distance - linear);
-        const Tensor<1, 3> turned =
-          cross_product_3d(to_tensor(rotation), undeformed.normal);
+        const Tensor<1, 3> turned = cross_product_3d(rotation, undeformed.normal);
         departure.turn += force * (there.normal - node.normal).norm();
         departure.with_body +=
           force * ((there.normal - undeformed.normal).norm() -

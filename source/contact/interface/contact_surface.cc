@@ -7,6 +7,7 @@
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace stiction
@@ -69,16 +70,14 @@ namespace stiction
 
   bool ContactSurface::has_obstacles() const
   {
-    return !std::all_of(
-      boundaries_.begin(), boundaries_.end(),
-      [](const ContactBoundary &boundary) { return boundary.is_pair(); });
+    return !std::all_of(boundaries_.begin(), boundaries_.end(),
+                        std::mem_fn(&ContactBoundary::is_pair));
   }
 
   bool ContactSurface::slides_far() const
   {
-    return std::any_of(
-      boundaries_.begin(), boundaries_.end(),
-      [](const ContactBoundary &boundary) { return boundary.slides_far(); });
+    return std::any_of(boundaries_.begin(), boundaries_.end(),
+                       std::mem_fn(&ContactBoundary::slides_far));
   }
 
   bool ContactSurface::has_wavering_side() const

@@ -13,10 +13,6 @@ namespace stiction
 {
   namespace
   {
-    // A coarse level need not be solved better than it approximates the next:
-    // from 0.1 to 1e-4 the steps on the finest level are the same.
-    constexpr double coarse_tolerance = 0.03;
-
     // A known displacement with a larger residual is worth less than what the coarse
     // levels find.
     constexpr double warm_residual = 0.1;
@@ -25,9 +21,6 @@ namespace stiction
     // them, as a wedge, may also be where nothing touches it, and coarse levels know
     // nothing of where it was: it begins there if contact bore as much as this.
     constexpr double much_borne = 0.5;
-
-    // What a coarse level found with a larger one is worth less than nothing.
-    constexpr double worthless = 1.;
 
     // Entries of rotated unit vectors below this are zeros.
     constexpr double rounding = 1e-14;
@@ -98,15 +91,14 @@ namespace stiction
           nodes.on_finer_level(l - 1), nodes.first_dofs(l - 1));
       return bases;
     }
-
-    // A start is not worth what an answer is.
-    LevelNewton::Options for_start(LevelNewton::Options options)
-    {
-      options.max_fallbacks = 1;
-      options.factorizes    = true;
-      return options;
-    }
   } // namespace
+
+  LevelNewton::Options NewtonMultigrid::for_start(LevelNewton::Options options)
+  {
+    options.max_fallbacks = 1;
+    options.factorizes    = true;
+    return options;
+  }
 
   NewtonMultigrid::NewtonMultigrid(const LinearElasticity &elasticity,
                                    const ContactSurface &surface,

@@ -22,19 +22,6 @@ namespace stiction
 {
   namespace
   {
-    // A coarse mesh need not be solved better than it approximates the next.
-    constexpr double coarse_tolerance = 0.03;
-
-    // What a coarse mesh found with a larger residual is worth less than nothing.
-    constexpr double worthless = 1.;
-
-    LevelNewton::Options for_start()
-    {
-      LevelNewton::Options options;
-      options.max_fallbacks = 1;
-      return options;
-    }
-
     // Whether unknowns of both have the same numbers, on all ranks.
     bool is_same_mesh(const Body &one, const Body &other)
     {
@@ -70,12 +57,13 @@ namespace stiction
       const ContactSurface surface(elasticity, parameters.of_contact());
       elasticity.choose_anchors(surface.first_dofs());
       NewtonMultigrid newton(elasticity, surface, parameters.is_matrix_free(),
-                             for_start());
+                             NewtonMultigrid::for_start());
       State state =
         carried ? carried->on(elasticity, surface) : State{{}, {}, known.distances, {}};
       carried.reset();
       const SolveStatus status = newton.solve(
-        state, std::max(coarse_tolerance, parameters.contact_solver.tolerance),
+        state,
+        std::max(NewtonMultigrid::coarse_tolerance, parameters.contact_solver.tolerance),
         parameters.contact_solver.maximum_iterations,
         [&](const ContactStep &step) {
           last = step;
@@ -85,7 +73,7 @@ namespace stiction
       add_method(statistics_, newton);
       if (status.interrupted)
         throw Interrupted();
-      if (status.converged || last.residual < worthless)
+      if (status.converged || last.residual < NewtonMultigrid::worthless)
         carried.emplace(state, elasticity, surface);
       return carried ? carried->fields() : std::vector<LA::Vector *>();
     };

@@ -109,14 +109,14 @@ namespace stiction
           print_progress("Newton steps come no closer: the problem is solved on coarser "
                          "meshes to begin with.");
           const unsigned int n_steps = last.step;
-          State start                = coarser_meshes_->find(known, last, observer);
-          if (start.u.size() == 0)
-            print_progress("They are of no use: it is solved from the beginning.");
-          start.history = known.history;
-          start.scales  = known.scales;
-          if (start.u.size() == 0)
-            start.distances = known.distances;
-          state = std::move(start);
+          state                      = coarser_meshes_->find(known, last, observer);
+          state.history              = known.history;
+          state.scales               = known.scales;
+          if (state.u.size() == 0)
+            {
+              print_progress("They are of no use: it is solved from the beginning.");
+              state.distances = known.distances;
+            }
           status =
             newton_->solve(state, chosen.tolerance, chosen.maximum_iterations - n_steps,
                            observe, true, last);

@@ -28,6 +28,14 @@ namespace stiction
   class NewtonMultigrid
   {
   public:
+    /// A coarse level or mesh need not be solved better than it approximates the next:
+    /// from 0.1 to 1e-4 the steps on the finest level are the same. What is found there
+    /// with a larger residual than the second is worth less than nothing.
+    static constexpr double coarse_tolerance = 0.03, worthless = 1.;
+
+    /// A start is not worth what an answer is.
+    static LevelNewton::Options for_start(LevelNewton::Options options = {});
+
     /// @param levels_in_use whether to use the levels of the mesh; otherwise
     ///   the preconditioner is algebraic. The arguments must outlive the
     ///   object. Collective.

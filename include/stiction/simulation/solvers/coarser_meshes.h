@@ -9,7 +9,7 @@ namespace stiction
   /// solves the problem on the body without it, to a few digits, takes the answer to the
   /// body refined once, and so on. Newton steps on the mesh itself then begin with its
   /// contact set but for a row of cells; from nothing it grows by some rows a step, and
-  /// pairs that one node more sets turning may not find it at all.
+  /// may never settle.
   class CoarserMeshes
   {
   public:
