@@ -170,6 +170,12 @@ namespace stiction
           continue;
         if (slides(residual))
           return "friction does not hold the body at these pressures, change the loads";
+        if (begin_elsewhere(state, lambda))
+          {
+            stalls = stalls_without_path = 0;
+            residual                     = measure(state, tolerance);
+            continue;
+          }
         stands_still_ = !path_ && (statistics_.fallbacks == options_.max_fallbacks ||
                                    has_hard_systems());
         if (stands_still_)
@@ -180,6 +186,19 @@ namespace stiction
         lambda   = state.lambda;
         history.push_back(residual.value());
       }
+  }
+
+  bool LevelNewton::begin_elsewhere(const ContactState &state, Eigen::VectorXd &lambda)
+  {
+    const auto other_start = std::exchange(options_.other_start, {});
+    Eigen::VectorXd start  = other_start ? other_start() : Eigen::VectorXd();
+    if (start.size() == 0)
+      return false;
+    lambda = std::move(start);
+    c_     = options_.first_c;
+    first_.reset();
+    keep_first(state);
+    return true;
   }
 
   void LevelNewton::keep_first(const ContactState &state)

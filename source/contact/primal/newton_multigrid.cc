@@ -129,12 +129,10 @@ namespace stiction
 
   SolveStatus NewtonMultigrid::solve(State &solution, const double tolerance,
                                      const unsigned int max_steps,
-                                     const Observer &observer, const bool falls_back,
+                                     const Observer &observer,
+                                     const OtherStart &other_start,
                                      const ContactStep &before)
   {
-    LevelNewton::Options options = options_;
-    if (!falls_back)
-      options.max_fallbacks = 0;
     const unsigned int first = first_level(solution);
     Eigen::VectorXd lambda   = begin(first, solution);
     const auto earlier       = statistics_;
@@ -152,7 +150,7 @@ namespace stiction
           continue; // the iterate is wanted on the finest level
         const bool is_finest = l == finest_level();
 
-        const unsigned int iterations     = row.iterations;
+        unsigned int iterations           = row.iterations; // before the level
         unsigned int interior_point_steps = 0;
         row.residual                      = 0.; // that of another problem
         const auto after_step             = [&](const LevelNewton::Statistics &statistics,
@@ -180,10 +178,18 @@ namespace stiction
           interior_point_steps = statistics.interior_point_steps;
           observer(row);
         };
+        LevelNewton::Options options = is_finest ? options_ : for_start(options_);
+        if (is_finest && other_start)
+          options.other_start = [&]() -> Eigen::VectorXd {
+            const ContactStep here = row;
+            const State start      = other_start(row);
+            iterations += row.iterations - here.iterations;
+            row.residual = start.u.size() > 0 ? 0. : here.residual;
+            return start.u.size() > 0 ? begin(l, start) : Eigen::VectorXd();
+          };
         try
           {
-            LevelNewton newton(*problems_[l], l, multigrid_,
-                               is_finest ? options : for_start(options_));
+            LevelNewton newton(*problems_[l], l, multigrid_, options);
             status.reason =
               newton.solve(*state_, lambda,
                            is_finest ? tolerance : std::max(coarse_tolerance, tolerance),
@@ -226,7 +232,7 @@ namespace stiction
   Eigen::VectorXd NewtonMultigrid::begin(const unsigned int level, const State &known)
   {
     const ContactLevel &problem = *problems_[level];
-    state_                      = std::make_unique<ContactState>(problem);
+    state_                      = ContactState(problem);
     if (known.distances.size() == state_->distances.size())
       state_->distances = known.distances;
     const bool is_warm = known.u.size() == state_->u.size();
@@ -255,13 +261,13 @@ namespace stiction
         weights * coarse_force.segment(c * m, m).cwiseQuotient(coarse.areas()));
     Eigen::VectorXd lambda = fine.B().force_to_local(force);
 
-    auto state       = std::make_unique<ContactState>(fine);
-    state->distances = state_->distances;
+    ContactState state(fine);
+    state.distances = state_->distances;
     coarse.basis().to_absolute(state_->u);
-    hierarchy_.transfer(level).prolongate(state->u, state_->u);
-    fine.basis().to_relative(state->u);
-    fine.prescribe(state->u);
-    state->update(fine);
+    hierarchy_.transfer(level).prolongate(state.u, state_->u);
+    fine.basis().to_relative(state.u);
+    fine.prescribe(state.u);
+    state.update(fine);
     state_ = std::move(state);
     return lambda;
   }

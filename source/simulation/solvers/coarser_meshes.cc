@@ -41,7 +41,7 @@ namespace stiction
     const Body &body = setting.elasticity.body();
     return setting.parameters.geometry.contact_refinement > 0 &&
            body.n_first_dofs() == body.dof_handler().n_dofs() &&
-           !setting.surface.slides_far();
+           !setting.surface.slides_far() && !setting.parameters.has_locking();
   }
 
   State CoarserMeshes::find(const State &known, ContactStep &last,
@@ -69,7 +69,7 @@ namespace stiction
           last = step;
           observer(step);
         },
-        true, last);
+        {}, last);
       add_method(statistics_, newton);
       if (status.interrupted)
         throw Interrupted();

@@ -1,4 +1,3 @@
-#include <stiction/base/interrupted.h>
 #include <stiction/base/log.h>
 #include <stiction/base/phases.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -95,36 +94,23 @@ namespace stiction
   {
     const auto phase = setting_.phases.scope("displacement_iteration");
     const ContactSolverParameters &chosen = setting_.parameters.contact_solver;
-    const bool has_another_start          = coarser_meshes_ && state.u.size() == 0;
-    const State known                     = has_another_start ? state : State();
-    const auto observe                    = [&](const ContactStep &step) {
-      last = step;
-      observer(step);
+    const auto on_coarser_meshes          = [&](ContactStep &step) {
+      print_progress("Newton steps come no closer: the problem is solved on coarser "
+                                       "meshes to begin with.");
+      State start = coarser_meshes_->find(state, step, observer);
+      if (start.u.size() == 0)
+        print_progress("They are of no use.");
+      return start;
     };
-    SolveStatus status = newton_->solve(
-      state, chosen.tolerance, chosen.maximum_iterations, observe, !has_another_start);
-    if (has_another_start && status.stands_still && !status.interrupted)
-      try
-        {
-          print_progress("Newton steps come no closer: the problem is solved on coarser "
-                         "meshes to begin with.");
-          const unsigned int n_steps = last.step;
-          state                      = coarser_meshes_->find(known, last, observer);
-          state.history              = known.history;
-          state.scales               = known.scales;
-          if (state.u.size() == 0)
-            {
-              print_progress("They are of no use: it is solved from the beginning.");
-              state.distances = known.distances;
-            }
-          status =
-            newton_->solve(state, chosen.tolerance, chosen.maximum_iterations - n_steps,
-                           observe, true, last);
-        }
-      catch (const Interrupted &)
-        {
-          status.interrupted = true;
-        }
+    const SolveStatus status = newton_->solve(
+      state, chosen.tolerance, chosen.maximum_iterations,
+      [&](const ContactStep &step) {
+        last = step;
+        observer(step);
+      },
+      coarser_meshes_ && state.u.size() == 0
+        ? NewtonMultigrid::OtherStart(on_coarser_meshes)
+        : nullptr);
     setting_.elasticity.distribute(state.u);
     return status;
   }

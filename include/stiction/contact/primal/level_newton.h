@@ -39,6 +39,10 @@ namespace stiction
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
       bool only_fallback = false;
+      /// Called once before it falls back: sets the state to another one to begin with,
+      /// and returns the contact forces to sort nodes by; of size 0 if there is none.
+      /// May throw Interrupted on all ranks.
+      std::function<Eigen::VectorXd()> other_start = {};
       /// What to choose where this method comes no closer, a part of a
       /// sentence.
       std::string other_method = "choose another 'Contact solver/Method'";
@@ -120,6 +124,13 @@ namespace stiction
     std::string iterate(ContactState &state, Eigen::VectorXd lambda, double tolerance,
                         unsigned int max_steps, const Observer &observer);
 
+    /// Takes the other start, if there is one that was not asked for.
+    ///
+    /// @param state the one that it sets.
+    /// @param lambda out: the contact forces to sort nodes by.
+    /// @return whether there was one.
+    bool begin_elsewhere(const ContactState &state, Eigen::VectorXd &lambda);
+
     /// Whether most linear systems take more iterations than they are given.
     bool has_hard_systems() const;
 
@@ -143,7 +154,7 @@ namespace stiction
     const ContactLevel &problem_;
     const unsigned int level_;
     Multigrid &preconditioner_;
-    const Options options_;
+    Options options_;
     NewtonSystem system_;
     double c_;
     std::unique_ptr<ContactState> first_;       // of keep_first()

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace stiction
@@ -51,18 +52,23 @@ namespace stiction
     /// handed back.
     using Observer = std::function<void(const ContactStep &)>;
 
+    /// A state to begin with on the finest level where Newton steps come no closer,
+    /// without a displacement if there is none. The last step is its argument, from
+    /// which it counts on.
+    using OtherStart = std::function<State(ContactStep &)>;
+
     /// Solves the problem to the tolerance, in the figures of the certificate.
     /// Collective.
     ///
     /// @param solution in: what is known of the solution: a displacement
     ///   near the solution, from which the finest level begins, and distances of
     ///   pressed obstacles, from which the coarsest one does; out: the solution.
-    /// @param falls_back whether the interior point method takes turns with Newton steps
-    ///   that come no closer; otherwise that stands still.
+    /// @param other_start called at most once, before an interior point method takes
+    ///   turns with Newton steps on the finest level; none if empty.
     /// @param before the last step of another solve, from which steps and iterations are
     ///   counted on.
     SolveStatus solve(State &solution, double tolerance, unsigned int max_steps,
-                      const Observer &observer, bool falls_back = true,
+                      const Observer &observer, const OtherStart &other_start = {},
                       const ContactStep &before = {});
 
     /// What all calls of solve() did, from the coarsest level to the mesh itself.
@@ -100,7 +106,7 @@ namespace stiction
     DofSubsetHierarchy dof_hierarchy_;
     Multigrid multigrid_;
     std::vector<std::unique_ptr<ContactLevel>> problems_;
-    std::unique_ptr<ContactState> state_;
+    std::optional<ContactState> state_; ///< of the level it is at
     std::vector<LevelNewton::Statistics> statistics_;
   };
 } // namespace stiction

@@ -17,7 +17,9 @@ namespace stiction
     explicit CoarserMeshes(const ContactSolver::Setting &setting);
 
     /// Whether this mesh is the one that 'Contact refinement' makes, and contact that of
-    /// the mesh alone. With 'Sliding = far' obstacles are where the answer is.
+    /// the mesh alone: with 'Sliding = far' obstacles are where the answer is, and
+    /// elements that lock do so more on coarser meshes, whose answers are worth nothing
+    /// then.
     static bool are_there(const ContactSolver::Setting &setting);
 
     /// A state on the mesh of the setting, empty if the last mesh before it has none that
