@@ -3,6 +3,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/output/results/nodal_values.h>
 #include <stiction/qp/operators/nodal_blocks.h>
@@ -13,6 +14,7 @@
 
 #include <fstream>
 #include <functional>
+#include <vector>
 
 namespace stiction
 {
@@ -98,5 +100,34 @@ namespace stiction
                 << static_cast<int>(statuses[i].tangential) << '\n';
           }
       });
+  }
+
+  Eigen::VectorXd pressure_around(const Body &body, const ContactSurface &surface,
+                                  const Eigen::VectorXd &normal_force)
+  {
+    using dealii::types::global_dof_index;
+    Eigen::MatrixX2d sums = Eigen::MatrixX2d::Zero(surface.n_nodes(), 2);
+    std::vector<global_dof_index> dofs(body.dof_handler().get_fe().n_dofs_per_face());
+    for (const auto &cell : body.locally_owned_cells())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && surface.is_contact_boundary(face->boundary_id()))
+          {
+            face->get_dof_indices(dofs);
+            std::vector<Eigen::Index> nodes;
+            for (std::size_t k = 0; k < dofs.size(); k += 3)
+              if (const Eigen::Index i = surface.node_of(dofs[k]);
+                  i >= 0 &&
+                  surface.boundary_of(surface.nodes()[i]).id() == face->boundary_id())
+                nodes.push_back(i);
+            Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+            for (const Eigen::Index i : nodes)
+              sum += Eigen::RowVector2d(normal_force(i), surface.areas()(i));
+            for (const Eigen::Index i : nodes)
+              sums.row(i) += sum;
+          }
+    sum_over_ranks(sums, body.communicator());
+    return (sums.col(1).array() > 0.)
+      .select(sums.col(0).cwiseQuotient(sums.col(1)),
+              normal_force.cwiseQuotient(surface.areas()));
   }
 } // namespace stiction

@@ -104,6 +104,8 @@ namespace stiction
         print_row(log, indentation + label(name, units.stress), format("%.6g", value));
       };
       row("largest pressure", contact.max_pressure);
+      if (contact.max_pressure > 0.)
+        row("  over faces", contact.max_mean_pressure);
       if (contact.tied > 0)
         {
           row("largest tension", contact.max_tension);

@@ -10,6 +10,7 @@
 #include <stiction/contact/primal/newton_multigrid.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/output/output_parameters.h>
+#include <stiction/output/results/nodal_values.h>
 #include <stiction/output/results/report.h>
 #include <stiction/output/results/run_result.h>
 #include <stiction/output/tensor_json.h>
@@ -66,6 +67,7 @@ namespace stiction
                     {"force_on_body", contact.force_on_body},
                     {"moment", contact.moment},
                     {"max_pressure", contact.max_pressure},
+                    {"max_mean_pressure", contact.max_mean_pressure},
                     {"max_tension", contact.max_tension},
                     {"max_tied_traction", contact.max_tied_traction},
                     {"area", contact.area}});
@@ -181,9 +183,11 @@ namespace stiction
     }
 
     void add_tractions(RunResult::Contact &contact, const ContactNode &node,
-                       const Eigen::Vector3d &lambda, const bool is_tied)
+                       const Eigen::Vector3d &lambda, const double around,
+                       const bool is_tied)
     {
-      contact.max_pressure = std::max(contact.max_pressure, lambda(0) / node.area);
+      contact.max_pressure      = std::max(contact.max_pressure, lambda(0) / node.area);
+      contact.max_mean_pressure = std::max(contact.max_mean_pressure, around);
       if (!is_tied)
         return;
       contact.max_tension       = std::max(contact.max_tension, -lambda(0) / node.area);
@@ -290,6 +294,8 @@ namespace stiction
         part.obstacle_rotation = boundary.angle() * boundary.axis();
         result.boundaries.push_back(part);
       }
+    const Eigen::VectorXd around =
+      pressure_around(body, surface, certificate.lambda().head(surface.n_nodes()));
     for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
       {
         const ContactNode &node      = surface.nodes()[i];
@@ -299,8 +305,8 @@ namespace stiction
         count(part, statuses[i]);
         part.torque += node.arm * add_forces(part, node, lambda, statuses[i]);
         const bool is_tied = statuses[i].tangential == TangentialStatus::tied;
-        add_tractions(part, node, lambda, is_tied);
-        add_tractions(result.contact, node, lambda, is_tied);
+        add_tractions(part, node, lambda, around(i), is_tied);
+        add_tractions(result.contact, node, lambda, around(i), is_tied);
         // sums of contact are without what ties bear
         if (!is_tied)
           add_forces(result.contact, node, lambda, statuses[i], part.opposite.empty());

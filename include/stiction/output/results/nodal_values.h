@@ -3,6 +3,8 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/qp/node_status.h>
 
+#include <Eigen/Core>
+
 #include <mpi.h>
 
 #include <string>
@@ -37,4 +39,13 @@ namespace stiction
                            const Certificate &certificate,
                            const std::vector<NodeStatus> &statuses, MPI_Comm communicator,
                            const std::string &tag);
+
+  /// The pressure over the faces of its own boundary around each contact node: the normal
+  /// forces of all their contact nodes over the areas of these, Pa. Where pressures waver
+  /// from node to node, as on cells that were cut from tetrahedra, this is what a gauge
+  /// of that size would show. Collective.
+  ///
+  /// @param normal_force of each contact node, N.
+  Eigen::VectorXd pressure_around(const Body &body, const ContactSurface &surface,
+                                  const Eigen::VectorXd &normal_force);
 } // namespace stiction

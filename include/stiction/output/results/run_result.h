@@ -81,9 +81,11 @@ namespace stiction
     /// moments are about the origin, area is that of the closed nodes. Tension is
     /// what pulls at tied nodes along the normal, their traction that in any direction.
     /// Sums over all boundaries are without tied ones; the largest of what acts is not.
+    /// max_mean_pressure is the largest pressure over the faces around a node.
     struct Contact : NodeCounts
     {
-      double normal_force = 0., max_pressure = 0., max_tension = 0.;
+      double normal_force = 0., max_pressure = 0., max_mean_pressure = 0.;
+      double max_tension       = 0.;
       double max_tied_traction = 0., area = 0.;
       dealii::Tensor<1, 3> force_on_body, tangential_force, moment;
     };
