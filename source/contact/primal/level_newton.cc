@@ -134,18 +134,22 @@ namespace stiction
             history.push_back(residual.value());
             pace.add(statistics_.n_steps(), residual.value());
           }
+        const auto from_elsewhere = [&]() {
+          return solve_from_elsewhere(state, tolerance, max_steps, observer);
+        };
         stands_still_ = !std::isfinite(residual.value());
         if (stands_still_)
-          return "the iteration broke down: the displacement is no number";
+          return from_elsewhere().value_or(
+            "the iteration broke down: the displacement is no number");
         if (system_.is_too_hard() && residual.value() > tolerance)
           {
             stands_still_ = true;
-            return why_no_closer();
+            return from_elsewhere().value_or(why_no_closer());
           }
         keep_first(state);
         const std::size_t horizon = fall_horizon(stalls, residual.value());
         const bool falls =
-          history.size() <= horizon ||
+          residual.value() <= tolerance || history.size() <= horizon ||
           history.back() <= required_fall * history[history.size() - 1 - horizon];
         if (falls && !options_.only_fallback)
           continue;
@@ -156,8 +160,9 @@ namespace stiction
                         problem_.rounding_of_forces(state.u) / residual.force_scale))
           {
             // a step may have thrown a body far away that contact alone holds
-            stands_still_ = problem_.driven_motions().cols() > 0;
-            return advice_on_rounding(residual.value());
+            const std::string advice = advice_on_rounding(residual.value());
+            stands_still_            = problem_.driven_motions().cols() > 0;
+            return stands_still_ ? from_elsewhere().value_or(advice) : advice;
           }
 
         // change ρ, and every second time fall back as well, or go on with that where
@@ -170,12 +175,8 @@ namespace stiction
           continue;
         if (slides(residual))
           return "friction does not hold the body at these pressures, change the loads";
-        if (begin_elsewhere(state, lambda))
-          {
-            stalls = stalls_without_path = 0;
-            residual                     = measure(state, tolerance);
-            continue;
-          }
+        if (const auto reason = from_elsewhere())
+          return *reason;
         stands_still_ = !path_ && (statistics_.fallbacks == options_.max_fallbacks ||
                                    has_hard_systems());
         if (stands_still_)
@@ -188,17 +189,28 @@ namespace stiction
       }
   }
 
-  bool LevelNewton::begin_elsewhere(const ContactState &state, Eigen::VectorXd &lambda)
+  std::optional<std::string> LevelNewton::solve_from_elsewhere(
+    ContactState &state, const double tolerance, const unsigned int max_steps,
+    const Observer &observer)
   {
-    const auto other_start = std::exchange(options_.other_start, {});
-    Eigen::VectorXd start  = other_start ? other_start() : Eigen::VectorXd();
+    const Statistics before = statistics_;
+    if (!options_.other_start || before.n_steps() >= max_steps)
+      return std::nullopt;
+    Eigen::VectorXd start = std::exchange(options_.other_start, {})();
     if (start.size() == 0)
-      return false;
-    lambda = std::move(start);
-    c_     = options_.first_c;
-    first_.reset();
-    keep_first(state);
-    return true;
+      return std::nullopt;
+    LevelNewton newton(problem_, level_, preconditioner_, options_);
+    const std::string reason =
+      newton.solve(state, std::move(start), tolerance, max_steps - before.n_steps(),
+                   [&](Statistics now, const ContactResidual &residual) {
+                     if (now.factorized_from > 0)
+                       now.factorized_from += before.n_steps();
+                     statistics_ = before;
+                     statistics_ += now;
+                     observer(statistics_, residual);
+                   });
+    stands_still_ = newton.stands_still_;
+    return reason;
   }
 
   void LevelNewton::keep_first(const ContactState &state)

@@ -3,6 +3,7 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/output/results/nodal_values.h>
@@ -113,12 +114,14 @@ namespace stiction
         if (face->at_boundary() && surface.is_contact_boundary(face->boundary_id()))
           {
             face->get_dof_indices(dofs);
+            const unsigned int part = surface.parts().of(face);
             std::vector<Eigen::Index> nodes;
             for (std::size_t k = 0; k < dofs.size(); k += 3)
-              if (const Eigen::Index i = surface.node_of(dofs[k]);
-                  i >= 0 &&
-                  surface.boundary_of(surface.nodes()[i]).id() == face->boundary_id())
-                nodes.push_back(i);
+              for (const auto &[dof, weight] : body.followed_by(dofs[k]))
+                for (const auto &[i, share] :
+                     surface.bearers_at(dof, face->boundary_id(), part))
+                  nodes.push_back(i);
+            sort_once(nodes);
             Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
             for (const Eigen::Index i : nodes)
               sum += Eigen::RowVector2d(normal_force(i), surface.areas()(i));

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace stiction
@@ -23,7 +24,7 @@ namespace stiction
   /// The residual of the certificate is what has to fall. When it does not, ρ
   /// is changed, which no solution depends on; when that does not help, it takes turns
   /// with an interior point method, which knows no contact states that could be the
-  /// wrong ones.
+  /// wrong ones. Before that it begins once more from another start, if it is given one.
   class LevelNewton
   {
   public:
@@ -39,9 +40,9 @@ namespace stiction
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
       bool only_fallback = false;
-      /// Called once before it falls back: sets the state to another one to begin with,
-      /// and returns the contact forces to sort nodes by; of size 0 if there is none.
-      /// May throw Interrupted on all ranks.
+      /// Called once where Newton steps come no closer: assigns another one to the state
+      /// that solve() was given, and returns the contact forces to sort nodes by; of size
+      /// 0 if there is none. May throw Interrupted on all ranks.
       std::function<Eigen::VectorXd()> other_start = {};
       /// What to choose where this method comes no closer, a part of a
       /// sentence.
@@ -124,12 +125,13 @@ namespace stiction
     std::string iterate(ContactState &state, Eigen::VectorXd lambda, double tolerance,
                         unsigned int max_steps, const Observer &observer);
 
-    /// Takes the other start, if there is one that was not asked for.
+    /// Asks for the other start, if that was not done and steps are left, and solves the
+    /// problem from there, all over again.
     ///
-    /// @param state the one that it sets.
-    /// @param lambda out: the contact forces to sort nodes by.
-    /// @return whether there was one.
-    bool begin_elsewhere(const ContactState &state, Eigen::VectorXd &lambda);
+    /// @return what solve() does; nothing if there is no other start.
+    std::optional<std::string> solve_from_elsewhere(ContactState &state, double tolerance,
+                                                    unsigned int max_steps,
+                                                    const Observer &observer);
 
     /// Whether most linear systems take more iterations than they are given.
     bool has_hard_systems() const;

@@ -40,10 +40,11 @@ namespace stiction
                            const std::vector<NodeStatus> &statuses, MPI_Comm communicator,
                            const std::string &tag);
 
-  /// The pressure over the faces of its own boundary around each contact node: the normal
-  /// forces of all their contact nodes over the areas of these, Pa. Where pressures waver
-  /// from node to node, as on cells that were cut from tetrahedra, this is what a gauge
-  /// of that size would show. Collective.
+  /// The mean pressure over the faces around each contact node, of the part of the
+  /// boundary that it bears for: the normal forces of the contact nodes of these faces
+  /// over their areas, counting a node once for each face, Pa. It wavers little where
+  /// pressures waver from node to node, as on cells that were cut from tetrahedra.
+  /// Collective.
   ///
   /// @param normal_force of each contact node, N.
   Eigen::VectorXd pressure_around(const Body &body, const ContactSurface &surface,
