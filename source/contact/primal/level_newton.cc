@@ -110,6 +110,9 @@ namespace stiction
     std::deque<double> history;
     Pace pace;
     unsigned int stalls = 0, stalls_without_path = 0;
+    const auto from_elsewhere = [&]() {
+      return solve_from_elsewhere(state, tolerance, max_steps, observer);
+    };
 
     // Never less than a step: without contact forces there may be no scales,
     // and then anything is small.
@@ -134,9 +137,6 @@ namespace stiction
             history.push_back(residual.value());
             pace.add(statistics_.n_steps(), residual.value());
           }
-        const auto from_elsewhere = [&]() {
-          return solve_from_elsewhere(state, tolerance, max_steps, observer);
-        };
         stands_still_ = !std::isfinite(residual.value());
         if (stands_still_)
           return from_elsewhere().value_or(

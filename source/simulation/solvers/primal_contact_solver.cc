@@ -98,7 +98,7 @@ namespace stiction
       print_progress("Newton steps come no closer: the problem is solved on coarser "
                                        "meshes to begin with.");
       State start = coarser_meshes_->find(state, step, observer);
-      last.step   = step.step; // its residual is that of this mesh
+      last.step   = step.step; // the residual remains that of this mesh
       if (start.u.size() == 0)
         print_progress("They are of no use: it goes on where it was.");
       return start;

@@ -63,8 +63,9 @@ namespace stiction
     /// @param solution in: what is known of the solution: a displacement
     ///   near the solution, from which the finest level begins, and distances of
     ///   pressed obstacles, from which the coarsest one does; out: the solution.
-    /// @param other_start called at most once, before an interior point method takes
-    ///   turns with Newton steps on the finest level; none if empty.
+    /// @param other_start called at most once, where Newton steps on the finest level
+    /// come
+    ///   no closer, before an interior point method takes turns with them; none if empty.
     /// @param before the last step of another solve, from which steps and iterations are
     ///   counted on.
     SolveStatus solve(State &solution, double tolerance, unsigned int max_steps,
@@ -106,7 +107,8 @@ namespace stiction
     DofSubsetHierarchy dof_hierarchy_;
     Multigrid multigrid_;
     std::vector<std::unique_ptr<ContactLevel>> problems_;
-    std::optional<ContactState> state_; ///< of the level it is at
+    std::optional<ContactState>
+      state_; ///< of the present level; LevelNewton refers to it
     std::vector<LevelNewton::Statistics> statistics_;
   };
 } // namespace stiction
