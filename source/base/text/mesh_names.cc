@@ -16,9 +16,11 @@ namespace stiction
   } // namespace
 
   MeshNames::MeshNames(std::string kind, std::set<Id> ids,
-                       const std::map<std::string, Id> &names, std::string how_to_name)
+                       const std::map<std::string, Id> &names,
+                       std::map<std::string, Id> others, std::string how_to_name)
     : kind_(std::move(kind))
     , ids_(std::move(ids))
+    , others_(std::move(others))
     , how_to_name_(std::move(how_to_name))
   {
     for (const auto &name : names)
@@ -62,7 +64,10 @@ namespace stiction
                        known + ".");
     throw InputError(
       location + ": the mesh has no " + kind_ + " " +
-      (is_number(name) ? name : "'" + name + "'") + did_you_mean(name, names) +
+      (is_number(name) ? name : "'" + name + "'") +
+      (others_.count(name) == 0 ? did_you_mean(name, names)
+       : kind_ == "boundary"    ? " (that is a volume, a material)"
+                                : " (that is a boundary)") +
       ", it has " + known +
       (names_.empty() && !how_to_name_.empty() ? ": " + how_to_name_ : "") + ".");
   }

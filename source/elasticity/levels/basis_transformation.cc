@@ -61,6 +61,41 @@ namespace stiction
       return matrix;
     }
 
+    using Blocks = BasisTransformation::Blocks;
+
+    // Rows with fewer cost nothing.
+    constexpr std::size_t many_blocks = 100;
+
+    Blocks blocks_of(const Matrix &N, const Eigen::Index slave)
+    {
+      Blocks blocks;
+      for (Eigen::Index a = 0; a < 3; ++a)
+        for (Matrix::InnerIterator entry(N, 3 * slave + a); entry; ++entry)
+          blocks.try_emplace(entry.col() / 3, Eigen::Matrix3d::Zero())
+            .first->second(a, entry.col() % 3) = entry.value();
+      return blocks;
+    }
+
+    Blocks large_blocks(Blocks blocks, const double part)
+    {
+      double largest = 0.;
+      for (const auto &[j, N] : blocks)
+        largest = std::max(largest, N.cwiseAbs().maxCoeff());
+      double all = 0., kept = 0.;
+      for (auto b = blocks.begin(); b != blocks.end();)
+        {
+          const double weight = b->second.trace();
+          const bool is_small = b->second.cwiseAbs().maxCoeff() < part * largest;
+          all += weight;
+          kept += is_small ? 0. : weight;
+          b = is_small ? blocks.erase(b) : std::next(b);
+        }
+      for (auto &[j, N] : blocks)
+        if (kept != 0.)
+          N *= all / kept;
+      return blocks;
+    }
+
     // Row m: which of the slaves the node m is, three rows and columns each.
     Matrix slaves_among(const Dofs &masters, const Dofs &slaves)
     {
@@ -133,17 +168,10 @@ namespace stiction
     ground_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(relation->masters.size()));
   }
 
-  std::map<Eigen::Index, Eigen::Matrix3d> BasisTransformation::blocks_of(
-    const std::size_t slave) const
+  BasisTransformation::Blocks BasisTransformation::large_blocks_of(
+    const std::size_t slave, const double part) const
   {
-    std::map<Eigen::Index, Eigen::Matrix3d> blocks;
-    for (Eigen::Index a = 0; a < 3; ++a)
-      for (Matrix::InnerIterator entry(relation_->N,
-                                       3 * static_cast<Eigen::Index>(slave) + a);
-           entry; ++entry)
-        blocks.try_emplace(entry.col() / 3, Eigen::Matrix3d::Zero())
-          .first->second(a, entry.col() % 3) = entry.value();
-    return blocks;
+    return large_blocks(blocks_of(relation_->N, static_cast<Eigen::Index>(slave)), part);
   }
 
   Matrix BasisTransformation::added() const
@@ -155,6 +183,26 @@ namespace stiction
     for (unsigned int k = 0; k < relation_->n_chained; ++k)
       added = N + Matrix(N * Matrix(relation_->chain * added));
     return added;
+  }
+
+  Matrix BasisTransformation::large_added(const double part) const
+  {
+    const Matrix all = added();
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < all.rows() / 3; ++i)
+      {
+        Blocks blocks = blocks_of(all, i);
+        if (blocks.size() > many_blocks)
+          blocks = large_blocks(std::move(blocks), part);
+        for (const auto &[j, block] : blocks)
+          for (Eigen::Index a = 0; a < 3; ++a)
+            for (Eigen::Index b = 0; b < 3; ++b)
+              if (block(a, b) != 0.)
+                entries.emplace_back(3 * i + a, 3 * j + b, block(a, b));
+      }
+    Matrix large(all.rows(), all.cols());
+    large.setFromTriplets(entries.begin(), entries.end());
+    return large;
   }
 
   Matrix BasisTransformation::springs_of_masters() const
@@ -307,7 +355,7 @@ namespace stiction
     for (std::size_t i = 0; i < of_slaves.size(); ++i)
       {
         const Eigen::Matrix3d K = R_[i] * of_slaves[i] * R_[i] + springs_[i];
-        for (const auto &[j, N] : blocks_of(i))
+        for (const auto &[j, N] : blocks_of(relation_->N, static_cast<Eigen::Index>(i)))
           added[j] += N.transpose() * K * N;
       }
     return added;

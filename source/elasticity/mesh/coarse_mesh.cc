@@ -244,9 +244,10 @@ namespace stiction
     for (const auto &cell : triangulation_.active_cell_iterators())
       material_ids.insert(cell->material_id());
     const auto boundary_ids = triangulation_.get_boundary_ids();
-    origin_.boundary_names  = MeshNames(
-       "boundary", {boundary_ids.begin(), boundary_ids.end()}, boundaries, how_to_name);
-    origin_.material_names = MeshNames("material", material_ids, materials);
+    origin_.boundary_names =
+      MeshNames("boundary", {boundary_ids.begin(), boundary_ids.end()}, boundaries,
+                materials, how_to_name);
+    origin_.material_names = MeshNames("material", material_ids, materials, boundaries);
   }
 
   void require_valid_cells(const Triangulation<3> &triangulation,

@@ -119,12 +119,14 @@ namespace stiction
       triangulation_.set_manifold(id, *manifold);
     if (parts.is_quadratic)
       origin_.quadratic_cells = QuadraticCells(std::move(parts.nodes));
-    origin_.cut_elements   = parts.cut_elements;
-    origin_.left_out       = parts.left_out;
-    origin_.damages        = parts.damages;
-    origin_.boundary_names = MeshNames("boundary", parts.boundary_ids, parts.boundaries);
-    origin_.material_names = MeshNames("material", parts.material_ids, parts.materials);
-    body_of_material_      = parts.body_names;
+    origin_.cut_elements = parts.cut_elements;
+    origin_.left_out     = parts.left_out;
+    origin_.damages      = parts.damages;
+    origin_.boundary_names =
+      MeshNames("boundary", parts.boundary_ids, parts.boundaries, parts.materials);
+    origin_.material_names =
+      MeshNames("material", parts.material_ids, parts.materials, parts.boundaries);
+    body_of_material_ = parts.body_names;
   }
 
   void CoarseMesh::add_to(Parts &parts, const PlacedBody &placed) const

@@ -35,6 +35,10 @@ namespace stiction
     // MUMPS factorises.
     constexpr types::global_dof_index max_direct = 4000;
 
+    // Weights of slaves below this part of their largest are left out: a pin in a hook
+    // with 170,000 blocks keeps 27,000 and takes one iteration in 250 more.
+    constexpr double small_weight = 1e-3;
+
     using Indices = std::vector<types::global_dof_index>;
 
     // The three unknowns of each node.
@@ -90,11 +94,11 @@ namespace stiction
                                                   const BasisTransformation &basis,
                                                   const MeshLevel &level)
     {
-      const IndexSet &owned = level.partitioner()->locally_owned_range();
-      const BasisTransformation::Matrix added = basis.added(); // T − 1
-      const Indices rows                      = unknowns_of(basis.slaves()),
-                    columns                   = unknowns_of(basis.masters());
-      const auto for_each_entry_of_T          = [&](const auto &take) {
+      const IndexSet &owned          = level.partitioner()->locally_owned_range();
+      const auto added               = basis.large_added(small_weight); // of T − 1
+      const Indices rows             = unknowns_of(basis.slaves()),
+                    columns          = unknowns_of(basis.masters());
+      const auto for_each_entry_of_T = [&](const auto &take) {
         for (const auto dof : owned)
           take(dof, dof, 1.);
         for (Eigen::Index i = 0; i < added.outerSize(); ++i)

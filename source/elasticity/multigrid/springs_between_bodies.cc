@@ -13,30 +13,6 @@ namespace stiction
 
     // Of the largest weight of a slave.
     constexpr double small = 1e-2;
-
-    // Those of a slave but for the small ones, with the same sum. Where slaves hang on
-    // each other weights decay along all of their edge: with them, springs would couple
-    // whole boundaries.
-    std::map<Eigen::Index, Eigen::Matrix3d> large_blocks(const BasisTransformation &basis,
-                                                         const std::size_t slave)
-    {
-      auto blocks    = basis.blocks_of(slave);
-      double largest = 0.;
-      for (const auto &[j, N] : blocks)
-        largest = std::max(largest, N.cwiseAbs().maxCoeff());
-      double all = 0., kept = 0.;
-      for (auto b = blocks.begin(); b != blocks.end();)
-        {
-          const double weight = b->second.trace();
-          const bool is_small = b->second.cwiseAbs().maxCoeff() < small * largest;
-          all += weight;
-          kept += is_small ? 0. : weight;
-          b = is_small ? blocks.erase(b) : std::next(b);
-        }
-      for (auto &[j, N] : blocks)
-        N *= all / kept;
-      return blocks;
-    }
   } // namespace
 
   BackgroundMultigrid::SpringsBetweenBodies::SpringsBetweenBodies(
@@ -48,7 +24,7 @@ namespace stiction
   {
     for (std::size_t i = 0; i < of_slave_.size(); ++i)
       {
-        const auto opposite = large_blocks(basis, i);
+        const auto opposite = basis.large_blocks_of(i, small);
         if (opposite.empty())
           continue;
         std::map<unsigned int, Eigen::Matrix3f> blocks;

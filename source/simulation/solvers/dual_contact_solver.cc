@@ -97,12 +97,17 @@ namespace stiction
     const auto phase             = setting_.phases.scope("dual_operator");
     B_                           = setting_.surface.B();
     const Parameters &parameters = setting_.parameters;
+    const auto n_unknowns        = B_.all_dofs().size();
     const bool has_memory =
       tried_.empty() ||
-      has_memory_to_hand_over(parameters, static_cast<double>(B_.all_dofs().size()),
+      has_memory_to_hand_over(parameters, static_cast<double>(n_unknowns),
                               setting_.elasticity.body().communicator());
-    const std::string form = has_memory ? parameters.dual_operator.form : "by solves";
-    print_progress("Dual operator: " + form + ", " + stiffness_solver_type());
+    const std::string form   = has_memory ? parameters.dual_operator.form : "by solves";
+    const std::string solver = stiffness_solver_type();
+    print_progress("Dual operator: " + form + ", " + solver +
+                   (form == "assembled" && solver != "mumps"
+                      ? ": " + std::to_string(n_unknowns) + " elastic solves"
+                      : ""));
     Q_ = SchurComplement::create(form, setting_.elasticity, setting_.surface,
                                  *stiffness_solver_);
   }

@@ -2,7 +2,8 @@
 // is symmetric, slaves that are masters of others are followed in any order, circles are
 // refused, a coarse slave sees what it sees on the finer level, and K̂ with any supports
 // is factorised exactly, of elements of degree 2 and with hanging nodes as well, and so
-// is K̂ within the masters on which slaves weigh.
+// is K̂ within the masters on which slaves weigh. Small ones among many weights can be
+// left out, the sum staying what it is.
 
 #include "tests.h"
 
@@ -199,6 +200,28 @@ namespace
           << ", stiffness " << yes(distance(K_hat_u, Ku) < 1e-13) << ", symmetric "
           << yes(std::abs((K_hat_u * r) / (u * K_hat_r) - 1.) < 1e-10) << std::endl;
   }
+  // Weights that decay over many masters, beside a slave with few and a small one.
+  void check_small_weights(const Dofs &slaves, const Dofs &masters)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](const std::size_t i, const std::size_t j, const double weight) {
+      for (unsigned int a = 0; a < 3; ++a)
+        entries.emplace_back(3 * i + a, 3 * j + a, weight);
+    };
+    for (std::size_t j = 0; j < masters.size(); ++j)
+      add(0, j, std::pow(0.5, double(j)));
+    add(1, 0, 1.);
+    add(1, 1, 1e-6);
+    BasisTransformation::Matrix N(6, 3 * static_cast<Eigen::Index>(masters.size()));
+    N.setFromTriplets(entries.begin(), entries.end());
+    const BasisTransformation T({slaves[0], slaves[1]}, masters, N);
+    const auto large           = T.large_added(1e-3);
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(N.cols());
+    out() << "of " << masters.size() << " weights " << large.row(0).nonZeros()
+          << " are large, of 2 weights " << large.row(3).nonZeros()
+          << ", with the same sums " << yes((large * ones).isApprox(N * ones, 1e-14))
+          << std::endl;
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -255,6 +278,8 @@ int main(int argc, char *argv[])
       check_factors(more, {first, second, weights}, other);
       check_masters(more, {first, second, 3. * weights}, 1e11, other);
     }
+
+  check_small_weights(bottom, top);
 
   try
     {

@@ -23,10 +23,11 @@ namespace stiction
     /// @param kind what they are, for messages: "boundary", "material".
     /// @param names those of parts that the mesh does not have are left out; a boundary
     ///   among them is refused with a sentence of its own.
+    /// @param others the names of the other kind, which are taken for these.
     /// @param how_to_name said where a name is asked for and there are none: a sentence
     ///   on how the file gets names.
     MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names,
-              std::string how_to_name = "");
+              std::map<std::string, Id> others = {}, std::string how_to_name = "");
 
     /// The boundaries of the brick: left (0), right (1), front (2), back (3),
     /// bottom (4), top (5), which are x = 0, x = Lx, y = 0, y = Ly, z = 0, z =
@@ -54,7 +55,7 @@ namespace stiction
   private:
     std::string kind_ = "boundary";
     std::set<Id> ids_;
-    std::map<std::string, Id> names_, absent_;
+    std::map<std::string, Id> names_, absent_, others_;
     std::string how_to_name_;
   };
 } // namespace stiction

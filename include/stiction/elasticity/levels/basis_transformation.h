@@ -44,6 +44,7 @@ namespace stiction
   public:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     using Dofs   = std::vector<dealii::types::global_dof_index>;
+    using Blocks = std::map<Eigen::Index, Eigen::Matrix3d>; ///< by the places of masters
 
     /// u = û.
     BasisTransformation();
@@ -67,11 +68,17 @@ namespace stiction
     const Dofs &slaves() const { return relation_->slaves; }
     const Dofs &masters() const { return relation_->masters; }
 
-    /// The blocks N_ij of a slave, by the places of its masters.
-    std::map<Eigen::Index, Eigen::Matrix3d> blocks_of(std::size_t slave) const;
+    /// The blocks N_ij of a slave but for those smaller than this part of the largest,
+    /// with the same sum. Where mortar weights hang on each other they decay along all of
+    /// the contact.
+    Blocks large_blocks_of(std::size_t slave, double part) const;
 
     /// T − 1, of the size of N.
     Matrix added() const;
+
+    /// The same without small blocks, as above, where a slave has more than 100: enough
+    /// for a preconditioner, and K̂ is not full in all of the contact.
+    Matrix large_added(double part) const;
 
     /// Takes R, which makes the displacements of slaves absolute in other directions, and
     /// springs S in these between slaves and what lies opposite, R S = 0.

@@ -19,9 +19,13 @@ namespace stiction
     MeshData read_by_extension(const std::string &file, const std::string &location)
     {
       const std::string kind = upper(std::filesystem::path(file).extension());
+      const bool is_of_cad   = kind == ".STEP" || kind == ".STP";
       if (kind != ".MSH" && kind != ".INP" && kind != ".VTK")
-        throw InputError(location + ", must be a file .msh (Gmsh), .inp "
-                                    "(Abaqus) or .vtk (VTK).");
+        throw InputError(
+          location +
+          ", must be a file .msh (Gmsh), .inp "
+          "(Abaqus) or .vtk (VTK)" +
+          (is_of_cad ? ": './run mesh " + file + "' makes a .msh of it." : "."));
       TextScanner text(file, location);
       if (!text.is_readable())
         throw InputError(location + ", cannot be read, must be the path of a mesh file.");
