@@ -40,6 +40,16 @@ namespace stiction
 
     // A guess is in balance if its equilibrium residual is below this.
     constexpr double balanced = 1e-6;
+
+    // What was before any load. Where loads are taken away it is no guess: a wedge stays
+    // where friction holds it.
+    State at_rest(State state)
+    {
+      state.u = 0.;
+      state.lambda.setZero();
+      state.distances.setZero();
+      return state;
+    }
   } // namespace
 
   bool ContactProblem::take_step(TimeSteps &times)
@@ -195,13 +205,27 @@ namespace stiction
     further.distances += ratio * (last.distances - earlier.distances);
 
     // Forces beyond their bounds tell which nodes will slip or open, and are no error of
-    // the guess; loads or supports that turned leave nodes inside out of balance.
-    const auto imbalance = [this](State state) {
+    // the guess; loads or supports that turned leave nodes inside out of balance, and
+    // obstacles that did leave gaps where nodes are pressed.
+    struct Errors
+    {
+      double imbalance, gap;
+    };
+    const auto errors_of = [this](State state) -> Errors {
       elasticity().prescribe(state.u);
       const Certificate certificate(elasticity(), contact_surface(), state);
-      return certificate.body_figures().equilibrium_residual;
+      const Eigen::VectorXd pressing =
+        state.lambda.head(contact_surface().n_nodes()).cwiseMax(0.);
+      const double gaps =
+        pressing.dot(certificate.gradient().head(pressing.size()).cwiseAbs());
+      return {certificate.body_figures().equilibrium_residual,
+              gaps > 0. ? gaps / pressing.sum() : 0.};
     };
-    return imbalance(further) <= std::max(balanced, imbalance(last)) ? further : last;
+    const Errors of_last = errors_of(last), of_further = errors_of(further);
+    const bool is_nearer =
+      of_further.imbalance <= std::max(balanced, of_last.imbalance) &&
+      of_further.gap <= std::max(balanced * further.u.linfty_norm(), of_last.gap);
+    return is_nearer ? further : last;
   }
 
   void ContactProblem::end_step(const TimeSteps &times)
@@ -211,6 +235,8 @@ namespace stiction
     if (!certificate_->bears_nothing())
       state_.scales = {std::max(state_.scales.force, certificate_->force_scale()),
                        std::max(state_.scales.energy, certificate_->energy_scale())};
+    if (ends_.empty() && steps_)
+      ends_.push_front({parameters_.time.start, at_rest(state_)});
     ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));
     if (steps_)

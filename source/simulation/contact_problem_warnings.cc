@@ -261,7 +261,7 @@ namespace stiction
         {
           const PairFigures figures = pair_figures(elasticity(), surface, pair, state_,
                                                    std::max(force, state_.scales.force));
-          add_warnings_of_pair(pair, surface, figures, *body_, *certificate_, units_,
+          add_warnings_of_pair(pair, surface, figures, *body_, *certificate_, way, units_,
                                warnings);
         }
     add_warnings_of_bodies(elasticity(), surface, state_, units_, steps_ != nullptr,

@@ -49,6 +49,9 @@ namespace stiction
     // Of the pressing force: less friction is rounding.
     constexpr double no_friction = 1e-6;
 
+    // Of what is opposite to a node: a body with less hardly moves it.
+    constexpr double much_opposite = 0.1;
+
     // Of the product of a force and its arm: nodes along an axis have no moment about it.
     constexpr double least_moment = 0.01;
 
@@ -171,6 +174,37 @@ namespace stiction
     {
       figures.way     = pressed.along_surface(pressed.slip).rowwise().norm().maxCoeff();
       figures.spacing = std::sqrt(pressed.areas.mean());
+    }
+
+    void add_joint(const LinearElasticity &elasticity, const ContactSurface &surface,
+                   const ContactBoundary &pair, const PressedNodes &pressed,
+                   const State &state, PairFigures &figures)
+    {
+      std::map<types::global_dof_index, unsigned int> piece_of;
+      for (const SurfaceFace &face : surface_faces(elasticity, pair.partners()))
+        for (unsigned int i = 0; i < face.n_nodes(); ++i)
+          piece_of.emplace(face.dofs[i], face.piece);
+      const ContactOperator::OtherSide &other = surface.B().other_side();
+      const Eigen::VectorXd moved             = other.dofs.restriction(state.u);
+      for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
+        {
+          std::map<unsigned int, Eigen::Vector2d> bodies; // Σ W_ij (1, n_i · u_j)
+          for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
+                 other.weights, pressed.nodes[k]);
+               entry; ++entry)
+            if (const auto piece = piece_of.find(other.dofs.dofs()[entry.col()]);
+                piece != piece_of.end())
+              bodies.try_emplace(piece->second, Eigen::Vector2d::Zero()).first->second +=
+                entry.value() * Eigen::Vector2d(1., pressed.normals.row(k).dot(
+                                                      at_node(moved, entry.col())));
+          Eigen::Vector2d all = Eigen::Vector2d::Zero();
+          for (const auto &[piece, sums] : bodies)
+            all += sums;
+          for (const auto &[piece, sums] : bodies)
+            if (sums(0) > much_opposite * all(0))
+              figures.joint =
+                std::max(figures.joint, std::abs(sums(1) / sums(0) - all(1) / all(0)));
+        }
     }
 
     // The faces with one of some nodes.
@@ -305,6 +339,7 @@ namespace stiction
     add_gap(pressed, figures);
     add_way(pressed, figures);
     add_tilt(pressed, figures);
+    add_joint(elasticity, surface, pair, pressed, state, figures);
     add_sizes(elasticity, surface, pair, pressed, figures);
     const auto bears  = pressed.bear();
     const auto spread = [&](const Eigen::VectorXd &values) {

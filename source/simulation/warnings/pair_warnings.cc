@@ -52,6 +52,9 @@ namespace stiction
     // Of the tractions of a pair: as much as the other side feels.
     constexpr double much_wavering = 0.5;
 
+    // Of the way that elastic bodies give, twice their energy over the normal force.
+    constexpr double much_at_joint = 0.1;
+
     // What lies inside of the other body before anything gives way, 'Initial gap' apart.
     void add_overlap(const ContactBoundary &pair, const ContactSurface &surface,
                      const Body &body, const Units &units, Warnings &warnings)
@@ -166,6 +169,23 @@ namespace stiction
                 : "round it off, or make the flat one the one boundary.")});
     }
 
+    void add_joint(const ContactBoundary &pair, const PairFigures &figures,
+                   const double way, const Units &units, Warnings &warnings)
+    {
+      if (figures.joint > much_at_joint * way)
+        warnings.push_back(
+          {"joint of " + pair.name(), figures.joint,
+           "nodes of '" + pair.name() +
+             "' lie over a joint of bodies that move against " +
+             "each other, and follow their mean: one of them is " +
+             with_unit(format("%.2g", figures.joint), units.length) + " inside of '" +
+             pair.name() + "' there, which gives way too easily; " +
+             (pair.partners().size() > 1
+                ? "make a pair of each of '" + pair.partner_name() +
+                    "' that bears the forces ('Slave side')."
+                : "let the other side bear the forces ('Slave side').")});
+    }
+
     // What is to overlap, beside facets that are as deep.
     void add_fit(const ContactBoundary &pair, const ContactSurface &surface,
                  const Units &units, Warnings &warnings)
@@ -269,8 +289,8 @@ namespace stiction
 
   void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
                             const PairFigures &figures, const Body &body,
-                            const Certificate &certificate, const Units &units,
-                            Warnings &warnings)
+                            const Certificate &certificate, const double way,
+                            const Units &units, Warnings &warnings)
   {
     add_wavering(pair, surface, figures, warnings);
     if (pair.is_tied())
@@ -282,6 +302,7 @@ namespace stiction
     add_slide(pair, figures, units, warnings);
     add_gap(pair, figures, body, units, warnings);
     add_tilt(pair, figures, warnings);
+    add_joint(pair, figures, way, units, warnings);
     add_misfit(pair, figures, warnings);
     add_corners(pair, figures, warnings);
     add_facets(pair, figures, body, certificate, warnings);

@@ -12,9 +12,11 @@ namespace stiction
   struct Units;
 
   /// Adds what the certificate does not tell of a pair: tractions that waver and, if it
-  /// is not tied, overlaps, forces beyond edges, ways, gaps, tilt and facets.
+  /// is not tied, overlaps, forces beyond edges, ways, gaps, tilt, joints and facets.
+  ///
+  /// @param way by which elastic bodies give, m.
   void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
                             const PairFigures &figures, const Body &body,
-                            const Certificate &certificate, const Units &units,
-                            Warnings &warnings);
+                            const Certificate &certificate, double way,
+                            const Units &units, Warnings &warnings);
 } // namespace stiction
