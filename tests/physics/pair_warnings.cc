@@ -2,7 +2,8 @@
 // socket, pressed and turned by forces inside: friction bears less than F P R =
 // 23,500 N mm; beyond that facets hold it. A block that falls onto another one from as
 // far as half of its size: friction has a moment then. A stiff block on a wide soft one,
-// whose cells are 2.5 times as wide, or as wide as its own.
+// whose cells are 2.5 times as wide, or as wide as its own. A block over the joint of two
+// others, one of which is drawn down and leaves it.
 
 #include "several_bodies.h"
 
@@ -82,6 +83,26 @@ namespace
     out() << law << " on " << cells
           << " cells: " << warnings(run, "waver from node to node") << std::endl;
   }
+  // The nodes of the block over the joint bear where the mean of both sides is.
+  void straddle(const std::string &down)
+  {
+    const Run run(
+      file("joint.prm",
+           brick("left", "1,1,1", "4,4,4", "-1;0;0") +
+             brick("right", "1,1,1", "4,4,4", "0;0;0") +
+             brick("block", "1,1,0.5", "5,5,2", "-0.6;0;1") +
+             section("Boundary conditions",
+                     {"Prescribed displacement = left.bottom : 0; 0; 0 | "
+                      "right.bottom : 0; 0; -" +
+                        down + " | block.left : 0; 0; free",
+                      "Pressure = block.top : 1"}) +
+             section("Contact pair sole", {"Boundary = block.bottom",
+                                           "Obstacle = boundary : left.top, right.top",
+                                           "Law = frictionless"})),
+      {});
+    out() << "the right one down by " << down << ": "
+          << warnings(run, "lie over a joint of bodies") << std::endl;
+  }
 } // namespace
 
 int main(int argc, char *argv[])
@@ -96,4 +117,6 @@ int main(int argc, char *argv[])
   for (const std::string law : {"frictionless", "tied"})
     for (const std::string cells : {"12,12,4", "30,30,10"})
       press(law, cells);
+  for (const std::string down : {"0", "0.02"})
+    straddle(down);
 }
