@@ -102,12 +102,10 @@ namespace stiction
       tried_.empty() ||
       has_memory_to_hand_over(parameters, static_cast<double>(n_unknowns),
                               setting_.elasticity.body().communicator());
-    const std::string form   = has_memory ? parameters.dual_operator.form : "by solves";
-    const std::string solver = stiffness_solver_type();
-    print_progress("Dual operator: " + form + ", " + solver +
-                   (form == "assembled" && solver != "mumps"
-                      ? ": " + std::to_string(n_unknowns) + " elastic solves"
-                      : ""));
+    const std::string form = has_memory ? parameters.dual_operator.form : "by solves";
+    const bool by_columns  = form == "assembled" && stiffness_solver_type() != "mumps";
+    print_progress("Dual operator: " + form + ", " + stiffness_solver_type() +
+                   (by_columns ? format(": %ld elastic solves", n_unknowns) : ""));
     Q_ = SchurComplement::create(form, setting_.elasticity, setting_.surface,
                                  *stiffness_solver_);
   }
