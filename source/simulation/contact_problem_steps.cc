@@ -41,8 +41,7 @@ namespace stiction
     // A guess is in balance if its equilibrium residual is below this.
     constexpr double balanced = 1e-6;
 
-    // What was before any load. Where loads are taken away it is no guess: a wedge stays
-    // where friction holds it.
+    // Before any load, from where the second step is extrapolated.
     State at_rest(State state)
     {
       state.u = 0.;
@@ -205,11 +204,11 @@ namespace stiction
     further.distances += ratio * (last.distances - earlier.distances);
 
     // Forces beyond their bounds tell which nodes will slip or open, and are no error of
-    // the guess; loads or supports that turned leave nodes inside out of balance, and
-    // obstacles that did leave gaps where nodes are pressed.
+    // the guess; loads or supports that turned leave nodes inside, or pressed obstacles,
+    // out of balance, and obstacles that did leave gaps where nodes are pressed.
     struct Errors
     {
-      double imbalance, gap;
+      double force_scale, imbalance, obstacle_force, gap; // N, N, of itself, m
     };
     const auto errors_of = [this](State state) -> Errors {
       elasticity().prescribe(state.u);
@@ -218,12 +217,16 @@ namespace stiction
         state.lambda.head(contact_surface().n_nodes()).cwiseMax(0.);
       const double gaps =
         pressing.dot(certificate.gradient().head(pressing.size()).cwiseAbs());
-      return {certificate.body_figures().equilibrium_residual,
-              gaps > 0. ? gaps / pressing.sum() : 0.};
+      const Certificate::BodyFigures &figures = certificate.body_figures();
+      return {certificate.force_scale(),
+              figures.equilibrium_residual * certificate.force_scale(),
+              figures.obstacle_force, gaps > 0. ? gaps / pressing.sum() : 0.};
     };
     const Errors of_last = errors_of(last), of_further = errors_of(further);
     const bool is_nearer =
-      of_further.imbalance <= std::max(balanced, of_last.imbalance) &&
+      of_further.imbalance <=
+        std::max(balanced * of_further.force_scale, of_last.imbalance) &&
+      of_further.obstacle_force <= std::max(balanced, of_last.obstacle_force) &&
       of_further.gap <= std::max(balanced * further.u.linfty_norm(), of_last.gap);
     return is_nearer ? further : last;
   }
@@ -235,7 +238,7 @@ namespace stiction
     if (!certificate_->bears_nothing())
       state_.scales = {std::max(state_.scales.force, certificate_->force_scale()),
                        std::max(state_.scales.energy, certificate_->energy_scale())};
-    if (ends_.empty() && steps_)
+    if (ends_.empty() && steps_ && parameters_.time.start < times.reached())
       ends_.push_front({parameters_.time.start, at_rest(state_)});
     ends_.push_front({times.reached(), state_});
     ends_.resize(std::min<std::size_t>(ends_.size(), 2));

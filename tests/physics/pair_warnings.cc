@@ -83,6 +83,7 @@ namespace
     out() << law << " on " << cells
           << " cells: " << warnings(run, "waver from node to node") << std::endl;
   }
+
   // The nodes of the block over the joint bear where the mean of both sides is.
   void straddle(const std::string &down)
   {
@@ -101,7 +102,7 @@ namespace
                                            "Law = frictionless"})),
       {});
     out() << "the right one down by " << down << ": "
-          << warnings(run, "lie over a joint of bodies") << std::endl;
+          << warnings(run, "over whose joint they lie") << std::endl;
   }
 } // namespace
 

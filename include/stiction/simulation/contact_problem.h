@@ -200,7 +200,7 @@ namespace stiction
     std::unique_ptr<Body> body_;
     std::unique_ptr<Discretization> discretization_;
     State state_;
-    /// Ends of the last steps, the last one first; on the present mesh.
+    /// Ends of the last steps, the last one first, or the start; on the present mesh.
     std::deque<StepEnd> ends_;
     MeshHistory mesh_history_;
     /// What the run goes on from, if it is no new one.

@@ -66,7 +66,7 @@ namespace stiction
       location + ": the mesh has no " + kind_ + " " +
       (is_number(name) ? name : "'" + name + "'") +
       (others_.count(name) == 0 ? did_you_mean(name, names)
-       : kind_ == "boundary"    ? " (that is a volume, a material)"
+       : kind_ == "boundary"    ? " (that is a body or a material)"
                                 : " (that is a boundary)") +
       ", it has " + known +
       (names_.empty() && !how_to_name_.empty() ? ": " + how_to_name_ : "") + ".");

@@ -4,6 +4,8 @@
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/pairs/climbed_facets.h>
 #include <stiction/contact/pairs/surface_face.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/qp/operators/nodal_blocks.h>
 
 #include <Eigen/Eigenvalues>
@@ -180,30 +182,42 @@ namespace stiction
                    const ContactBoundary &pair, const PressedNodes &pressed,
                    const State &state, PairFigures &figures)
     {
+      std::set<unsigned int> pieces;
+      for (const auto id : pair.partners())
+        pieces.merge(elasticity.body().pieces_at(id));
+      if (pieces.size() < 2)
+        return;
       std::map<types::global_dof_index, unsigned int> piece_of;
       for (const SurfaceFace &face : surface_faces(elasticity, pair.partners()))
         for (unsigned int i = 0; i < face.n_nodes(); ++i)
           piece_of.emplace(face.dofs[i], face.piece);
       const ContactOperator::OtherSide &other = surface.B().other_side();
       const Eigen::VectorXd moved             = other.dofs.restriction(state.u);
+      const auto bears                        = pressed.bear();
       for (std::size_t k = 0; k < pressed.nodes.size(); ++k)
         {
-          std::map<unsigned int, Eigen::Vector2d> bodies; // Σ W_ij (1, n_i · u_j)
+          if (!bears(k))
+            continue;
+          // Σ W_ij (1, n_i · u_j), of all and of each body
+          Eigen::Vector2d all = Eigen::Vector2d::Zero();
+          std::map<unsigned int, Eigen::Vector2d> bodies;
           for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
                  other.weights, pressed.nodes[k]);
                entry; ++entry)
             if (const auto piece = piece_of.find(other.dofs.dofs()[entry.col()]);
                 piece != piece_of.end())
-              bodies.try_emplace(piece->second, Eigen::Vector2d::Zero()).first->second +=
-                entry.value() * Eigen::Vector2d(1., pressed.normals.row(k).dot(
-                                                      at_node(moved, entry.col())));
-          Eigen::Vector2d all = Eigen::Vector2d::Zero();
-          for (const auto &[piece, sums] : bodies)
-            all += sums;
+              {
+                const Eigen::Vector2d of_node =
+                  entry.value() * Eigen::Vector2d(1., pressed.normals.row(k).dot(
+                                                        at_node(moved, entry.col())));
+                all += of_node;
+                bodies.try_emplace(piece->second, Eigen::Vector2d::Zero())
+                  .first->second += of_node;
+              }
           for (const auto &[piece, sums] : bodies)
             if (sums(0) > much_opposite * all(0))
               figures.joint =
-                std::max(figures.joint, std::abs(sums(1) / sums(0) - all(1) / all(0)));
+                std::max(figures.joint, all(1) / all(0) - sums(1) / sums(0));
         }
     }
 

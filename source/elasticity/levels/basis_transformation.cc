@@ -7,6 +7,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <algorithm>
 #include <set>
 
 namespace stiction
@@ -76,23 +77,25 @@ namespace stiction
       return blocks;
     }
 
+    // What is left out is added to the largest block, so that translations are exact.
     Blocks large_blocks(Blocks blocks, const double part)
     {
-      double largest = 0.;
-      for (const auto &[j, N] : blocks)
-        largest = std::max(largest, N.cwiseAbs().maxCoeff());
-      double all = 0., kept = 0.;
+      const auto size = [](const Eigen::Matrix3d &N) { return N.cwiseAbs().maxCoeff(); };
+      const auto largest =
+        std::max_element(blocks.begin(), blocks.end(), [&](const auto &a, const auto &b) {
+          return size(a.second) < size(b.second);
+        });
+      Eigen::Matrix3d left_out = Eigen::Matrix3d::Zero();
       for (auto b = blocks.begin(); b != blocks.end();)
-        {
-          const double weight = b->second.trace();
-          const bool is_small = b->second.cwiseAbs().maxCoeff() < part * largest;
-          all += weight;
-          kept += is_small ? 0. : weight;
-          b = is_small ? blocks.erase(b) : std::next(b);
-        }
-      for (auto &[j, N] : blocks)
-        if (kept != 0.)
-          N *= all / kept;
+        if (size(b->second) < part * size(largest->second))
+          {
+            left_out += b->second;
+            b = blocks.erase(b);
+          }
+        else
+          ++b;
+      if (!blocks.empty())
+        largest->second += left_out;
       return blocks;
     }
 

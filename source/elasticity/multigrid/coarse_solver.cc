@@ -35,8 +35,9 @@ namespace stiction
     // MUMPS factorises.
     constexpr types::global_dof_index max_direct = 4000;
 
-    // Weights of slaves below this part of their largest are left out: a pin in a hook
-    // with 170,000 blocks keeps 27,000 and takes one iteration in 250 more.
+    // Where a slave has more than 100 weights those below this part of its largest are
+    // left out: a pin in a hook with 170,000 blocks keeps 27,000 and takes one iteration
+    // in 250 more.
     constexpr double small_weight = 1e-3;
 
     using Indices = std::vector<types::global_dof_index>;

@@ -2,7 +2,6 @@
 
 #include <stiction/elasticity/linear_algebra/sorted_list.h>
 
-#include <iterator>
 #include <map>
 
 namespace stiction

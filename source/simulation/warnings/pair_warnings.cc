@@ -177,14 +177,16 @@ namespace stiction
         warnings.push_back(
           {"joint of " + pair.name(), figures.joint,
            "nodes of '" + pair.name() +
-             "' lie over a joint of bodies that move against " +
-             "each other, and follow their mean: one of them is " +
+             "' follow the mean of bodies that move against each other, over whose "
+             "joint they lie: one of these is " +
              with_unit(format("%.2g", figures.joint), units.length) + " inside of '" +
              pair.name() + "' there, which gives way too easily; " +
              (pair.partners().size() > 1
                 ? "make a pair of each of '" + pair.partner_name() +
                     "' that bears the forces ('Slave side')."
-                : "let the other side bear the forces ('Slave side').")});
+              : pair.other_side_may_bear()
+                ? "let the other side bear the forces ('Slave side')."
+                : "make boundaries, and pairs, of each of these.")});
     }
 
     // What is to overlap, beside facets that are as deep.

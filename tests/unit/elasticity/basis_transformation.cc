@@ -212,12 +212,14 @@ namespace
       add(0, j, std::pow(0.5, double(j)));
     add(1, 0, 1.);
     add(1, 1, 1e-6);
+    for (const std::size_t j : {0, 20}) // as of turns
+      entries.emplace_back(0, 3 * j + 1, std::pow(0.5, double(j)));
     BasisTransformation::Matrix N(6, 3 * static_cast<Eigen::Index>(masters.size()));
     N.setFromTriplets(entries.begin(), entries.end());
     const BasisTransformation T({slaves[0], slaves[1]}, masters, N);
     const auto large           = T.large_added(1e-3);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(N.cols());
-    out() << "of " << masters.size() << " weights " << large.row(0).nonZeros()
+    out() << "of " << masters.size() << " weights " << large.row(2).nonZeros()
           << " are large, of 2 weights " << large.row(3).nonZeros()
           << ", with the same sums " << yes((large * ones).isApprox(N * ones, 1e-14))
           << std::endl;

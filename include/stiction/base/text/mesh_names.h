@@ -23,7 +23,7 @@ namespace stiction
     /// @param kind what they are, for messages: "boundary", "material".
     /// @param names those of parts that the mesh does not have are left out; a boundary
     ///   among them is refused with a sentence of its own.
-    /// @param others the names of the other kind, which are taken for these.
+    /// @param others the names of the other kind, which users take for these.
     /// @param how_to_name said where a name is asked for and there are none: a sentence
     ///   on how the file gets names.
     MeshNames(std::string kind, std::set<Id> ids, const std::map<std::string, Id> &names,

@@ -41,8 +41,8 @@ namespace stiction
     /// the normals m_i opposite.
     double tilt = 0.;
 
-    /// How far bodies opposite move along the normal of a pressed node that lies over
-    /// their joint, beside the mean that the node follows, at most, m.
+    /// How far one of several bodies opposite comes towards a pressed node that lies over
+    /// their joint, beyond the mean of them that the node follows, at most, m.
     double joint = 0.;
 
     /// By how much the distances of the meshes at pressed nodes, less their gaps, differ,

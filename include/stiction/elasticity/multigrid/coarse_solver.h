@@ -32,7 +32,7 @@ namespace stiction
     ///   elsewhere.
     /// @param supported_nodes the first unknowns, on this level, of the nodes
     ///   that supports may hold; the same on all ranks.
-    /// @param basis in which the matrix is TᵀKT.
+    /// @param basis in which the matrix is TᵀKT, without small ones among many weights.
     /// @param is_direct whether to factorise whatever the size. Collective.
     CoarseSolver(const Materials &materials, const MeshLevel &level,
                  const LA::Vector &fixed,
@@ -45,7 +45,7 @@ namespace stiction
     /// Collective.
     void set_supports(const NodalSupports &supports);
 
-    /// Whether vmult() solves exactly.
+    /// Whether vmult() solves exactly, but for weights that the basis left out.
     bool is_direct() const { return amg_ == nullptr; }
 
     /// An approximation of dst = K⁻¹ src, symmetric; src and dst are zero in

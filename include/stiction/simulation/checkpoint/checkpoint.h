@@ -20,7 +20,7 @@ namespace stiction
   {
     nlohmann::json steps;     ///< TimeSteps::progress()
     nlohmann::json history;   ///< StepHistory::progress()
-    std::deque<StepEnd> ends; ///< of the last steps, the last one first
+    std::deque<StepEnd> ends; ///< of the last steps, or the start, the last one first
   };
 
   /// Writes a checkpoint into the directory, as 'checkpoint'; the one before becomes

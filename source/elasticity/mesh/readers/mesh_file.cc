@@ -25,7 +25,7 @@ namespace stiction
           location +
           ", must be a file .msh (Gmsh), .inp "
           "(Abaqus) or .vtk (VTK)" +
-          (is_of_cad ? ": './run mesh " + file + "' makes a .msh of it." : "."));
+          (is_of_cad ? ": './run mesh " + file + " part.msh' makes one of it." : "."));
       TextScanner text(file, location);
       if (!text.is_readable())
         throw InputError(location + ", cannot be read, must be the path of a mesh file.");
