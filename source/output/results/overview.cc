@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -29,6 +30,9 @@ namespace stiction
 
   namespace
   {
+    // Of the size of bodies: sides that were drawn where they touch are apart by less.
+    constexpr double rounding_of_gap = 1e-12;
+
     void print(Log &log, const TableHandler &table)
     {
       std::stringstream out;
@@ -150,7 +154,9 @@ namespace stiction
                                : std::string("  the supports hold it"));
     }
 
-    void print_contact(Log &log, const ContactSurface &surface, const Units &units)
+    // @param rounding of gaps, m.
+    void print_contact(Log &log, const ContactSurface &surface, const double rounding,
+                       const Units &units)
     {
       // where the parameter file puts the obstacles, not where the search for
       // the place of a pressed one begins
@@ -165,7 +171,7 @@ namespace stiction
           for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
             if (surface.nodes()[i].boundary == b)
               {
-                const double gap = gaps(i);
+                const double gap = std::abs(gaps(i)) > rounding ? gaps(i) : 0.;
                 ++n;
                 n_inside += gap < 0. ? 1 : 0;
                 area += surface.areas()(i);
@@ -241,6 +247,6 @@ namespace stiction
   {
     print_bodies(log, elasticity, units);
     print_boundaries(log, elasticity, surface, units);
-    print_contact(log, surface, units);
+    print_contact(log, surface, rounding_of_gap * elasticity.body().diameter(), units);
   }
 } // namespace stiction
