@@ -200,6 +200,7 @@ namespace
           << ", stiffness " << yes(distance(K_hat_u, Ku) < 1e-13) << ", symmetric "
           << yes(std::abs((K_hat_u * r) / (u * K_hat_r) - 1.) < 1e-10) << std::endl;
   }
+
   // Weights that decay over many masters, beside a slave with few and a small one.
   void check_small_weights(const Dofs &slaves, const Dofs &masters)
   {
