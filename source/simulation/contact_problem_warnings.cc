@@ -9,6 +9,7 @@
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
+#include <stiction/contact/pairs/surface_face.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/output/history/step_history.h>
 #include <stiction/qp/advice.h>
@@ -111,8 +112,28 @@ namespace stiction
              "; see where obstacles are, which way loads go and how large they are.";
     }
 
-    void add_few(const ContactSurface &surface, const std::size_t boundary,
-                 const State &state, Warnings &warnings)
+    // Whether forces act anywhere at four nodes around a place between them, more than a
+    // row.
+    bool is_face_pressed(const std::vector<SurfaceFace> &faces,
+                         const ContactSurface &surface, const Eigen::VectorXd &pressing)
+    {
+      const double least    = no_force * pressing.sum();
+      const auto is_pressed = [&](const dealii::types::global_dof_index first_dof) {
+        const Eigen::Index i = surface.node_of(first_dof);
+        return i >= 0 && pressing(i) > least;
+      };
+      return std::any_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
+        const unsigned int n = face.degree + 1; // in a row
+        for (unsigned int k = 0; k + n + 1 < n * n; ++k)
+          if (k % n + 1 < n && is_pressed(face.dofs[k]) && is_pressed(face.dofs[k + 1]) &&
+              is_pressed(face.dofs[k + n]) && is_pressed(face.dofs[k + n + 1]))
+            return true;
+        return false;
+      });
+    }
+
+    void add_few(const LinearElasticity &elasticity, const ContactSurface &surface,
+                 const std::size_t boundary, const State &state, Warnings &warnings)
     {
       Eigen::VectorXd pressing = Eigen::VectorXd::Zero(surface.n_nodes());
       unsigned int n           = 0;
@@ -123,16 +144,20 @@ namespace stiction
             ++n;
           }
       const auto bearing = (pressing.array() > no_force * pressing.sum()).count();
-      if (bearing > 0 && bearing <= few && n >= many)
+      const dealii::types::boundary_id id = surface.boundaries()[boundary].id();
+      if (bearing > 0 && n >= many &&
+          (bearing <= few ||
+           !is_face_pressed(surface_faces(elasticity, {id}), surface, pressing)))
         warnings.push_back(
           {"nodes of " + surface.boundaries()[boundary].name(),
            1. / static_cast<double>(bearing),
            format(
-             "the force of '%s' acts at %u of its %u nodes, too few to tell pressures "
+             "the force of '%s' acts at %u of its %u nodes%s, too few to tell pressures "
              "and the area: make cells smaller there, as 'Geometry/Contact "
              "refinement' does.",
              surface.boundaries()[boundary].name().c_str(),
-             static_cast<unsigned int>(bearing), n)});
+             static_cast<unsigned int>(bearing), n,
+             bearing <= few ? "" : ", a row without width")});
     }
 
     void add_supports(const ContactBoundary &boundary, const double frictionless,
@@ -218,6 +243,8 @@ namespace stiction
     const auto &boundaries        = surface.boundaries();
     const double force            = certificate_->force_scale();
     Warnings warnings;
+    add_warnings_of_bodies(elasticity(), surface, state_, units_, steps_ != nullptr,
+                           warnings);
     if (const double depth = surface.penetration_of_facing_away(state_);
         depth > rounding_of_depth * largest)
       warnings.push_back({"facing away", depth,
@@ -249,7 +276,7 @@ namespace stiction
         if (borne[b] <= no_force * std::max(force, state_.scales.force))
           continue; // rounding tells nothing
         if (!boundaries[b].is_tied())
-          add_few(surface, b, state_, warnings);
+          add_few(elasticity(), surface, b, state_, warnings);
         add_supports(boundaries[b], frictionless[b], warnings);
         add_fall(boundaries[b], falls[b], steps_ != nullptr, warnings);
         add_departure(boundaries[b], obstacle_departure(surface, boundaries[b], state_),
@@ -264,8 +291,6 @@ namespace stiction
           add_warnings_of_pair(pair, surface, figures, *body_, *certificate_, way, units_,
                                warnings);
         }
-    add_warnings_of_bodies(elasticity(), surface, state_, units_, steps_ != nullptr,
-                           warnings);
     const auto motions =
       elasticity().free_motions().motions(elasticity().free_motion_of(state_.u));
     for (const unsigned int piece :

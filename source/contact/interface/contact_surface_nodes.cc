@@ -1,4 +1,5 @@
-// Which nodes of the contact boundaries are contact nodes, and their data.
+// Which nodes of the contact boundaries are contact nodes, their data, and what they
+// face.
 
 #include <stiction/contact/interface/node_shares.h>
 
@@ -10,6 +11,8 @@
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/contact/pairs/mortar.h>
+#include <stiction/contact/pairs/rigid_turn.h>
+#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -226,6 +229,65 @@ namespace stiction
       return {};
     const DofSubset own = DofSubset::of_nodes(first_dofs_of(nodes));
     return {own, {nodes.begin(), nodes.end()}, other_side(elasticity, own, nodes)};
+  }
+
+  ContactOperator::OtherSide ContactSurface::other_side(
+    const LinearElasticity &elasticity, const DofSubset &own,
+    const std::vector<ContactNode> &nodes) const
+  {
+    const auto n_rows = static_cast<Eigen::Index>(nodes.size());
+    std::vector<types::global_dof_index> masters;
+    for (const auto &of_parts : mortars_)
+      for (const Mortar &mortar : of_parts)
+        masters.insert(masters.end(), mortar.masters.begin(), mortar.masters.end());
+    if (masters.empty())
+      return {};
+    sort_once(masters);
+    using Matrix          = decltype(Mortar::weights);
+    const auto of_mortars = [&](const Matrix Mortar::*const of_mortar) {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < n_rows; ++i)
+        if (const auto &of_parts = mortars_[nodes[i].boundary]; !of_parts.empty())
+          {
+            const Mortar &mortar = of_parts[nodes[i].part];
+            for (Matrix::InnerIterator a(mortar.*of_mortar,
+                                         mortar.row_of(nodes[i].first_dof));
+                 a; ++a)
+              entries.emplace_back(i, place_in(masters, mortar.masters[a.col()]),
+                                   a.value());
+          }
+      Matrix matrix(n_rows, static_cast<Eigen::Index>(masters.size()));
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    };
+
+    ContactOperator::OtherSide other;
+    other.dofs        = DofSubset::of_nodes(masters);
+    other.is_free     = 1. - prescribed_of(elasticity, other.dofs).array();
+    other.weights     = of_mortars(&Mortar::weights);
+    LA::Vector places = elasticity.zero_vector();
+    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
+      for (unsigned int c = 0; c < 3; ++c)
+        places(node.dofs[c]) = node.position[c];
+    std::vector<unsigned int> pairs;
+    for (const ContactNode &node : nodes)
+      pairs.push_back(node.boundary + boundaries_.size() * node.part);
+    other.A =
+      with_rigid_turns(other.weights, of_mortars(&Mortar::overlaps),
+                       own.restriction(places), other.dofs.restriction(places), pairs);
+    return other;
+  }
+
+  void ContactSurface::find_weights_of_other_side()
+  {
+    if (!B_.has_other_side())
+      return; // Eigen knows no product of sparse matrices without columns
+    const auto &other = B_.other_side();
+    // with their signs, sums of a node that the slave hardly covers may be rounding
+    to_other_side_ = other.weights.cwiseAbs().transpose() * areas_.asDiagonal();
+    const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
+    for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
+      to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
   }
 
   void ContactSurface::evaluate_data()

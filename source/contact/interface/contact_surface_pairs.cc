@@ -7,10 +7,8 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
-#include <stiction/contact/pairs/rigid_turn.h>
 #include <stiction/contact/pairs/smooth_parts.h>
 #include <stiction/contact/pairs/surface_face.h>
-#include <stiction/elasticity/linear_algebra/sorted_list.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
@@ -199,17 +197,67 @@ namespace stiction
              !pair.has_gap_of_places();
     }
 
+    // A pair whose slave side is to be chosen.
+    struct Candidate
+    {
+      Candidate(const LinearElasticity &elasticity, const ContactBoundary &pair,
+                const std::size_t its_number)
+        : number(its_number)
+        , first(surface_faces(elasticity, {pair.id()}))
+        , second(surface_faces(elasticity, pair.partners()))
+        , may_choose(is_open(pair))
+        , best(may_choose
+                 ? automatic_slave_side(elasticity, first, second, pair.is_tied())
+                 : choose_slave_side(first, second))
+      {
+      }
+
+      // Of 0 to 3: how little it matters which side is the slave.
+      unsigned int freedom(const ContactBoundary &pair, const Bearers &bearers) const
+      {
+        return !may_choose                                                  ? 0
+               : bearers.rank({pair.id()}) != bearers.rank(pair.partners()) ? 1
+               : best.is_much_softer() || best.other("").is_much_softer()   ? 2
+                                                                            : 3;
+      }
+
+      std::size_t number;
+      std::vector<SurfaceFace> first, second;
+      bool may_choose;
+      SlaveSide best;
+    };
+
+    // All pairs, those of least freedom first: of the others, one side or the other then
+    // closes no circle of bodies, unless there is one without them.
+    std::vector<Candidate> candidates(const LinearElasticity &elasticity,
+                                      const std::vector<ContactBoundary> &boundaries,
+                                      const Bearers &bearers)
+    {
+      std::vector<Candidate> pairs;
+      for (std::size_t b = 0; b < boundaries.size(); ++b)
+        if (boundaries[b].is_pair())
+          pairs.emplace_back(elasticity, boundaries[b], b);
+      const auto freedom = [&](const Candidate &pair) {
+        return pair.freedom(boundaries[pair.number], bearers);
+      };
+      std::stable_sort(pairs.begin(), pairs.end(), [&](const auto &a, const auto &b) {
+        return freedom(a) < freedom(b);
+      });
+      return pairs;
+    }
+
     // The side that the user says, or the best one, unless another bears fewer forces or
     // closes no circle.
-    SlaveSide choose_side(const ContactBoundary &pair, const SlaveSide &best,
-                          const Bearers &bearers, const bool may_choose)
+    SlaveSide choose_side(const ContactBoundary &pair, const Candidate &candidate,
+                          const Bearers &bearers)
     {
+      const SlaveSide &best = candidate.best;
       const Boundaries own{pair.id()};
       const Boundaries &slave  = best.is_first ? own : pair.partners();
       const Boundaries &master = best.is_first ? pair.partners() : own;
       const unsigned int rank = bearers.rank(slave), other = bearers.rank(master);
       SlaveSide side = best;
-      if (!may_choose)
+      if (!candidate.may_choose)
         {
           const bool is_best = (pair.slave_side() != "obstacle") == best.is_first;
           side               = is_best ? best : best.other("");
@@ -223,7 +271,7 @@ namespace stiction
       else if (!best.is_much_softer() && rank == other &&
                bearers.closes_circle(slave, master) &&
                !bearers.closes_circle(master, slave))
-        side = best.other("the side that closes no circle of bodies");
+        side = best.other("since otherwise bodies would follow each other in a circle");
       if (pair.wavers(side))
         side.reason +=
           ", although it is the stiffer one and its cells are not larger by "
@@ -260,45 +308,40 @@ namespace stiction
     mortars_.resize(boundaries_.size());
     // a boundary that stands in several pairs can be the slave of one alone
     Bearers bearers(elasticity.body(), boundaries_);
-    for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      if (ContactBoundary &pair = boundaries_[b]; !pair.is_pair())
-        parts_.split(surface_faces(elasticity, {pair.id()}));
-      else
-        {
-          auto first            = surface_faces(elasticity, {pair.id()});
-          auto second           = surface_faces(elasticity, pair.partners());
-          const bool may_choose = is_open(pair);
-          const SlaveSide best =
-            may_choose ? automatic_slave_side(elasticity, first, second, pair.is_tied())
-                       : choose_slave_side(first, second);
-          SlaveSide side = choose_side(pair, best, bearers, may_choose);
-          pair.take_side(side);
-          bearers.require_one_contact(pair);
-          if (!side.is_first)
+    for (const ContactBoundary &boundary : boundaries_)
+      if (!boundary.is_pair())
+        parts_.split(surface_faces(elasticity, {boundary.id()}));
+    for (Candidate &candidate : candidates(elasticity, boundaries_, bearers))
+      {
+        auto &[b, first, second, may_choose, best] = candidate;
+        ContactBoundary &pair                      = boundaries_[b];
+        SlaveSide side = choose_side(pair, candidate, bearers);
+        pair.take_side(side);
+        bearers.require_one_contact(pair);
+        if (!side.is_first)
+          std::swap(first, second);
+        Mortar mortar(elasticity, first, second);
+        if (pair.is_tied())
+          require_close(pair, mortar, first);
+        require_all_opposite(elasticity, pair, mortar);
+        if (may_choose && may_change_sides(pair, side, bearers) &&
+            !is_contact_boundary(pair.partners().front()) &&
+            is_held_less(elasticity, pair, mortar, first, second))
+          {
             std::swap(first, second);
-          Mortar mortar(elasticity, first, second);
-          if (pair.is_tied())
-            require_close(pair, mortar, first);
-          require_all_opposite(elasticity, pair, mortar);
-          if (may_choose && may_change_sides(pair, side, bearers) &&
-              !is_contact_boundary(pair.partners().front()) &&
-              is_held_less(elasticity, pair, mortar, first, second))
-            {
-              std::swap(first, second);
-              mortar = Mortar(elasticity, first, second);
-              side   = side.other("the side that is held less");
-              pair.take_side(side);
-            }
-          if (pair.is_tied())
-            require_tie(pair, n_held_alone(elasticity, mortar));
-          bearers.add(pair);
-          require_side_by_side(pair, mortar, first, second);
-          const auto parts =
-            pair.is_tied() ? decltype(parts_.split(first)){first} : parts_.split(first);
-          for (const auto &faces : parts)
-            mortars_[b].push_back(parts.size() == 1 ? mortar
-                                                    : Mortar(elasticity, faces, second));
-        }
+            mortar = Mortar(elasticity, first, second);
+            pair.take_side(side.other("the side that is held less"));
+          }
+        if (pair.is_tied())
+          require_tie(pair, n_held_alone(elasticity, mortar));
+        bearers.add(pair);
+        require_side_by_side(pair, mortar, first, second);
+        const auto parts =
+          pair.is_tied() ? decltype(parts_.split(first)){first} : parts_.split(first);
+        for (const auto &faces : parts)
+          mortars_[b].push_back(parts.size() == 1 ? mortar
+                                                  : Mortar(elasticity, faces, second));
+      }
   }
 
   void ContactSurface::join_pairs_as(const ContactSurface &before)
@@ -327,64 +370,5 @@ namespace stiction
     node.gap            = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? node.mesh_gap : 0.);
     return true;
-  }
-
-  ContactOperator::OtherSide ContactSurface::other_side(
-    const LinearElasticity &elasticity, const DofSubset &own,
-    const std::vector<ContactNode> &nodes) const
-  {
-    const auto n_rows = static_cast<Eigen::Index>(nodes.size());
-    std::vector<types::global_dof_index> masters;
-    for (const auto &of_parts : mortars_)
-      for (const Mortar &mortar : of_parts)
-        masters.insert(masters.end(), mortar.masters.begin(), mortar.masters.end());
-    if (masters.empty())
-      return {};
-    sort_once(masters);
-    using Matrix          = decltype(Mortar::weights);
-    const auto of_mortars = [&](const Matrix Mortar::*const of_mortar) {
-      std::vector<Eigen::Triplet<double>> entries;
-      for (Eigen::Index i = 0; i < n_rows; ++i)
-        if (const auto &of_parts = mortars_[nodes[i].boundary]; !of_parts.empty())
-          {
-            const Mortar &mortar = of_parts[nodes[i].part];
-            for (Matrix::InnerIterator a(mortar.*of_mortar,
-                                         mortar.row_of(nodes[i].first_dof));
-                 a; ++a)
-              entries.emplace_back(i, place_in(masters, mortar.masters[a.col()]),
-                                   a.value());
-          }
-      Matrix matrix(n_rows, static_cast<Eigen::Index>(masters.size()));
-      matrix.setFromTriplets(entries.begin(), entries.end());
-      return matrix;
-    };
-
-    ContactOperator::OtherSide other;
-    other.dofs        = DofSubset::of_nodes(masters);
-    other.is_free     = 1. - prescribed_of(elasticity, other.dofs).array();
-    other.weights     = of_mortars(&Mortar::weights);
-    LA::Vector places = elasticity.zero_vector();
-    for (const Body::Node &node : elasticity.body().locally_owned_nodes())
-      for (unsigned int c = 0; c < 3; ++c)
-        places(node.dofs[c]) = node.position[c];
-    std::vector<unsigned int> pairs;
-    for (const ContactNode &node : nodes)
-      pairs.push_back(node.boundary + boundaries_.size() * node.part);
-    other.A =
-      with_rigid_turns(other.weights, of_mortars(&Mortar::overlaps),
-                       own.restriction(places), other.dofs.restriction(places), pairs);
-    return other;
-  }
-
-  void ContactSurface::find_weights_of_other_side()
-  {
-    if (!B_.has_other_side())
-      return; // Eigen knows no product of sparse matrices without columns
-    const auto &other = B_.other_side();
-    // with their signs, sums of a node that the slave hardly covers may be rounding
-    to_other_side_ = other.weights.cwiseAbs().transpose() * areas_.asDiagonal();
-    const Eigen::VectorXd of_nodes = to_other_side_ * Eigen::VectorXd::Ones(n_nodes());
-    for (Eigen::Index j = 0; j < of_nodes.size(); ++j)
-      to_other_side_.row(j) *= of_nodes(j) > 0. ? 1. / of_nodes(j) : 0.;
   }
 } // namespace stiction

@@ -327,7 +327,8 @@ namespace stiction
         const bool is_thrown = first_ && state.w.lpNorm<Eigen::Infinity>() >
                                            thrown * first_->w.lpNorm<Eigen::Infinity>();
         path_ = std::make_unique<PrimalInteriorPoint>(
-          problem_, system_, is_thrown ? *first_ : state, 0.5 * tolerance);
+          problem_, system_, is_thrown ? *first_ : state, 0.5 * tolerance,
+          statistics_.fallbacks == 0);
         first_.reset(); // a second path from there would be the same
         ++statistics_.fallbacks;
       }

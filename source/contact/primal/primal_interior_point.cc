@@ -20,16 +20,8 @@ namespace stiction
     // ... or of the tolerance.
     constexpr double accuracy_of_tolerance = 0.1;
 
-    // What a step makes of μ, by how far the last one went: a short one says that the
-    // point is far from the central path.
-    double reduction_after(const double length)
-    {
-      return length > 0.9 ? 0.05 : length > 0.5 ? 0.2 : 0.5;
-    }
-
-    // ... and after a system that was not solved as well as it should have been: μ must
-    // not fall ahead of the equilibrium.
-    constexpr double reduction_of_bad_steps = 1.;
+    // ... of a predictor, whose direction is not taken.
+    constexpr double accuracy_of_predictor = 0.1;
 
     constexpr unsigned int longest_path = 100; // steps
 
@@ -44,7 +36,7 @@ namespace stiction
   PrimalInteriorPoint::PrimalInteriorPoint(const ContactLevel &problem,
                                            NewtonSystem &system,
                                            const ContactState &start,
-                                           const double tolerance)
+                                           const double tolerance, const bool may_be_near)
     : problem_(problem)
     , system_(system)
     , state_(start)
@@ -54,7 +46,10 @@ namespace stiction
     , tolerance_(tolerance)
     , path_(problem.slip_bound(), start_.conditions.scaling())
   {
-    path_.open_gaps(-start.w);
+    if (may_be_near && best_residual_ <= qp::CentralPath::near_residual)
+      path_.begin_near(start.lambda, -start.w, best_residual_);
+    else
+      path_.open_gaps(-start.w);
   }
 
   PrimalActiveSet PrimalInteriorPoint::linearize() const
@@ -88,14 +83,34 @@ namespace stiction
 
   bool PrimalInteriorPoint::step()
   {
-    const double target = reduction_ * path_.mean_product();
-    path_.aim(target);
+    const ContactState before = state_;
+    const double mu           = path_.mean_product();
+    const bool was_accurate   = is_accurate_;
+    path_.aim(0.);
+    find_direction(accuracy_of_predictor * mu);
+    const unsigned int iterations = krylov_iterations_;
+    // after a system that was not solved as it should have been μ must not fall ahead of
+    // the equilibrium
+    const double target = was_accurate ? path_.centring() * mu : mu;
+    path_.aim_with_correction(target);
+    state_             = before;
+    const bool is_fine = find_direction(target);
+    krylov_iterations_ += iterations;
+    const double length = std::min(1., part_of_way * path_.largest_step());
+    if (!(length > 0.) || !is_fine)
+      return false;
+    path_.advance(length);
+    state_.go_back(before, length);
+    return true;
+  }
+
+  bool PrimalInteriorPoint::find_direction(const double mu)
+  {
     const PrimalActiveSet linearization = linearize();
     const Eigen::VectorXd &force        = start_.conditions.scaling().force;
-    const double accuracy = std::max(accuracy_of_mu * std::min(target / path_.unit(), 1.),
+    const double accuracy = std::max(accuracy_of_mu * std::min(mu / path_.unit(), 1.),
                                      accuracy_of_tolerance * tolerance_);
-    const ContactState before = state_;
-    is_accurate_              = false;
+    is_accurate_          = false;
     krylov_iterations_ =
       system_.solve(state_, linearization, [&](const NewtonSystem::Progress &now) {
         const double error =
@@ -116,13 +131,7 @@ namespace stiction
                                                                   at_node(missing, i));
       });
     path_.set_direction(change, w_change);
-    const double length = std::min(1., part_of_way * path_.largest_step());
-    if (!(length > 0.) || !change.allFinite())
-      return false;
-    path_.advance(length);
-    state_.go_back(before, length);
-    reduction_ = is_accurate_ ? reduction_after(length) : reduction_of_bad_steps;
-    return true;
+    return change.allFinite();
   }
 
   bool PrimalInteriorPoint::is_at_end() const

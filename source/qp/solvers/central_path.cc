@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "second_order_cone.h"
@@ -13,6 +14,7 @@
 namespace stiction::qp
 {
   using Eigen::Matrix3d;
+  using Eigen::Vector2d;
   using Eigen::Vector3d;
   using Eigen::VectorXd;
 
@@ -47,6 +49,46 @@ namespace stiction::qp
         if (has_friction(i))
           sigma_(i) = lambda_(i) * w_(i) / force(i).cone(0);
       }
+  }
+
+  void CentralPath::begin_near(const VectorXd &lambda, const VectorXd &w,
+                               const double residual)
+  {
+    const double mu = residual * residual * unit();
+    for (const Eigen::Index i : bounded_)
+      {
+        const double force = scaling_.force(i), way = scaling_.displacement_at(i);
+        // λ/force − w/way remains what it is
+        const Vector3d a  = at_node(lambda, i) / force - at_node(w, i) / way;
+        const double part = mu / (force * way);
+        const double longer =
+          0.5 * (std::abs(a(0)) + std::hypot(a(0), 2. * std::sqrt(part)));
+        lambda_(i) = force * (a(0) > 0. ? longer : part / longer);
+        w_(i)      = mu / lambda_(i);
+        if (has_friction(i))
+          begin_near_with_friction(i, a.tail<2>(), mu);
+      }
+  }
+
+  // With e along a, λ_t = κ g e and w_t = −κ σ e are central for all κ < 1 where
+  // σ = μ/(g (1 − κ²)).
+  void CentralPath::begin_near_with_friction(const Eigen::Index i, const Vector2d &a,
+                                             const double mu)
+  {
+    const double g = force(i).cone(0);
+    double kappa = 0., beyond = 1.;
+    for (unsigned int halvings = 0; halvings < 50; ++halvings)
+      {
+        const double middle = 0.5 * (kappa + beyond);
+        const double length =
+          middle * (g / scaling_.force(i) +
+                    mu / (g * (1. - middle * middle) * scaling_.displacement_at(i)));
+        (length < a.norm() ? kappa : beyond) = middle;
+      }
+    sigma_(i)        = mu / (g * (1. - kappa * kappa));
+    const Vector2d e = a.normalized();
+    set_at_node(lambda_, i, {lambda_(i), kappa * g * e(0), kappa * g * e(1)});
+    set_at_node(w_, i, {w_(i), -kappa * sigma_(i) * e(0), -kappa * sigma_(i) * e(1)});
   }
 
   double CentralPath::unit() const
@@ -109,6 +151,14 @@ namespace stiction::qp
           }
       }
     return n > 0. ? sum / n : 0.;
+  }
+
+  double CentralPath::centring() const
+  {
+    const double mu = mean_product();
+    return mu > 0.
+             ? std::pow(std::max(mean_product(std::min(1., largest_step())) / mu, 0.), 3)
+             : 0.;
   }
 
   void CentralPath::aim(const double mu)

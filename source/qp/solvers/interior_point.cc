@@ -30,7 +30,7 @@ namespace stiction::qp
   {
   public:
     Path(const Eigen::MatrixXd &Q, const SlipBound &slip_bound, const Scaling &scaling,
-         const VectorXd &x, const VectorXd &gradient);
+         const VectorXd &x, const VectorXd &gradient, double residual);
 
     // A predictor step and a corrector; false if it has no length.
     bool step();
@@ -58,13 +58,17 @@ namespace stiction::qp
 
   InteriorPoint::Path::Path(const Eigen::MatrixXd &Q, const SlipBound &slip_bound,
                             const Scaling &scaling, const VectorXd &x,
-                            const VectorXd &gradient)
+                            const VectorXd &gradient, const double residual)
     : Q_(Q)
     , path_(slip_bound, scaling)
-    , gradient_(gradient + Q * (path_.lambda() - x))
     , unit_(x.size())
   {
-    path_.open_gaps(gradient_);
+    const bool is_near = residual <= CentralPath::near_residual;
+    if (is_near)
+      path_.begin_near(x, gradient, residual);
+    gradient_ = gradient + Q * (path_.lambda() - x);
+    if (!is_near)
+      path_.open_gaps(gradient_);
   }
 
   bool InteriorPoint::Path::step()
@@ -75,9 +79,7 @@ namespace stiction::qp
     find_direction();
 
     // what is missing to first order, and to where the prediction says
-    const double predicted = path_.mean_product(std::min(1., path_.largest_step()));
-    const double centre = mu > 0. ? mu * std::pow(std::max(predicted / mu, 0.), 3) : 0.;
-    path_.aim_with_correction(centre);
+    path_.aim_with_correction(path_.centring() * mu);
     find_direction();
 
     const double part   = std::max(shortest_part, 1. - mu / path_.unit());
@@ -148,7 +150,7 @@ namespace stiction::qp
       statistics.residual = residual;
     };
 
-    Path path(Q_, slip_bound, scaling, x, gradient);
+    Path path(Q_, slip_bound, scaling, x, gradient, statistics.residual);
     for (unsigned int idle = 0; statistics.residual > tolerance &&
                                 statistics.interior_point_steps < max_steps &&
                                 idle < max_steps_without_progress;)

@@ -32,10 +32,11 @@ namespace stiction
       std::function<void(unsigned int iterations, const ContactResidual &)>;
 
     /// @param system of this problem. It and the problem must outlive the object.
-    /// @param start only its scales and the displacement are taken.
+    /// @param start if its residual is small, and it may be near to the answer, the
+    ///   path begins near to it; otherwise only its scales and displacement are taken.
     /// @param tolerance of the residual, at which the path ends.
     PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system,
-                        const ContactState &start, double tolerance);
+                        const ContactState &start, double tolerance, bool may_be_near);
 
     PrimalInteriorPoint(const PrimalInteriorPoint &)            = delete;
     PrimalInteriorPoint &operator=(const PrimalInteriorPoint &) = delete;
@@ -52,9 +53,13 @@ namespace stiction
     bool is_at_end() const;
 
   private:
-    // Solves a linear system and goes as far as the cones allow; false if that is
+    // A predictor and a corrector, then as far as the cones allow; false if that is
     // nowhere.
     bool step();
+
+    // Solves the linear system of where the path aims, to an accuracy that fits products
+    // of this size; the state becomes that after the whole step. False if it broke down.
+    bool find_direction(double mu);
 
     // The conditions of the nodes, D λ⁺ − w⁺ = c + (gap, slip) + D λ, as springs.
     PrimalActiveSet linearize() const;
@@ -66,12 +71,11 @@ namespace stiction
     double best_residual_;
     const double tolerance_;
     qp::CentralPath path_;
-    double reduction_ = 0.1; // of μ in the next step
 
     // Of the last system: its iterations, and whether it was solved as well as it
     // should have been.
     unsigned int krylov_iterations_ = 0;
-    bool is_accurate_               = false;
+    bool is_accurate_               = true;
 
     // Steps in a row in which μ hardly fell, and that gained nothing with systems solved
     // badly.

@@ -33,6 +33,15 @@ namespace stiction::qp
     /// (ν; t1; t2), which is what they have to become.
     void open_gaps(const Eigen::VectorXd &gradient);
 
+    /// Below this residual forces and duals are worth to begin near to them.
+    static constexpr double near_residual = 0.1;
+
+    /// Makes the point the central one nearest to these forces and duals (ν; t1; t2),
+    /// whose residual, small, is the root of its products in the scales: from the
+    /// answer it is as far as they are.
+    void begin_near(const Eigen::VectorXd &lambda, const Eigen::VectorXd &w,
+                    double residual);
+
     /// What μ is measured by: the mean product of the scales of all nodes. Unit: J.
     double unit() const;
 
@@ -45,6 +54,10 @@ namespace stiction::qp
     /// there is slip: what they approach from inside.
     Eigen::VectorXd lambda_on_boundary() const;
 
+    /// The part of μ to aim at after a direction that aims at zero: the less, the
+    /// farther that may go (S. Mehrotra, SIAM J. Optim. 2, 1992).
+    double centring() const;
+
     /// The mean μ of all products after a step of this length in the direction, 0 if
     /// there are none. Unit: J.
     double mean_product(double length = 0.) const;
@@ -52,8 +65,7 @@ namespace stiction::qp
     /// Where the next direction leads to first order: to products of @p mu.
     void aim(double mu);
 
-    /// ... and also to second order, of the direction that is known so far
-    /// (S. Mehrotra, SIAM J. Optim. 2, 1992).
+    /// ... and also to second order, of the direction that is known so far.
     void aim_with_correction(double mu);
 
     /// D of a node and c of all: zero where a node is tied, and in tangential
@@ -84,6 +96,7 @@ namespace stiction::qp
       Eigen::Vector3d cone;
     };
     ConePoint force(Eigen::Index i) const;
+    void begin_near_with_friction(Eigen::Index i, const Eigen::Vector2d &a, double mu);
     ConePoint force_change(Eigen::Index i) const;
     ConePoint dual(Eigen::Index i) const;
     ConePoint dual_change(Eigen::Index i) const;
