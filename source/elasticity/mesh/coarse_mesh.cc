@@ -269,14 +269,18 @@ namespace stiction
         if (has_corners && is_valid(quadratic_cells, cell, smallest))
           continue;
         const bool is_coarse = cell->level() == 0;
+        const std::string advice =
+          !is_coarse    ? ", as they may with smaller cells from 'Geometry/Global "
+                          "refinement' or in the file."
+          : has_corners ? ": smaller cells where edges are curved unfold it, or a mesher "
+                          "that moves nodes, in Gmsh 'Mesh.HighOrderOptimize = 2'."
+                        : ".";
         throw InputError(text_of(
           location, ", ",
           is_coarse ? "cell " + std::to_string(cell->index() + 1) : "a refined cell",
           " with its centre at (", cell->center(), ") is inverted or degenerate, its ",
           has_corners ? "nodes" : "corners", " must make a hexahedron that is not folded",
-          is_coarse ? "."
-                    : ", as they may with smaller cells from 'Geometry/Global "
-                      "refinement' or in the file."));
+          advice));
       }
   }
 } // namespace stiction

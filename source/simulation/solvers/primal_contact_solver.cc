@@ -56,10 +56,13 @@ namespace stiction
         "the forces of a pair are on its stiffer side, whose cells are not larger by a "
         "quarter, see 'Slave side'; " +
         options.hard_systems;
-    // a flexible body that contact alone holds is better off with factors than with
-    // 'newton'
+    // Where systems are hard since a material hardly changes its volume, contact states
+    // are found in few steps; flexible bodies are better off with factors than with
+    // 'newton'.
     if (can_hand_over_)
       options.factorizes = !parameters.contact_solver.is_automatic ||
+                           parameters.material.largest_poisson_ratio() <=
+                             MaterialParameters::locking_poisson_ratio ||
                            3 * setting_.surface.n_nodes() > medium_contact ||
                            setting_.elasticity.free_motions().n() > 0;
     try
