@@ -112,15 +112,15 @@ namespace stiction
              "; see where obstacles are, which way loads go and how large they are.";
     }
 
-    // Whether forces act anywhere at four nodes around a place between them, more than a
-    // row.
+    // Whether a cell, of degree 2 a quarter of one, is pressed at all four corners
+    // anywhere.
     bool is_face_pressed(const std::vector<SurfaceFace> &faces,
-                         const ContactSurface &surface, const Eigen::VectorXd &pressing)
+                         const ContactSurface &surface, const State &state,
+                         const double least)
     {
-      const double least    = no_force * pressing.sum();
       const auto is_pressed = [&](const dealii::types::global_dof_index first_dof) {
         const Eigen::Index i = surface.node_of(first_dof);
-        return i >= 0 && pressing(i) > least;
+        return i >= 0 && state.lambda(i) > least;
       };
       return std::any_of(faces.begin(), faces.end(), [&](const SurfaceFace &face) {
         const unsigned int n = face.degree + 1; // in a row
@@ -143,11 +143,12 @@ namespace stiction
             pressing(i) = std::max(0., state.lambda(i));
             ++n;
           }
-      const auto bearing = (pressing.array() > no_force * pressing.sum()).count();
+      const double least                  = no_force * pressing.sum();
+      const auto bearing                  = (pressing.array() > least).count();
       const dealii::types::boundary_id id = surface.boundaries()[boundary].id();
       if (bearing > 0 && n >= many &&
           (bearing <= few ||
-           !is_face_pressed(surface_faces(elasticity, {id}), surface, pressing)))
+           !is_face_pressed(surface_faces(elasticity, {id}), surface, state, least)))
         warnings.push_back(
           {"nodes of " + surface.boundaries()[boundary].name(),
            1. / static_cast<double>(bearing),
@@ -157,7 +158,7 @@ namespace stiction
              "refinement' does.",
              surface.boundaries()[boundary].name().c_str(),
              static_cast<unsigned int>(bearing), n,
-             bearing <= few ? "" : ", a row without width")});
+             bearing <= few ? "" : ", nowhere at four in a square")});
     }
 
     void add_supports(const ContactBoundary &boundary, const double frictionless,

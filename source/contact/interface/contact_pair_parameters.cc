@@ -76,9 +76,10 @@ namespace stiction
                   "the softer one if E/h of its cells, h being their size before "
                   "refinement, is less by a factor of two or more, otherwise that with "
                   "smaller cells; the other one if supports hold nodes of this one "
-                  "alone, which lack friction, if bodies would follow each other in a "
-                  "circle over several pairs, or if this one stands on an edge and is "
-                  "not 30 times softer; the boundary itself if several are opposite or "
+                  "alone, which lack friction, or, unless this one is 30 times softer, "
+                  "if it stands on an edge, or if over several pairs each body would "
+                  "bear forces of the next all the way round; the boundary itself if "
+                  "several are opposite or "
                   "'Initial gap' is a formula of its places. Either gives the same "
                   "answer but for the error of the mesh, unless this side stands on an "
                   "edge: pressures act along its normals.");

@@ -10,6 +10,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/interface/friction_data.h>
 #include <stiction/contact/obstacles/pressed_obstacles.h>
+#include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
 #include <stiction/contact/pairs/rigid_turn.h>
 #include <stiction/elasticity/linear_algebra/sorted_list.h>

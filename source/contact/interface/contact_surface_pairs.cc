@@ -12,8 +12,6 @@
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 
-#include <deal.II/lac/la_parallel_vector.h>
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -135,12 +133,14 @@ namespace stiction
             bearing_.insert(boundary.id());
       }
 
-      // Higher the more forces of other contacts one of them has to bear.
+      // Higher the more forces of other contacts one of them has to bear, and what it is
+      // if it bears some.
+      static constexpr unsigned int bears_already = 2;
       unsigned int rank(const Boundaries &ids) const
       {
         unsigned int highest = 0;
         for (const auto id : ids)
-          highest = std::max(highest, bearing_.count(id) > 0 ? 2U
+          highest = std::max(highest, bearing_.count(id) > 0 ? bears_already
                                       : sides_.count(id) > 1 ? 1U
                                                              : 0U);
         return highest;
@@ -227,8 +227,8 @@ namespace stiction
       SlaveSide best;
     };
 
-    // All pairs, those of least freedom first: of the others, one side or the other then
-    // closes no circle of bodies, unless there is one without them.
+    // All pairs, those of least freedom first: of the others, between two bodies each,
+    // one side or the other then closes no circle, unless there is one without them.
     std::vector<Candidate> candidates(const LinearElasticity &elasticity,
                                       const std::vector<ContactBoundary> &boundaries,
                                       const Bearers &bearers)
@@ -266,12 +266,18 @@ namespace stiction
                                  ? "the side that is one boundary"
                                  : "the side of whose places 'Initial gap' is a formula";
         }
-      else if (rank > other)
-        side = best.other("the side that bears no other ones");
-      else if (!best.is_much_softer() && rank == other &&
-               bearers.closes_circle(slave, master) &&
-               !bearers.closes_circle(master, slave))
-        side = best.other("since otherwise bodies would follow each other in a circle");
+      else
+        {
+          const bool is_other = rank > other;
+          if (is_other)
+            side = best.other("the side that bears no other ones");
+          const Boundaries &bears = is_other ? master : slave;
+          const Boundaries &faces = is_other ? slave : master;
+          if (!side.is_much_softer() && std::max(rank, other) < Bearers::bears_already &&
+              bearers.closes_circle(bears, faces) && !bearers.closes_circle(faces, bears))
+            side = side.other("or each of several bodies would bear forces of the next, "
+                              "all the way round");
+        }
       if (pair.wavers(side))
         side.reason +=
           ", although it is the stiffer one and its cells are not larger by "

@@ -263,7 +263,8 @@ namespace stiction
   bool LevelNewton::has_hard_systems() const
   {
     return system_.n_unfinished() > 0 && !preconditioner_.is_direct(level_) &&
-           2 * system_.n_unfinished() >= statistics_.n_steps();
+           2 * system_.n_unfinished() >=
+             statistics_.newton_steps + 2 * statistics_.interior_point_steps;
   }
 
   std::string LevelNewton::why_no_closer() const
@@ -328,7 +329,7 @@ namespace stiction
                                            thrown * first_->w.lpNorm<Eigen::Infinity>();
         path_ = std::make_unique<PrimalInteriorPoint>(
           problem_, system_, is_thrown ? *first_ : state, 0.5 * tolerance,
-          statistics_.fallbacks == 0);
+          statistics_.fallbacks + 1 < options_.max_fallbacks);
         first_.reset(); // a second path from there would be the same
         ++statistics_.fallbacks;
       }

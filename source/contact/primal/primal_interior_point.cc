@@ -20,8 +20,11 @@ namespace stiction
     // ... or of the tolerance.
     constexpr double accuracy_of_tolerance = 0.1;
 
-    // ... of a predictor, whose direction is not taken.
-    constexpr double accuracy_of_predictor = 0.1;
+    // What a predictor is solved for, of μ: it aims at none.
+    constexpr double mu_of_predictor = 0.1;
+
+    // What a step makes of μ if its predictor tells nothing.
+    constexpr double reduction_without_predictor = 0.2;
 
     constexpr unsigned int longest_path = 100; // steps
 
@@ -87,14 +90,19 @@ namespace stiction
     const double mu           = path_.mean_product();
     const bool was_accurate   = is_accurate_;
     path_.aim(0.);
-    find_direction(accuracy_of_predictor * mu);
+    if (!find_direction(mu_of_predictor * mu))
+      return false;
     const unsigned int iterations = krylov_iterations_;
-    // after a system that was not solved as it should have been μ must not fall ahead of
-    // the equilibrium
-    const double target = was_accurate ? path_.centring() * mu : mu;
-    path_.aim_with_correction(target);
-    state_             = before;
-    const bool is_fine = find_direction(target);
+    double target                 = mu; // it must not fall ahead of the equilibrium
+    if (was_accurate)
+      target *= is_accurate_ ? path_.centring() : reduction_without_predictor;
+    if (was_accurate && is_accurate_)
+      path_.aim_with_correction(target);
+    else
+      path_.aim(target);
+    state_ = before;
+    // a step that is not a whole one leaves some of μ, whatever its target
+    const bool is_fine = find_direction(std::max(target, (1. - part_of_way) * mu));
     krylov_iterations_ += iterations;
     const double length = std::min(1., part_of_way * path_.largest_step());
     if (!(length > 0.) || !is_fine)

@@ -54,7 +54,7 @@ namespace stiction::qp
   void CentralPath::begin_near(const VectorXd &lambda, const VectorXd &w,
                                const double residual)
   {
-    const double mu = residual * residual * unit();
+    const double mu = std::pow(std::max(residual, least_residual), 2) * unit();
     for (const Eigen::Index i : bounded_)
       {
         const double force = scaling_.force(i), way = scaling_.displacement_at(i);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace stiction::qp
@@ -30,7 +29,7 @@ namespace stiction::qp
   {
   public:
     Path(const Eigen::MatrixXd &Q, const SlipBound &slip_bound, const Scaling &scaling,
-         const VectorXd &x, const VectorXd &gradient, double residual);
+         const VectorXd &x, const VectorXd &gradient);
 
     // A predictor step and a corrector; false if it has no length.
     bool step();
@@ -58,17 +57,13 @@ namespace stiction::qp
 
   InteriorPoint::Path::Path(const Eigen::MatrixXd &Q, const SlipBound &slip_bound,
                             const Scaling &scaling, const VectorXd &x,
-                            const VectorXd &gradient, const double residual)
+                            const VectorXd &gradient)
     : Q_(Q)
     , path_(slip_bound, scaling)
+    , gradient_(gradient + Q * (path_.lambda() - x))
     , unit_(x.size())
   {
-    const bool is_near = residual <= CentralPath::near_residual;
-    if (is_near)
-      path_.begin_near(x, gradient, residual);
-    gradient_ = gradient + Q * (path_.lambda() - x);
-    if (!is_near)
-      path_.open_gaps(gradient_);
+    path_.open_gaps(gradient_);
   }
 
   bool InteriorPoint::Path::step()
@@ -150,7 +145,7 @@ namespace stiction::qp
       statistics.residual = residual;
     };
 
-    Path path(Q_, slip_bound, scaling, x, gradient, statistics.residual);
+    Path path(Q_, slip_bound, scaling, x, gradient);
     for (unsigned int idle = 0; statistics.residual > tolerance &&
                                 statistics.interior_point_steps < max_steps &&
                                 idle < max_steps_without_progress;)

@@ -16,10 +16,10 @@ namespace stiction
   ///
   /// Contact forces λ and their duals, gaps and slips, are a point of
   /// qp::CentralPath. To first order the conditions of a node are D Δλ + Δ(gap, slip) =
-  /// c, which is a spring D⁻¹ on it: each step is a linear elastic problem on
-  /// springs at all contact nodes, with the solver of Newton's method. Nothing is
-  /// sorted into open and closed, so that the stiffness of a body against bending,
-  /// however far below that of its nodes, does not matter.
+  /// c, which is a spring D⁻¹ on it: each step is two linear elastic problems on
+  /// springs at all contact nodes, a predictor and a corrector, with the solver of
+  /// Newton's method. Nothing is sorted into open and closed, so that the stiffness of a
+  /// body against bending, however far below that of its nodes, does not matter.
   ///
   /// Equilibrium with λ and the agreement of gaps with the displacement are reached
   /// along with μ → 0 (an infeasible path); a system is solved the better, the smaller
@@ -72,8 +72,8 @@ namespace stiction
     const double tolerance_;
     qp::CentralPath path_;
 
-    // Of the last system: its iterations, and whether it was solved as well as it
-    // should have been.
+    // Iterations of the last system, then of the last step, and whether the system was
+    // solved as well as it should have been.
     unsigned int krylov_iterations_ = 0;
     bool is_accurate_               = true;
 

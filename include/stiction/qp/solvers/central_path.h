@@ -33,12 +33,12 @@ namespace stiction::qp
     /// (ν; t1; t2), which is what they have to become.
     void open_gaps(const Eigen::VectorXd &gradient);
 
-    /// Below this residual forces and duals are worth to begin near to them.
-    static constexpr double near_residual = 0.1;
+    /// Below the first residual forces and duals are worth to begin near to them; a point
+    /// of less than the second is too near to the boundary of the cones to leave it.
+    static constexpr double near_residual = 0.1, least_residual = 1e-2;
 
-    /// Makes the point the central one nearest to these forces and duals (ν; t1; t2),
-    /// whose residual, small, is the root of its products in the scales: from the
-    /// answer it is as far as they are.
+    /// Makes the point the central one nearest to these forces and duals (ν; t1; t2): in
+    /// their scales λ − w remains what it is, and μ is the square of their residual.
     void begin_near(const Eigen::VectorXd &lambda, const Eigen::VectorXd &w,
                     double residual);
 
