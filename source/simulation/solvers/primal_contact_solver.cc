@@ -59,10 +59,12 @@ namespace stiction
     // Where systems are hard since a material hardly changes its volume, contact states
     // are found in few steps; flexible bodies are better off with factors than with
     // 'newton'.
+    const bool is_flexible = parameters.material.largest_poisson_ratio() <=
+                             MaterialParameters::locking_poisson_ratio;
     if (can_hand_over_)
       options.factorizes = !parameters.contact_solver.is_automatic ||
-                           parameters.material.largest_poisson_ratio() <=
-                             MaterialParameters::locking_poisson_ratio ||
+                           (is_flexible && setting_.elasticity.mesh().n_dofs() <=
+                                             Multigrid::max_factorized) ||
                            3 * setting_.surface.n_nodes() > medium_contact ||
                            setting_.elasticity.free_motions().n() > 0;
     try
