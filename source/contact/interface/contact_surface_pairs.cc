@@ -133,9 +133,10 @@ namespace stiction
             bearing_.insert(boundary.id());
       }
 
-      // Higher the more forces of other contacts one of them has to bear, and what it is
-      // if it bears some.
+      // The rank of a boundary that bears the forces of another contact.
       static constexpr unsigned int bears_already = 2;
+
+      // Higher the more forces of other contacts one of them has to bear.
       unsigned int rank(const Boundaries &ids) const
       {
         unsigned int highest = 0;

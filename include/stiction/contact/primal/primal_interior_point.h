@@ -32,9 +32,10 @@ namespace stiction
       std::function<void(unsigned int iterations, const ContactResidual &)>;
 
     /// @param system of this problem. It and the problem must outlive the object.
-    /// @param start if its residual is small, and it may be near to the answer, the
-    ///   path begins near to it; otherwise only its scales and displacement are taken.
+    /// @param start its scales and displacement are taken.
     /// @param tolerance of the residual, at which the path ends.
+    /// @param may_be_near whether the path begins near to a start whose residual is
+    /// small.
     PrimalInteriorPoint(const ContactLevel &problem, NewtonSystem &system,
                         const ContactState &start, double tolerance, bool may_be_near);
 
