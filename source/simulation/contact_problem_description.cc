@@ -136,7 +136,7 @@ namespace stiction
   {
     const ContactSurface &surface = contact_surface();
     if (parameters_.time.has_steps())
-      log_->line(format("Of the times the first, t = %.6g:", elasticity().time()));
+      log_->line(format("At t = %.6g:", elasticity().time()));
     print_applied(*log_, elasticity(), surface);
     if (!parameters_.time.has_steps() && has_formula_in_time(parameters_.source))
       log_->line(

@@ -16,6 +16,7 @@
 #include <stiction/simulation/adaptive_refinement.h>
 #include <stiction/simulation/checkpoint/carried_state.h>
 #include <stiction/simulation/checkpoint/checkpoint.h>
+#include <stiction/simulation/checkpoint/problem_identity.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/time_steps.h>
@@ -362,6 +363,7 @@ namespace stiction
                                "must press on as many obstacles as in the checkpoint " +
                                  restart_->directory() + ", " +
                                  std::to_string(n_pressed));
+    require_same_sides(contact_surface(), checkpoint.slave_sides, restart_->directory());
     ends_               = std::move(checkpoint.ends);
     const bool in_place = goes_on_in_place();
     steps_->go_on_from(checkpoint.history, in_place);
@@ -377,9 +379,10 @@ namespace stiction
     if (parameters_.time.checkpoint_every == 0 || times.n_taken() == n_steps_saved_)
       return;
     const auto phase = phases_.scope("output");
-    write_checkpoint(parameters_.output.directory,
-                     {times.progress(), steps_->progress(), ends_}, mesh_history_,
-                     elasticity(), parameters_);
+    write_checkpoint(
+      parameters_.output.directory,
+      {times.progress(), steps_->progress(), ends_, slave_sides(contact_surface())},
+      mesh_history_, elasticity(), parameters_);
     n_steps_saved_ = times.n_taken();
   }
 

@@ -95,6 +95,7 @@ namespace stiction
 
     json header     = {{"steps", checkpoint.steps},
                        {"history", checkpoint.history},
+                       {"slave_sides", checkpoint.slave_sides},
                        {"cells", body.triangulation().n_global_active_cells()},
                        {"nodes", body.n_nodes()}};
     const auto file = [&](const std::string &name, const Words &words) {
@@ -162,7 +163,8 @@ namespace stiction
                        " nodes, must be of this one of " +
                        std::to_string(body.triangulation().n_global_active_cells()) +
                        " and " + std::to_string(body.n_nodes()) + ".");
-    Checkpoint checkpoint{header_.at("steps"), header_.at("history"), {}};
+    Checkpoint checkpoint{
+      header_.at("steps"), header_.at("history"), {}, header_.at("slave_sides")};
     for (unsigned int k = 0; k < header_.at("ends").size(); ++k)
       checkpoint.ends.push_back(read_end(k, elasticity));
     return checkpoint;

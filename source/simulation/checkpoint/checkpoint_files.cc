@@ -18,7 +18,7 @@ namespace stiction::checkpoint_files
   namespace
   {
     // Raised whenever an older program could not read what this one writes.
-    constexpr int current_format = 2;
+    constexpr int current_format = 3;
 
     const std::string last_name       = "/checkpoint";
     const std::string old_name        = "/checkpoint.old";

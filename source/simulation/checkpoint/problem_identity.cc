@@ -1,7 +1,9 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
 #include <stiction/base/text/contact_pairs.h>
+#include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_pair_parameters.h>
+#include <stiction/contact/interface/contact_surface.h>
 #include <stiction/simulation/checkpoint/problem_identity.h>
 #include <stiction/simulation/checkpoint/word_file.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -23,14 +25,11 @@ namespace stiction
 
     bool is_of_problem(const std::string &entry)
     {
-      static const std::set<std::string> single = {"Boundary conditions/Contact boundary",
-                                                   "Boundary conditions/Obstacle",
-                                                   "Boundary conditions/Slave side",
-                                                   "Boundary conditions/Sliding",
-                                                   "Friction/Law",
-                                                   "Refinement/Adaptive steps"};
-      static const std::set<std::string> of_pair = {"Boundary", "Obstacle", "Slave side",
-                                                    "Sliding", "Law"};
+      static const std::set<std::string> single = {
+        "Boundary conditions/Contact boundary", "Boundary conditions/Obstacle",
+        "Boundary conditions/Sliding", "Friction/Law", "Refinement/Adaptive steps"};
+      static const std::set<std::string> of_pair = {"Boundary", "Obstacle", "Sliding",
+                                                    "Law"};
       const bool is_pair                         = entry.rfind("Contact pair ", 0) == 0;
       return entry.rfind("Geometry/", 0) == 0 ||
              entry.rfind(PlacedBody::section_name + " ", 0) == 0 ||
@@ -125,5 +124,28 @@ namespace stiction
         mesh_file, "must have the content that it had in the checkpoint " + checkpoint +
                      ", where its name was '" +
                      identity.at("entries").value(mesh_file, std::string()) + "'");
+  }
+
+  std::vector<std::string> slave_sides(const ContactSurface &surface)
+  {
+    std::vector<std::string> sides;
+    for (const ContactBoundary &boundary : surface.boundaries())
+      sides.push_back(boundary.side().is_first ? "boundary" : "obstacle");
+    return sides;
+  }
+
+  void require_same_sides(const ContactSurface &surface,
+                          const std::vector<std::string> &sides,
+                          const std::string &checkpoint)
+  {
+    for (std::size_t b = 0; b < sides.size(); ++b)
+      {
+        const ContactBoundary &boundary = surface.boundaries()[b];
+        boundary.source().require(
+          slave_sides(surface)[b] == sides[b], "Boundary conditions/Slave side",
+          "makes boundary '" + boundary.name() + "' bear the forces of its pair with '" +
+            boundary.partner_name() + "', must be '" + sides[b] +
+            "', as in the checkpoint " + checkpoint + ", whose slips are of that side");
+      }
   }
 } // namespace stiction

@@ -7,6 +7,7 @@
 
 #include <deque>
 #include <string>
+#include <vector>
 
 #include <mpi.h>
 
@@ -21,6 +22,7 @@ namespace stiction
     nlohmann::json steps;     ///< TimeSteps::progress()
     nlohmann::json history;   ///< StepHistory::progress()
     std::deque<StepEnd> ends; ///< of the last steps, or the start, the last one first
+    std::vector<std::string> slave_sides; ///< slave_sides() of the contact surface
   };
 
   /// Writes a checkpoint into the directory, as 'checkpoint'; the one before becomes

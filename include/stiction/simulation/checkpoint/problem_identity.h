@@ -3,9 +3,11 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace stiction
 {
+  class ContactSurface;
   class Parameters;
 
   /// What must be the same for a computation to go on: body, mesh, material, contact
@@ -19,4 +21,16 @@ namespace stiction
   /// @param identity problem_identity() of then. @param checkpoint its directory.
   void require_same_problem(const Parameters &parameters, const nlohmann::json &identity,
                             const std::string &checkpoint);
+
+  /// What 'Slave side' would say of each contact boundary, were it not automatic:
+  /// "boundary" or "obstacle"; the former where nothing deformable is opposite.
+  std::vector<std::string> slave_sides(const ContactSurface &surface);
+
+  /// Throws InputError, naming the first pair that differs, unless the sides that bear
+  /// forces are those of a checkpoint: its nodes know forces and slips.
+  ///
+  /// @param sides slave_sides() of then. @param checkpoint its directory.
+  void require_same_sides(const ContactSurface &surface,
+                          const std::vector<std::string> &sides,
+                          const std::string &checkpoint);
 } // namespace stiction
