@@ -11,6 +11,7 @@ from . import meshes, obstacles
 from .data import lines_of, set_up, surface_of
 
 TOO_FAR = 10  # sizes of the body
+INTO_OTHERS = 0.005  # of the size: what bodies are drawn apart or into one another
 THIN = 0.1  # of its other extents: a plane model
 ASIDE = 0.17  # of the larger side's: what is seen of the other ones of a plane model
 OUTLINE, OBSTACLE, MESH, EDGE = 0x555555, 0xA8A8A8, 0xFFFFFF, 0x000000
@@ -27,13 +28,19 @@ def rounded(number):
     return power * round(number / power)
 
 
-def exaggeration(points, largest):
+def exaggeration(points, largest, closing=0):
     """How many times larger than it is the displacement is drawn, not at all where
-    nothing else would be seen: of a body that flew off."""
+    nothing else would be seen: of a body that flew off.
+
+    closing: the largest gap or overlap that loads close.
+    """
     size = np.ptp(points, axis=0).max()
     if largest > TOO_FAR * size:
         return 0
-    return max(1, rounded(0.1 * size / largest)) if largest > 0 else 1
+    factor = rounded(0.1 * size / largest) if largest > 0 else 1
+    if closing > meshes.SINGLE_PRECISION * size:
+        factor = min(factor, rounded(1 + INTO_OTHERS * size / closing))
+    return max(1, factor)
 
 
 def view_basis(points):
@@ -115,7 +122,8 @@ def picture(run, colors, box, reach=None):
 def scene_of(run, colors):
     """What is drawn, how large displacements are, and how it is looked at."""
     body = run.body
-    factor = 1 if run.released else exaggeration(body.points, run.scale.displacement)
+    factor = 1 if run.released else exaggeration(
+        body.points, run.scale.displacement, run.scale.closing)
     basis = view_basis(body.points)
     moved = body.points + factor * body.displacement
     deformed = surface_of(moved, body.faces, body.stress)

@@ -36,6 +36,16 @@ def surface_of(points, faces, scalars):
     return surface
 
 
+def nearest(places, points, faces):
+    """The point of these faces that is nearest to each place."""
+    distance = set_up(vtk.vtkImplicitPolyDataDistance(),
+                      Input=surface_of(points, faces, np.zeros(len(points))))
+    found = np.empty(places.shape)
+    for place, closest in zip(places, found):
+        distance.EvaluateFunctionAndGetClosestPoint(place, closest)
+    return found
+
+
 def lines_of(points, edges):
     """VTK's lines between pairs of points."""
     places, lines, _ = cells_of(points, edges)

@@ -13,6 +13,9 @@ FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4],
 # Of the largest displacement: points that differ by less move alike.
 SAME_MOTION = 1e-5
 
+# Of a body: a distance in a file of single precision that may be zero.
+SINGLE_PRECISION = 1e-6
+
 
 def merge(points, bodies=None, moved=None):
     """Number the points, those alike up to rounding alike.

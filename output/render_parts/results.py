@@ -10,6 +10,7 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 from . import Unusable, meshes, panels, words
+from .data import nearest
 
 HEXAHEDRON, QUADRILATERAL = 12, 9
 
@@ -130,6 +131,7 @@ def read(directory, tag="", time=None):
     summary = read_summary(directory)
     certified = time is not None or is_certified(summary)
     n = len(solution.points)
+    closing = largest_closing(contact, summary)
     contact = without_other_sides(contact, summary)
     first, number = meshes.merge(np.vstack([solution.points, contact.points]),
                                  np.concatenate([solution.body, contact.body]),
@@ -150,7 +152,7 @@ def read(directory, tag="", time=None):
     return SimpleNamespace(
         name=os.path.basename(os.path.abspath(directory)), summary=summary,
         time=time, certified=certified, released=released,
-        scale=scale_of(body, contact, certified),
+        scale=scale_of(body, contact, certified, closing),
         units=words.units_of(summary),
         body=body,
         n_bodies=len(np.unique(solution.body)),
@@ -158,10 +160,34 @@ def read(directory, tag="", time=None):
         obstacle=read_obstacle(directory, tag))
 
 
-def scale_of(body, contact, certified):
+def largest_closing(contact, summary):
+    """How much farther from the other side, along its normal, a pressed node of a pair
+    was before anything moved, at most: an interference, or a gap of its own, is as if
+    it were nearer."""
+    paired = [entry["id"] for entry in summary["contact"].get("boundaries", ())
+              if entry.get("opposite")]
+    pressed = np.isin(contact.boundary, paired) & (contact.pressure > 0)
+    sides, largest = contact.cells[:, 0], 0.0
+    for boundary in np.unique(contact.boundary[pressed]):
+        nodes = pressed & (contact.boundary == boundary)
+        others = contact.boundary[sides] != boundary
+        is_far = others & ~np.isin(contact.body[sides], contact.body[nodes])
+        others = is_far if is_far.any() else others  # the lips of a crack are one body
+        if others.any():
+            before, after = (
+                points[nodes] - nearest(points[nodes], points, contact.cells[others])
+                for points in (contact.points, contact.points + contact.displacement))
+            # without what slides along the faces and off their ends
+            closed = ((after - before) * contact.normal[nodes]).sum(axis=1)
+            largest = max(largest, np.abs(closed).max())
+    return largest
+
+
+def scale_of(body, contact, certified, closing):
     """What everything is drawn with.
 
-    displacement and stress: the largest; peak: the largest pressure; by the id of a
+    displacement and stress: the largest; closing: the gap or overlap of a pair that is
+    closed; peak: the largest pressure; by the id of a
     boundary pressure, where its colours may end, force, that presses it, and friction,
     the usual and the largest there; dented: flat boundaries with a dent that is deep in
     the picture.
@@ -179,7 +205,7 @@ def scale_of(body, contact, certified):
         if len(of_boundary):
             friction[i] = np.percentile(of_boundary, (95, 100))
     return SimpleNamespace(
-        displacement=np.linalg.norm(body.displacement, axis=1).max(),
+        displacement=np.linalg.norm(body.displacement, axis=1).max(), closing=closing,
         stress=body.stress[np.unique(body.faces)].max(), pressure=ends,
         peak=max(pressure.max(), 0), force=force, friction=friction, dented=set())
 

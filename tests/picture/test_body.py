@@ -55,7 +55,7 @@ class Frames(unittest.TestCase):
             contact=contact, n_bodies=1, obstacle=None, released=False,
             body=SimpleNamespace(points=points, faces=faces, displacement=displacement,
                                  stress=np.zeros(len(points))),
-            scale=SimpleNamespace(displacement=abs(moved), stress=1, dented=set()))
+            scale=SimpleNamespace(displacement=abs(moved), closing=0, stress=1, dented=set()))
 
     def test_on_several_meshes_they_show_the_same(self):
         runs = {"_1": self.run_on((4, 3, 1), (0, 0), 0),

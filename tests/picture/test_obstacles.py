@@ -11,7 +11,7 @@ import numpy as np
 from render_parts import bending, meshes
 
 try:
-    from render_parts import body, data, obstacles
+    from render_parts import body, data, obstacles, results
 except ImportError:
     obstacles = None
 
@@ -113,6 +113,29 @@ class Exaggeration(unittest.TestCase):
         points = np.array([[0, 0, 0], [20.0, 10, 5]])
         for largest, factor in ((0.001, 2000), (0.3, 7), (5, 1), (0, 1), (2e4, 0)):
             self.assertEqual(body.exaggeration(points, largest), factor)
+
+    def test_bodies_are_drawn_side_by_side(self):
+        points = np.array([[0, 0, 0], [20.0, 10, 5]])
+        for closing, factor in ((1e-3, 100), (1e-2, 10), (1, 1), (1e-6, 200)):
+            self.assertEqual(body.exaggeration(points, 0.01, closing), factor)
+
+    def test_of_pressed_nodes_alone_it_counts_where_they_were(self):
+        points = np.array([[x, y, z] for z in (0, 0.25) for x in (0, 1) for y in (0, 1)],
+                          dtype=float)
+        points[6:, 2] = 0.5  # two corners of the upper face are farther off
+        contact = SimpleNamespace(
+            points=points, cells=np.array([[0, 2, 3, 1], [4, 5, 7, 6]]),
+            body=np.repeat([0, 1], 4), boundary=np.repeat([7, 8], 4),
+            displacement=np.outer([0, 0, 0, 0, 1, 1, 2, 2], [0, 0, -0.25]),
+            normal=np.tile([0.0, 0, -1], (8, 1)),
+            pressure=np.array([0, 0, 0, 0, 1, 1, 0, 0.0]))
+        contact.displacement[4:, 0] = -3  # and slides off
+        summary = {"contact": {"boundaries": [{"id": 8, "opposite": "lower"}]}}
+        self.assertAlmostEqual(results.largest_closing(contact, summary), 0.25)
+        contact.pressure[6] = 1
+        self.assertAlmostEqual(results.largest_closing(contact, summary), 0.5)
+        summary["contact"]["boundaries"][0]["opposite"] = None
+        self.assertEqual(results.largest_closing(contact, summary), 0)
 
 
 @unittest.skipIf(obstacles is None, "needs VTK")
