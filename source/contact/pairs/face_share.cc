@@ -72,7 +72,7 @@ namespace stiction
       d += part.integrals;
     Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(n, 3);
     double smallest = std::numeric_limits<double>::max(), largest = -smallest,
-           modulus = 0., cover = 0.;
+           modulus = 0.;
     std::map<types::global_dof_index, Eigen::MatrixX2d> M; // and the overlaps
     for (const CoveredPoint &point : points)
       {
@@ -89,7 +89,6 @@ namespace stiction
         normals += point.at.weight * phi.cwiseAbs() *
                    Eigen::RowVector3d(normal[0], normal[1], normal[2]);
         modulus = std::max(modulus, point.master->youngs_modulus);
-        cover += point.at.part;
         for (unsigned int j = 0; j < point.master->n_nodes(); ++j)
           {
             auto &columns =
@@ -103,27 +102,24 @@ namespace stiction
     std::vector<FaceShare> shares;
     for (Eigen::Index i = 0; i < n; ++i)
       {
-        shares.push_back({slave.dofs[i],
-                          numbers::invalid_dof_index,
-                          d(i),
-                          0.,
-                          gap(i),
-                          smallest,
-                          largest,
-                          modulus,
-                          cover,
-                          {{normals(i, 0), normals(i, 1), normals(i, 2)}}});
+        FaceShare share{slave.dofs[i],
+                        numbers::invalid_dof_index,
+                        d(i),
+                        0.,
+                        gap(i),
+                        modulus,
+                        smallest,
+                        largest,
+                        slave.diameter(),
+                        {{normals(i, 0), normals(i, 1), normals(i, 2)}}};
+        shares.push_back(share);
         for (const auto &[master, columns] : M)
-          shares.push_back({slave.dofs[i],
-                            master,
-                            columns(i, 0),
-                            columns(i, 1),
-                            0.,
-                            0.,
-                            0.,
-                            0.,
-                            0.,
-                            {}});
+          {
+            share.master  = master;
+            share.value   = columns(i, 0);
+            share.overlap = columns(i, 1);
+            shares.push_back(share);
+          }
       }
     return shares;
   }

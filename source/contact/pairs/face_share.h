@@ -2,6 +2,7 @@
 
 #include <stiction/contact/pairs/face_overlap.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -19,9 +20,16 @@ namespace stiction
   struct FaceShare
   {
     dealii::types::global_dof_index slave, master; ///< invalid: to D and to the gap
-    double value, overlap, gap, smallest, largest, modulus;
-    double cover; ///< of the face, how much has something opposite; 2: twice
+    double value, overlap, gap, modulus;
+    double smallest, largest;     ///< gap of the face
+    double diameter;              ///< of the face
     std::array<double, 3> normal; ///< of the master, × area
+
+    bool is_own() const { return master == dealii::numbers::invalid_dof_index; }
+
+    /// How far away what the face sees is, on either side.
+    double nearest() const { return std::max({smallest, -largest, 0.}); }
+    double farthest() const { return std::max(largest, -smallest); }
   };
 
   /// Those of a face with these points.

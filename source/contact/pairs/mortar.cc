@@ -1,4 +1,5 @@
 #include "face_share.h"
+#include "sheets.h"
 
 #include <stiction/base/all_gather.h>
 #include <stiction/contact/pairs/mortar.h>
@@ -55,7 +56,7 @@ namespace stiction
 
       MasterSurface(const MasterSurface &) = delete; // the tree refers to the boxes
 
-      // The points of a face with the nearest sheet of this surface opposite, along its
+      // The points of a face with the nearest sheets of this surface opposite, along its
       // normal within the reach; overlaps that are deeper are left out.
       std::vector<CoveredPoint> opposite(const SurfaceFace &slave, const double reach,
                                          const double deepest, double &left_out) const
@@ -84,12 +85,12 @@ namespace stiction
               break;
             sight = std::min(reach, 2. * sight);
           }
-        // not those on a farther sheet of the same surface
         points.erase(std::remove_if(points.begin(), points.end(),
                                     [&](const CoveredPoint &point) {
                                       return std::abs(point.at.gap) > farthest;
                                     }),
                      points.end());
+        keep_nearest_sheets(overlap, slave.diameter(), points);
         return points;
       }
 
@@ -196,7 +197,9 @@ namespace stiction
                        masters.opposite(slave_faces[f], reach, deepest, left_out)))
           shares.push_back(share);
       left_out = Utilities::MPI::max(left_out, communicator);
-      return all_gather(shares, communicator);
+      shares   = all_gather(shares, communicator);
+      keep_nearest_sheets(shares);
+      return shares;
     }
 
     // What the shares add up to at all nodes that they are of, hanging ones too.
@@ -205,22 +208,22 @@ namespace stiction
       explicit Integrals(const std::vector<FaceShare> &shares)
       {
         for (const FaceShare &share : shares)
-          if (share.master == numbers::invalid_dof_index)
+          if (share.is_own())
             slaves.push_back(share.slave);
           else
             masters.push_back(share.master);
         sort_once(slaves);
         sort_once(masters);
         const auto n = static_cast<Eigen::Index>(slaves.size());
-        D = gaps = moduli = covers = Eigen::VectorXd::Zero(n);
-        opposite                   = Eigen::MatrixX3d::Zero(n, 3);
-        Eigen::VectorXd smallest   = Eigen::VectorXd::Constant(n, 1e300),
-                        largest    = -smallest;
+        D = gaps = moduli        = Eigen::VectorXd::Zero(n);
+        opposite                 = Eigen::MatrixX3d::Zero(n, 3);
+        Eigen::VectorXd smallest = Eigen::VectorXd::Constant(n, 1e300),
+                        largest  = -smallest;
         std::vector<Eigen::Triplet<double>> entries, common;
         for (const FaceShare &share : shares)
           {
             const auto i = static_cast<Eigen::Index>(place_in(slaves, share.slave));
-            if (share.master != numbers::invalid_dof_index)
+            if (!share.is_own())
               {
                 const std::size_t j = place_in(masters, share.master);
                 entries.emplace_back(i, j, share.value);
@@ -232,7 +235,6 @@ namespace stiction
             smallest(i) = std::min(smallest(i), share.smallest);
             largest(i)  = std::max(largest(i), share.largest);
             moduli(i)   = std::max(moduli(i), share.modulus);
-            covers(i)   = std::max(covers(i), share.cover);
             opposite.row(i) += Eigen::RowVector3d::Map(share.normal.data());
           }
         const auto m = static_cast<Eigen::Index>(masters.size());
@@ -246,7 +248,7 @@ namespace stiction
       }
 
       std::vector<Dof> slaves, masters;
-      Eigen::VectorXd D, gaps, moduli, covers; // gaps: times D
+      Eigen::VectorXd D, gaps, moduli; // gaps: times D
       Eigen::MatrixX3d opposite;
       SparseMatrix M, overlaps;
     };
@@ -279,13 +281,10 @@ namespace stiction
     for (std::size_t i = 0; i < slaves.size(); ++i)
       if (rim.count(slaves[i]) == 0)
         normals.row(static_cast<Eigen::Index>(i)).setZero();
-    youngs_moduli = covers = Eigen::VectorXd::Zero(areas.size());
+    youngs_moduli = Eigen::VectorXd::Zero(areas.size());
     for (Eigen::Index j = 0; j < C.cols(); ++j)
       for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
-        {
-          youngs_moduli(j) = std::max(youngs_moduli(j), all.moduli(entry.row()));
-          covers(j)        = std::max(covers(j), all.covers(entry.row()));
-        }
+        youngs_moduli(j) = std::max(youngs_moduli(j), all.moduli(entry.row()));
     if (of_slave.has_hanging_nodes())
       {
         const SparseMatrix D_hanging = C.transpose() * all.D.asDiagonal() * C;
