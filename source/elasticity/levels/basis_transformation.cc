@@ -19,6 +19,9 @@ namespace stiction
     using Dofs   = BasisTransformation::Dofs;
     using Matrix = BasisTransformation::Matrix;
 
+    // Of what is 1 or 0.
+    constexpr double rounding = 1e-12;
+
     // More nodes than this do not count from each other one by one, but in a circle.
     constexpr unsigned int longest_chain = 50;
 
@@ -62,6 +65,21 @@ namespace stiction
       return matrix;
     }
 
+    // The three rows of some slaves, those of the others empty.
+    Matrix rows_of(const Matrix &N, const std::vector<bool> &slaves)
+    {
+      Matrix rows(N.rows(), N.cols());
+      for (Eigen::Index k = 0; k < N.rows(); ++k)
+        {
+          rows.startVec(k);
+          if (slaves[k / 3])
+            for (Matrix::InnerIterator entry(N, k); entry; ++entry)
+              rows.insertBack(k, entry.col()) = entry.value();
+        }
+      rows.finalize();
+      return rows;
+    }
+
     using Blocks = BasisTransformation::Blocks;
 
     // Rows with fewer cost nothing.
@@ -97,6 +115,26 @@ namespace stiction
       if (!blocks.empty())
         largest->second += left_out;
       return blocks;
+    }
+
+    // The same of each slave of the rows of N that has many.
+    Matrix without_small_blocks(const Matrix &N, const double part)
+    {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (Eigen::Index i = 0; i < N.rows() / 3; ++i)
+        {
+          Blocks blocks = blocks_of(N, i);
+          if (blocks.size() > many_blocks)
+            blocks = large_blocks(std::move(blocks), part);
+          for (const auto &[j, block] : blocks)
+            for (Eigen::Index a = 0; a < 3; ++a)
+              for (Eigen::Index b = 0; b < 3; ++b)
+                if (block(a, b) != 0.)
+                  entries.emplace_back(3 * i + a, 3 * j + b, block(a, b));
+        }
+      Matrix large(N.rows(), N.cols());
+      large.setFromTriplets(entries.begin(), entries.end());
+      return large;
     }
 
     // Row m: which of the slaves the node m is, three rows and columns each.
@@ -168,6 +206,7 @@ namespace stiction
     relation->masters     = std::move(masters);
     relation->N           = N;
     relation_             = relation;
+    N_                    = N;
     ground_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(relation->masters.size()));
   }
 
@@ -180,9 +219,8 @@ namespace stiction
   Matrix BasisTransformation::added() const
   {
     // T − 1 = R N (1 + E (T − 1))
-    const Matrix N =
-      R_.empty() ? relation_->N : Matrix(block_diagonal(R_) * relation_->N);
-    Matrix added = N;
+    const Matrix N = R_.empty() ? N_ : Matrix(block_diagonal(R_) * N_);
+    Matrix added   = N;
     for (unsigned int k = 0; k < relation_->n_chained; ++k)
       added = N + Matrix(N * Matrix(relation_->chain * added));
     return added;
@@ -190,27 +228,18 @@ namespace stiction
 
   Matrix BasisTransformation::large_added(const double part) const
   {
-    const Matrix all = added();
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index i = 0; i < all.rows() / 3; ++i)
-      {
-        Blocks blocks = blocks_of(all, i);
-        if (blocks.size() > many_blocks)
-          blocks = large_blocks(std::move(blocks), part);
-        for (const auto &[j, block] : blocks)
-          for (Eigen::Index a = 0; a < 3; ++a)
-            for (Eigen::Index b = 0; b < 3; ++b)
-              if (block(a, b) != 0.)
-                entries.emplace_back(3 * i + a, 3 * j + b, block(a, b));
-      }
-    Matrix large(all.rows(), all.cols());
-    large.setFromTriplets(entries.begin(), entries.end());
-    return large;
+    return without_small_blocks(added(), part);
   }
 
-  Matrix BasisTransformation::springs_of_masters() const
+  Matrix BasisTransformation::springs_of_masters(const Eigen::VectorXd &stiffness,
+                                                 const double part) const
   {
-    return relation_->N.transpose() * Matrix(block_diagonal(springs_) * relation_->N);
+    std::vector<bool> counts(springs_.size());
+    for (std::size_t i = 0; i < springs_.size(); ++i)
+      counts[i] =
+        springs_[i].trace() > part * stiffness.segment<3>(3 * Eigen::Index(i)).sum();
+    const Matrix N = without_small_blocks(rows_of(N_, counts), part);
+    return N.transpose() * Matrix(block_diagonal(springs_) * N);
   }
 
   BasisTransformation BasisTransformation::coarser(const LevelTransfer &transfer,
@@ -278,14 +307,21 @@ namespace stiction
   {
     R_       = std::move(R);
     springs_ = std::move(springs);
+    std::vector<bool> counts(R_.size());
+    for (std::size_t i = 0; i < R_.size(); ++i)
+      {
+        if (R_[i].isZero(rounding)) // 1 less a projection on all directions
+          R_[i].setZero();
+        counts[i] = !R_[i].isZero(0.) || !springs_[i].isZero(0.);
+      }
+    N_ = rows_of(relation_->N, counts);
   }
 
   Eigen::VectorXd BasisTransformation::opposite(const Eigen::VectorXd &of_masters) const
   {
-    const auto &[N, chain] = std::tie(relation_->N, relation_->chain);
-    Eigen::VectorXd moved  = N * of_masters;
+    Eigen::VectorXd moved = N_ * of_masters;
     for (unsigned int k = 0; k < relation_->n_chained; ++k)
-      moved = N * (of_masters + chain * times(R_, moved));
+      moved = N_ * (of_masters + relation_->chain * times(R_, moved));
     return moved;
   }
 
@@ -303,7 +339,7 @@ namespace stiction
     if (is_identity())
       return;
     relation_->slave_dofs.add_extension(
-      times(R_, -(relation_->N * relation_->master_dofs.restriction(v))), v);
+      times(R_, -(N_ * relation_->master_dofs.restriction(v))), v);
   }
 
   template<typename Number>
@@ -311,11 +347,11 @@ namespace stiction
   {
     if (is_identity())
       return;
-    const auto &[N, chain]          = std::tie(relation_->N, relation_->chain);
     const Eigen::VectorXd of_slaves = relation_->slave_dofs.restriction(r);
-    Eigen::VectorXd change          = N.transpose() * times(R_, of_slaves);
+    Eigen::VectorXd change          = N_.transpose() * times(R_, of_slaves);
     for (unsigned int k = 0; k < relation_->n_chained; ++k)
-      change = N.transpose() * times(R_, of_slaves + chain.transpose() * change);
+      change =
+        N_.transpose() * times(R_, of_slaves + relation_->chain.transpose() * change);
     relation_->master_dofs.add_extension(change, r);
   }
 
@@ -325,7 +361,7 @@ namespace stiction
     if (is_identity())
       return;
     relation_->master_dofs.add_extension(
-      -(relation_->N.transpose() * times(R_, relation_->slave_dofs.restriction(r))), r);
+      -(N_.transpose() * times(R_, relation_->slave_dofs.restriction(r))), r);
   }
 
   template<typename Number>
@@ -346,7 +382,7 @@ namespace stiction
       return forces_to_relative(dst);
     const Eigen::VectorXd forces =
       times(springs_, relation_->slave_dofs.restriction(src) - moved);
-    relation_->master_dofs.add_extension(-(relation_->N.transpose() * forces), dst);
+    relation_->master_dofs.add_extension(-(N_.transpose() * forces), dst);
     forces_to_relative(dst);
     relation_->slave_dofs.add_extension(forces, dst);
   }
@@ -358,7 +394,7 @@ namespace stiction
     for (std::size_t i = 0; i < of_slaves.size(); ++i)
       {
         const Eigen::Matrix3d K = R_[i] * of_slaves[i] * R_[i] + springs_[i];
-        for (const auto &[j, N] : blocks_of(relation_->N, static_cast<Eigen::Index>(i)))
+        for (const auto &[j, N] : blocks_of(N_, static_cast<Eigen::Index>(i)))
           added[j] += N.transpose() * K * N;
       }
     return added;

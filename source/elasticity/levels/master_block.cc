@@ -37,6 +37,24 @@ namespace stiction
       return places;
     }
 
+    using Indices = std::vector<Eigen::Index>;
+
+    bool is_column(const SparseColumns &matrix, const Eigen::Index k)
+    {
+      return SparseColumns::InnerIterator(matrix, k);
+    }
+
+    // Those of the identity.
+    SparseColumns columns_of(const Indices &chosen, const Eigen::Index size)
+    {
+      std::vector<Entry> entries;
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        entries.emplace_back(chosen[i], i, 1.);
+      SparseColumns columns(size, static_cast<Eigen::Index>(chosen.size()));
+      columns.setFromTriplets(entries.begin(), entries.end());
+      return columns;
+    }
+
     // The rows and columns of K at some nodes.
     SparseColumns assemble(const MeshLevel &mesh, const Materials &materials,
                            const double unit, const Dofs &nodes)
@@ -92,10 +110,11 @@ namespace stiction
     Dofs nodes = slaves;
     nodes.insert(nodes.end(), masters.begin(), masters.end());
     sort_once(nodes);
-    K_            = assemble(mesh, materials, unit, nodes);
-    of_slaves_    = places_of(basis.slaves(), nodes);
-    of_masters_   = places_of(masters, nodes);
-    own_diagonal_ = of_masters_.transpose() * Eigen::VectorXd(K_.diagonal());
+    K_               = assemble(mesh, materials, unit, nodes);
+    of_slaves_       = places_of(basis.slaves(), nodes);
+    of_masters_      = places_of(masters, nodes);
+    slaves_diagonal_ = of_slaves_.transpose() * Eigen::VectorXd(K_.diagonal());
+    own_diagonal_    = of_masters_.transpose() * Eigen::VectorXd(K_.diagonal());
 
     const Eigen::VectorXd is_fixed = DofSubset::node_by_node(masters).restriction(fixed);
     for (Eigen::Index k = 0; k < is_fixed.size(); ++k)
@@ -106,24 +125,32 @@ namespace stiction
 
   void MasterBlock::set_basis(const BasisTransformation &basis)
   {
-    const SparseColumns T = of_masters_ + of_slaves_ * SparseColumns(basis.added());
+    constexpr double small      = BasisTransformation::small_block;
+    const SparseColumns added   = basis.large_added(small);
+    const SparseColumns springs = basis.springs_of_masters(slaves_diagonal_, small);
+    // others than the masters that slaves hang on need no look
+    Indices seen;
+    for (Eigen::Index k = 0; k < added.cols(); ++k)
+      if (!is_left_out_[k] && (is_column(added, k) || is_column(springs, k)))
+        seen.push_back(k);
+    const SparseColumns M = columns_of(seen, added.cols());
+    const SparseColumns T = of_masters_ * M + of_slaves_ * SparseColumns(added * M);
     const SparseColumns K = SparseColumns(T.transpose() * SparseColumns(K_ * T)) +
-                            SparseColumns(basis.springs_of_masters());
+                            SparseColumns(M.transpose() * SparseColumns(springs * M));
     const Eigen::VectorXd diagonal = K.diagonal();
-    std::vector<Entry> chosen;
+    Indices chosen;
     Dofs unknowns;
     for (Eigen::Index k = 0; k < diagonal.size(); ++k)
-      if (!is_left_out_[k] && diagonal(k) > (1. + heavier) * own_diagonal_(k))
+      if (diagonal(k) > (1. + heavier) * own_diagonal_(seen[k]))
         {
-          chosen.emplace_back(k, unknowns.size(), 1.);
-          unknowns.push_back(basis.masters()[k / 3] + k % 3);
+          chosen.push_back(k);
+          unknowns.push_back(basis.masters()[seen[k] / 3] + seen[k] % 3);
         }
     unknowns_ = DofSubset(std::move(unknowns));
     if (is_empty())
       return;
-    SparseColumns M(diagonal.size(), unknowns_.size());
-    M.setFromTriplets(chosen.begin(), chosen.end());
-    factors_.compute(M.transpose() * SparseColumns(K * M));
+    const SparseColumns of_chosen = columns_of(chosen, K.cols());
+    factors_.compute(of_chosen.transpose() * SparseColumns(K * of_chosen));
     if (factors_.info() != Eigen::Success) // springs of chains are left out
       unknowns_ = DofSubset();
   }

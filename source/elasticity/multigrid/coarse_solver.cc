@@ -35,11 +35,6 @@ namespace stiction
     // MUMPS factorises.
     constexpr types::global_dof_index max_direct = 4000;
 
-    // Where a slave has more than 100 weights those below this part of its largest are
-    // left out: a pin in a hook with 170,000 blocks keeps some 27,000, and takes no more
-    // iterations (246 for 255).
-    constexpr double small_weight = 1e-3;
-
     using Indices = std::vector<types::global_dof_index>;
 
     // The three unknowns of each node.
@@ -95,8 +90,9 @@ namespace stiction
                                                   const BasisTransformation &basis,
                                                   const MeshLevel &level)
     {
-      const IndexSet &owned          = level.partitioner()->locally_owned_range();
-      const auto added               = basis.large_added(small_weight); // of T − 1
+      const IndexSet &owned = level.partitioner()->locally_owned_range();
+      const auto added      = // of T − 1
+        basis.large_added(BasisTransformation::small_block);
       const Indices rows             = unknowns_of(basis.slaves()),
                     columns          = unknowns_of(basis.masters());
       const auto for_each_entry_of_T = [&](const auto &take) {

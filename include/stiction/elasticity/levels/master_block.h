@@ -45,6 +45,7 @@ namespace stiction
     Matrix K_;                      ///< of slaves and masters, in the absolute basis
     Matrix of_slaves_, of_masters_; ///< columns: which unknowns of K_ theirs are
     Eigen::VectorXd own_diagonal_;  ///< of K_ at masters
+    Eigen::VectorXd slaves_diagonal_;
     std::vector<bool> is_left_out_; ///< masters' unknowns: prescribed, or of a slave
     DofSubset unknowns_;            ///< M: those on which slaves weigh more
     Eigen::SimplicialLLT<Matrix> factors_;
