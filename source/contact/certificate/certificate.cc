@@ -19,9 +19,6 @@ namespace stiction
 
   namespace
   {
-    // Of the forces and energies of earlier steps: less is nothing.
-    constexpr double small_beside_earlier = 1e-6;
-
     // Of S: less is what rounding leaves of formulas.
     constexpr double no_load = 1e-13;
 
@@ -153,8 +150,8 @@ namespace stiction
         S    = sums.rounding / unit_roundoff;
         S_u0 = S * u_size;
       }
-    S                 = std::max(S, small_beside_earlier * state.scales.force);
-    S_u0              = std::max(S_u0, small_beside_earlier * state.scales.energy);
+    S                 = std::max(S, state.scales.least().force);
+    S_u0              = std::max(S_u0, state.scales.least().energy);
     const double size = elasticity_.body().diameter();
 
     body_figures_.equilibrium_residual = sums.imbalance / S;

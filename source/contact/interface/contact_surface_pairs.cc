@@ -27,6 +27,9 @@ namespace stiction
     // Of the area around a node of a pair: with less opposite it carries no forces.
     constexpr double least_cover = 1e-3;
 
+    // Of what is covered, what may be so by several: edges that meet overlap by less.
+    constexpr double covered_twice = 0.05;
+
     // Of the size of faces: what is between the sides of a tie counts as rigid.
     constexpr double widest_tie = 0.25;
 
@@ -80,7 +83,7 @@ namespace stiction
 
     // Throws InputError if the sides of a pair overlap by more than a body is thick, all
     // over: two balls side by side do so where they look away from each other. And if
-    // nothing is opposite.
+    // nothing is opposite, or several are to the same places.
     void require_side_by_side(const ContactBoundary &pair, const Mortar &mortar,
                               const std::vector<SurfaceFace> &slave,
                               const std::vector<SurfaceFace> &master)
@@ -96,6 +99,15 @@ namespace stiction
           obstacle_entry,
           "boundary '" + pair.name() + "' has nothing of '" + pair.partner_name() +
             "' opposite: where they are nearest they " + why_not_opposite(slave, master));
+      const Eigen::ArrayXd areas = mortar.areas.array().max(0.);
+      const double twice         = ((mortar.covers.array() - 1.).max(0.) * areas).sum();
+      pair.source().require(
+        pair.partners().size() == 1 || twice <= covered_twice * areas.sum(),
+        obstacle_entry,
+        "of '" + pair.partner_name() +
+          "' one lies behind another, must lie side by side: leave out what does not "
+          "touch '" +
+          pair.name() + "'");
     }
 
     using Boundaries = std::vector<types::boundary_id>;

@@ -153,26 +153,6 @@ namespace stiction
     return at;
   }
 
-  bool FaceOverlap::covers(const SurfaceFace &second, const OverlapPoint &point) const
-  {
-    const Projected other = project(second);
-    const FaceShape own(first_.degree, point.first);
-    Point2 place{{0., 0.}};
-    for (unsigned int i = 0; i < first_.n_nodes(); ++i)
-      for (unsigned int c = 0; c < 2; ++c)
-        place[c] += own.value[i] * on_plane_.nodes[i][c];
-    for (const Polygon &polygon : polygons(other))
-      {
-        bool is_inside = true;
-        for (std::size_t k = 0; k < polygon.size(); ++k)
-          is_inside =
-            is_inside && cross(polygon[k], polygon[(k + 1) % polygon.size()], place) > 0.;
-        if (is_inside)
-          return true;
-      }
-    return false;
-  }
-
   std::vector<OverlapPoint> FaceOverlap::with(const SurfaceFace &second) const
   {
     std::vector<OverlapPoint> points;
@@ -183,8 +163,8 @@ namespace stiction
       return points;
     const auto &quadrature = rule(first_.degree);
     const auto add_point   = [&](const Point2 &p, const double weight) {
-      OverlapPoint point{weight, in_unit_square(on_plane_, p), in_unit_square(other, p),
-                         0.};
+      OverlapPoint point{weight, weight / area_, in_unit_square(on_plane_, p),
+                         in_unit_square(other, p), 0.};
       const FaceShape own(first_.degree, point.first),
         of_other(second.degree, point.second);
       Tensor<1, 3> edge1, edge2; // of the face as it is, not on its plane

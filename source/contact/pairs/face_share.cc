@@ -72,7 +72,7 @@ namespace stiction
       d += part.integrals;
     Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(n, 3);
     double smallest = std::numeric_limits<double>::max(), largest = -smallest,
-           modulus = 0.;
+           modulus = 0., cover = 0.;
     std::map<types::global_dof_index, Eigen::MatrixX2d> M; // and the overlaps
     for (const CoveredPoint &point : points)
       {
@@ -89,6 +89,7 @@ namespace stiction
         normals += point.at.weight * phi.cwiseAbs() *
                    Eigen::RowVector3d(normal[0], normal[1], normal[2]);
         modulus = std::max(modulus, point.master->youngs_modulus);
+        cover += point.at.part;
         for (unsigned int j = 0; j < point.master->n_nodes(); ++j)
           {
             auto &columns =
@@ -111,6 +112,7 @@ namespace stiction
                         smallest,
                         largest,
                         slave.diameter(),
+                        cover,
                         {{normals(i, 0), normals(i, 1), normals(i, 2)}}};
         shares.push_back(share);
         for (const auto &[master, columns] : M)

@@ -21,8 +21,9 @@ namespace stiction
   {
     dealii::types::global_dof_index slave, master; ///< invalid: to D and to the gap
     double value, overlap, gap, modulus;
-    double smallest, largest;     ///< gap of the face
-    double diameter;              ///< of the face
+    double smallest, largest; ///< gap of the face
+    double diameter;          ///< of the face
+    double cover;             ///< of the face, how much has something opposite; 2: twice
     std::array<double, 3> normal; ///< of the master, × area
 
     bool is_own() const { return master == dealii::numbers::invalid_dof_index; }

@@ -90,7 +90,7 @@ namespace stiction
                                       return std::abs(point.at.gap) > farthest;
                                     }),
                      points.end());
-        keep_nearest_sheets(overlap, slave.diameter(), points);
+        keep_nearest_sheets(slave.diameter(), points);
         return points;
       }
 
@@ -215,10 +215,10 @@ namespace stiction
         sort_once(slaves);
         sort_once(masters);
         const auto n = static_cast<Eigen::Index>(slaves.size());
-        D = gaps = moduli        = Eigen::VectorXd::Zero(n);
-        opposite                 = Eigen::MatrixX3d::Zero(n, 3);
-        Eigen::VectorXd smallest = Eigen::VectorXd::Constant(n, 1e300),
-                        largest  = -smallest;
+        D = gaps = moduli = covers = Eigen::VectorXd::Zero(n);
+        opposite                   = Eigen::MatrixX3d::Zero(n, 3);
+        Eigen::VectorXd smallest   = Eigen::VectorXd::Constant(n, 1e300),
+                        largest    = -smallest;
         std::vector<Eigen::Triplet<double>> entries, common;
         for (const FaceShare &share : shares)
           {
@@ -235,6 +235,7 @@ namespace stiction
             smallest(i) = std::min(smallest(i), share.smallest);
             largest(i)  = std::max(largest(i), share.largest);
             moduli(i)   = std::max(moduli(i), share.modulus);
+            covers(i)   = std::max(covers(i), share.cover);
             opposite.row(i) += Eigen::RowVector3d::Map(share.normal.data());
           }
         const auto m = static_cast<Eigen::Index>(masters.size());
@@ -248,7 +249,7 @@ namespace stiction
       }
 
       std::vector<Dof> slaves, masters;
-      Eigen::VectorXd D, gaps, moduli; // gaps: times D
+      Eigen::VectorXd D, gaps, moduli, covers; // gaps: times D
       Eigen::MatrixX3d opposite;
       SparseMatrix M, overlaps;
     };
@@ -281,10 +282,13 @@ namespace stiction
     for (std::size_t i = 0; i < slaves.size(); ++i)
       if (rim.count(slaves[i]) == 0)
         normals.row(static_cast<Eigen::Index>(i)).setZero();
-    youngs_moduli = Eigen::VectorXd::Zero(areas.size());
+    youngs_moduli = covers = Eigen::VectorXd::Zero(areas.size());
     for (Eigen::Index j = 0; j < C.cols(); ++j)
       for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
-        youngs_moduli(j) = std::max(youngs_moduli(j), all.moduli(entry.row()));
+        {
+          youngs_moduli(j) = std::max(youngs_moduli(j), all.moduli(entry.row()));
+          covers(j)        = std::max(covers(j), all.covers(entry.row()));
+        }
     if (of_slave.has_hanging_nodes())
       {
         const SparseMatrix D_hanging = C.transpose() * all.D.asDiagonal() * C;

@@ -11,15 +11,30 @@ namespace stiction
 
   namespace
   {
-    // Of what is covered of a face, or around a node: less may be rounding, which hides
-    // nothing.
-    constexpr double sliver = 1e-3;
+    // Of what is covered of a face, or by one face around a node: what covers less does
+    // not decide what else counts.
+    constexpr double least_part = 0.1;
 
-    // Faces that hang together, how far away they are, and how much of a face they cover.
+    // Of a sheet: what hides as much of it is in front of it.
+    constexpr double hidden_part = 0.25;
+
+    // Of a face: parts that sheets cover side by side add up to no more.
+    constexpr double once = 1.05;
+
+    // Faces that hang together: how far away they are, and what they cover of a face.
     struct Sheet
     {
-      std::vector<const SurfaceFace *> faces;
-      double nearest = 1e300, farthest = 0., area = 0.;
+      double nearest = 1e300, farthest = 0., part = 0.;
+      unsigned int piece = 0;
+      bool is_kept       = false;
+
+      void add(const CoveredPoint &point)
+      {
+        nearest  = std::min(nearest, std::abs(point.at.gap));
+        farthest = std::max(farthest, std::abs(point.at.gap));
+        part += point.at.part;
+        piece = point.master->piece;
+      }
     };
 
     using Numbers = std::map<const SurfaceFace *, std::size_t>;
@@ -36,10 +51,9 @@ namespace stiction
       Numbers numbers;
       std::size_t n = 0;
       for (const CoveredPoint &point : points)
-        if (numbers.count(point.master) == 0)
+        if (numbers.emplace(point.master, n).second)
           {
             std::vector<const SurfaceFace *> faces = {point.master};
-            numbers[point.master]                  = n;
             for (std::size_t k = 0; k < faces.size(); ++k)
               for (unsigned int i = 0; i < faces[k]->n_nodes(); ++i)
                 for (const SurfaceFace *const next : at_node[faces[k]->dofs[i]])
@@ -49,63 +63,44 @@ namespace stiction
           }
       return numbers;
     }
-
-    // The nearest first.
-    std::vector<Sheet> sheets_of(const std::vector<CoveredPoint> &points)
-    {
-      const Numbers numbers = sheet_numbers(points);
-      std::vector<Sheet> sheets(numbers.size());
-      for (const auto &[master, n] : numbers)
-        sheets[n].faces.push_back(master);
-      for (const CoveredPoint &point : points)
-        {
-          Sheet &sheet   = sheets[numbers.at(point.master)];
-          sheet.nearest  = std::min(sheet.nearest, std::abs(point.at.gap));
-          sheet.farthest = std::max(sheet.farthest, std::abs(point.at.gap));
-          sheet.area += point.at.weight;
-        }
-      sheets.erase(std::remove_if(sheets.begin(), sheets.end(),
-                                  [](const Sheet &sheet) { return sheet.faces.empty(); }),
-                   sheets.end());
-      std::stable_sort(sheets.begin(), sheets.end(), [](const auto &a, const auto &b) {
-        return a.nearest < b.nearest;
-      });
-      return sheets;
-    }
   } // namespace
 
-  void keep_nearest_sheets(const FaceOverlap &overlap, const double diameter,
-                           std::vector<CoveredPoint> &points)
+  void keep_nearest_sheets(const double diameter, std::vector<CoveredPoint> &points)
   {
-    const std::vector<Sheet> sheets = sheets_of(points);
-    if (sheets.size() < 2)
+    Sheet all;
+    for (const CoveredPoint &point : points)
+      all.add(point);
+    if (all.farthest <= all.nearest + diameter && all.part <= once)
       return;
-    double area = 0.;
-    for (const Sheet &sheet : sheets)
-      area += sheet.area;
-    std::vector<const SurfaceFace *> in_front;
-    double farthest = 1e300;
-    for (const Sheet &sheet : sheets)
+    const Numbers numbers = sheet_numbers(points);
+    std::vector<Sheet> sheets(numbers.size());
+    for (const CoveredPoint &point : points)
+      sheets[numbers.at(point.master)].add(point);
+    std::vector<Sheet *> in_order;
+    for (Sheet &sheet : sheets)
+      in_order.push_back(&sheet);
+    std::stable_sort(
+      in_order.begin(), in_order.end(),
+      [](const auto *const a, const auto *const b) { return a->nearest < b->nearest; });
+
+    double limit = 1e300;
+    std::map<unsigned int, double> covered; // by each body
+    for (Sheet *const sheet : in_order)
       {
-        const std::set<const SurfaceFace *> faces(sheet.faces.begin(), sheet.faces.end());
-        const bool is_left_out =
-          sheet.area < sliver * area || sheet.nearest > farthest + diameter;
-        points.erase(
-          std::remove_if(points.begin(), points.end(),
-                         [&](const CoveredPoint &point) {
-                           return faces.count(point.master) > 0 &&
-                                  (is_left_out ||
-                                   std::any_of(in_front.begin(), in_front.end(),
-                                               [&](const SurfaceFace *const face) {
-                                                 return overlap.covers(*face, point.at);
-                                               }));
-                         }),
-          points.end());
-        if (is_left_out)
+        double &part        = covered[sheet->piece];
+        const double hidden = part + sheet->part - 1.;
+        sheet->is_kept = sheet->nearest <= limit && !(hidden > hidden_part * sheet->part);
+        if (!sheet->is_kept)
           continue;
-        farthest = in_front.empty() ? sheet.farthest : std::max(farthest, sheet.farthest);
-        in_front.insert(in_front.end(), sheet.faces.begin(), sheet.faces.end());
+        part += sheet->part;
+        if (limit == 1e300 && sheet->part >= least_part * all.part)
+          limit = sheet->farthest + diameter;
       }
+    points.erase(std::remove_if(points.begin(), points.end(),
+                                [&](const CoveredPoint &point) {
+                                  return !sheets[numbers.at(point.master)].is_kept;
+                                }),
+                 points.end());
   }
 
   void keep_nearest_sheets(std::vector<FaceShare> &shares)
@@ -117,20 +112,29 @@ namespace stiction
           double &value = largest[share.slave];
           value         = std::max(value, std::abs(share.value));
         }
-    std::map<types::global_dof_index, const FaceShare *> nearest;
+    const auto counts = [&](const FaceShare &share) {
+      return share.is_own() && std::abs(share.value) >= least_part * largest[share.slave];
+    };
+    struct Nearest
+    {
+      double distance = 1e300, limit = 0.;
+    };
+    std::map<types::global_dof_index, Nearest> nearest;
     for (const FaceShare &share : shares)
-      if (share.is_own() && std::abs(share.value) >= sliver * largest[share.slave])
+      if (counts(share))
         {
-          const auto at = nearest.emplace(share.slave, &share).first;
-          if (share.nearest() < at->second->nearest())
-            at->second = &share;
+          double &distance = nearest[share.slave].distance;
+          distance         = std::min(distance, share.nearest());
         }
-    std::map<types::global_dof_index, double> limits;
-    for (const auto &[slave, share] : nearest)
-      limits[slave] = share->farthest() + share->diameter;
+    for (const FaceShare &share : shares)
+      if (counts(share) && share.nearest() <= nearest[share.slave].distance)
+        {
+          double &limit = nearest[share.slave].limit;
+          limit         = std::max(limit, share.farthest() + share.diameter);
+        }
     shares.erase(std::remove_if(shares.begin(), shares.end(),
                                 [&](const FaceShare &share) {
-                                  return share.nearest() > limits[share.slave];
+                                  return share.nearest() > nearest[share.slave].limit;
                                 }),
                  shares.end());
   }

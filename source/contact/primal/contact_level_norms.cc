@@ -56,10 +56,12 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       contact_forces += at_node(lambda, i).cwiseProduct(B_.frames()[i].scales()).norm();
 
+    const State::Scales least = earlier_scales_.least();
     Scales scales;
-    scales.force = nonzero(std::max({load_sum_, sums[0], contact_forces}));
-    scales.scaling =
-      contact_scaling(scales.force, sums[1], areas_, boundary_area_, stiffness_of_cells_);
+    scales.force =
+      std::max(nonzero(std::max({load_sum_, sums[0], contact_forces})), least.force);
+    scales.scaling = contact_scaling(scales.force, std::max(sums[1], least.energy),
+                                     areas_, boundary_area_, stiffness_of_cells_);
     return scales;
   }
 

@@ -133,6 +133,8 @@ namespace stiction
                                      const OtherStart &other_start,
                                      const ContactStep &before)
   {
+    for (const auto &problem : problems_)
+      problem->set_earlier_scales(solution.scales);
     const unsigned int first = first_level(solution);
     Eigen::VectorXd lambda   = begin(first, solution);
     const auto earlier       = statistics_;

@@ -305,6 +305,7 @@ namespace stiction
   void BasisTransformation::set_relative_directions(std::vector<Eigen::Matrix3d> R,
                                                     std::vector<Eigen::Matrix3d> springs)
   {
+    AssertDimension(R.size(), springs.size());
     R_       = std::move(R);
     springs_ = std::move(springs);
     std::vector<bool> counts(R_.size());

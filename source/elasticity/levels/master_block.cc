@@ -110,11 +110,13 @@ namespace stiction
     Dofs nodes = slaves;
     nodes.insert(nodes.end(), masters.begin(), masters.end());
     sort_once(nodes);
-    K_               = assemble(mesh, materials, unit, nodes);
-    of_slaves_       = places_of(basis.slaves(), nodes);
-    of_masters_      = places_of(masters, nodes);
-    slaves_diagonal_ = of_slaves_.transpose() * Eigen::VectorXd(K_.diagonal());
-    own_diagonal_    = of_masters_.transpose() * Eigen::VectorXd(K_.diagonal());
+    K_            = assemble(mesh, materials, unit, nodes);
+    of_slaves_    = places_of(basis.slaves(), nodes);
+    of_masters_   = places_of(masters, nodes);
+    own_diagonal_ = of_masters_.transpose() * Eigen::VectorXd(K_.diagonal());
+
+    felt_stiffness_ = (of_slaves_.transpose() * Eigen::VectorXd(K_.diagonal()))
+                        .cwiseMin(own_diagonal_.maxCoeff());
 
     const Eigen::VectorXd is_fixed = DofSubset::node_by_node(masters).restriction(fixed);
     for (Eigen::Index k = 0; k < is_fixed.size(); ++k)
@@ -127,7 +129,7 @@ namespace stiction
   {
     constexpr double small      = BasisTransformation::small_block;
     const SparseColumns added   = basis.large_added(small);
-    const SparseColumns springs = basis.springs_of_masters(slaves_diagonal_, small);
+    const SparseColumns springs = basis.springs_of_masters(felt_stiffness_, small);
     // others than the masters that slaves hang on need no look
     Indices seen;
     for (Eigen::Index k = 0; k < added.cols(); ++k)

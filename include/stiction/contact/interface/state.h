@@ -45,6 +45,9 @@ namespace stiction
     struct Scales
     {
       double force = 0., energy = 0.;
+
+      /// Less is nothing beside them.
+      Scales least() const { return {1e-6 * force, 1e-6 * energy}; }
     } scales = {};
   };
 

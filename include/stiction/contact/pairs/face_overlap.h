@@ -13,6 +13,7 @@ namespace stiction
   struct OverlapPoint
   {
     double weight;                       ///< an area of the first face, m²
+    double part;                         ///< of the first face as it is projected
     std::array<double, 2> first, second; ///< where it is in the unit squares
     double gap;                          ///< from the first to the second, m
   };
@@ -29,9 +30,6 @@ namespace stiction
     /// The points of the part covered by the second face, none if they look in the same
     /// direction. Faces are opposite up to an angle of 84 degrees.
     std::vector<OverlapPoint> with(const SurfaceFace &second) const;
-
-    /// Whether the second face covers the place of a point, too.
-    bool covers(const SurfaceFace &second, const OverlapPoint &point) const;
 
   private:
     using Point2 = std::array<double, 2>;

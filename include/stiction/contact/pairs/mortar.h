@@ -42,6 +42,10 @@ namespace stiction
     /// Of each the largest of the cells of the master opposite, Pa.
     Eigen::VectorXd youngs_moduli;
 
+    /// Of each the largest part of a face around it that has something opposite, above 1
+    /// where there is more than one sheet of it.
+    Eigen::VectorXd covers;
+
     /// The master nodes.
     std::vector<dealii::types::global_dof_index> masters;
     Eigen::SparseMatrix<double, Eigen::RowMajor> weights;  ///< W, slaves × masters

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stiction/contact/interface/contact_operator.h>
+#include <stiction/contact/interface/state.h>
 #include <stiction/contact/obstacles/obstacle_motion.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/elasticity/levels/basis_transformation.h>
@@ -154,6 +155,9 @@ namespace stiction
     Scales scales(const LA::Vector &u, const LA::Vector &R,
                   const Eigen::VectorXd &lambda) const;
 
+    /// Those of earlier steps, from which on the forces and energies of scales() count.
+    void set_earlier_scales(const State::Scales &scales) { earlier_scales_ = scales; }
+
     /// Σ ε‖diag(K_jj) u_j‖ over all nodes, ε = 2⁻⁵³: what rounding u alone
     /// changes the forces inside the body by, N. Collective.
     double rounding_of_forces(const LA::Vector &u) const;
@@ -191,6 +195,7 @@ namespace stiction
     const StiffnessOperator<double> *stiffness_; ///< in the absolute basis
     LA::Vector load_;
     double load_sum_ = 0.; ///< Σ‖f_j‖
+    State::Scales earlier_scales_;
 
     std::vector<unsigned int> fixed_; ///< local unknowns
     std::vector<double> prescribed_;

@@ -92,8 +92,8 @@ namespace stiction
     const std::vector<Eigen::Matrix3d> &springs() const { return springs_; }
 
     /// What the springs add to the masters in K̂, Nᵀ S N without small blocks, as if no
-    /// slave were a master, and without springs that are less than this part of the
-    /// stiffness of the slaves' own unknowns.
+    /// slave were a master, and without springs that are less than this part of a
+    /// stiffness, of the slaves' unknowns; after set_relative_directions().
     Matrix springs_of_masters(const Eigen::VectorXd &stiffness, double part) const;
 
     /// Takes springs between the masters and the ground, N/m, which the coarser levels

@@ -42,12 +42,12 @@ namespace stiction
   private:
     using Matrix = Eigen::SparseMatrix<double>;
 
-    Matrix K_;                      ///< of slaves and masters, in the absolute basis
-    Matrix of_slaves_, of_masters_; ///< columns: which unknowns of K_ theirs are
-    Eigen::VectorXd own_diagonal_;  ///< of K_ at masters
-    Eigen::VectorXd slaves_diagonal_;
-    std::vector<bool> is_left_out_; ///< masters' unknowns: prescribed, or of a slave
-    DofSubset unknowns_;            ///< M: those on which slaves weigh more
+    Matrix K_;                       ///< of slaves and masters, in the absolute basis
+    Matrix of_slaves_, of_masters_;  ///< columns: which unknowns of K_ theirs are
+    Eigen::VectorXd own_diagonal_;   ///< of K_ at masters
+    Eigen::VectorXd felt_stiffness_; ///< of slaves' unknowns, or of masters if softer
+    std::vector<bool> is_left_out_;  ///< masters' unknowns: prescribed, or of a slave
+    DofSubset unknowns_;             ///< M: those on which slaves weigh more
     Eigen::SimplicialLLT<Matrix> factors_;
   };
 } // namespace stiction

@@ -55,7 +55,8 @@ namespace stiction
                        "' stands where a section should begin");
 
         // sections that are known are at their end now, others are passed over
-        const bool has_counts = name == "$Nodes" || name == "$Elements";
+        const bool has_counts =
+          name == "$PhysicalNames" || name == "$Nodes" || name == "$Elements";
         const std::string end = "$End" + name.substr(1);
         std::string line      = text_.rest_of_line();
         while (line != end)

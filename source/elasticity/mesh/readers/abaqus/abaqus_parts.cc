@@ -16,6 +16,7 @@ namespace stiction
   {
     const TextScanner::Place beginning = text.here();
     std::string line, open;
+    bool is_in_assembly             = false;
     const auto require_no_open_part = [&]() {
       if (!open.empty())
         text.refuse("part '" + open + "' has not ended before, must do with '*END PART'");
@@ -27,6 +28,8 @@ namespace stiction
         const AbaqusKeyword keyword(line, text);
         if (keyword.name == "*ENDPART")
           open.clear();
+        if (keyword.name == "*ASSEMBLY" || keyword.name == "*ENDASSEMBLY")
+          is_in_assembly = keyword.name == "*ASSEMBLY";
         if (keyword.name != "*INSTANCE" && keyword.name != "*PART")
           continue;
         require_no_open_part();
@@ -42,6 +45,8 @@ namespace stiction
           }
       }
     require_no_open_part();
+    if (is_in_assembly)
+      text.refuse("the file ends within the assembly, must do so after '*END ASSEMBLY'");
     text.go_to(beginning);
   }
 
