@@ -138,11 +138,12 @@ namespace stiction
                           const std::vector<std::string> &sides,
                           const std::string &checkpoint)
   {
+    const std::vector<std::string> here = slave_sides(surface);
     for (std::size_t b = 0; b < sides.size(); ++b)
       {
         const ContactBoundary &boundary = surface.boundaries()[b];
         boundary.source().require(
-          slave_sides(surface)[b] == sides[b], "Boundary conditions/Slave side",
+          here[b] == sides[b], "Boundary conditions/Slave side",
           "makes boundary '" + boundary.name() + "' bear the forces of its pair with '" +
             boundary.partner_name() + "', must be '" + sides[b] +
             "', as in the checkpoint " + checkpoint + ", whose slips are of that side");
