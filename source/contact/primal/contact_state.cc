@@ -1,5 +1,6 @@
 #include <stiction/contact/primal/contact_state.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,21 @@ namespace stiction
     R.sadd(-1., 1., problem.load());
     lambda = problem.B().contact_forces(R);
     w      = problem.penetration_and_slip(u, distances);
+  }
+
+  double ContactState::release_open_nodes(const ContactLevel &problem,
+                                          const qp::Scaling &scaling)
+  {
+    double released = 0.;
+    for (Eigen::Index i = 0; i < problem.n_nodes(); ++i)
+      if (lambda(i) / scaling.force(i) < -w(i) / scaling.displacement_at(i) &&
+          problem.slip_bound().constant()(i) == 0.)
+        {
+          const ContactFrame &frame = problem.B().frames()[i];
+          released += at_node(lambda, i).cwiseProduct(frame.scales()).norm();
+          set_at_node(lambda, i, Eigen::Vector3d::Zero());
+        }
+    return released;
   }
 
   void ContactState::go_back(const ContactState &before, const double part)

@@ -225,6 +225,14 @@ namespace stiction
     if (residual.value() > tolerance)
       return residual;
     state.update(problem_);
+    residual = {problem_, state, problem_.slip_bound()};
+    if (residual.value() <= tolerance)
+      return residual;
+    ContactState released = state;
+    if (released.release_open_nodes(problem_, residual.conditions.scaling()) >
+        linear_part_of_tolerance * tolerance * residual.force_scale)
+      return residual;
+    state = released;
     return {problem_, state, problem_.slip_bound()};
   }
 

@@ -26,6 +26,13 @@ namespace stiction
     /// Sets R, λ and w from u and δ by a product with K. Collective.
     void update(const ContactLevel &problem);
 
+    /// Takes away forces at nodes whose gap is larger than their pressure, in these
+    /// scales, and where no friction acts without pressure. They are then missing in the
+    /// equilibrium there.
+    ///
+    /// @return the sum of their norms, N.
+    double release_open_nodes(const ContactLevel &problem, const qp::Scaling &scaling);
+
     /// Goes back to a part of the way to here from another state of this level.
     void go_back(const ContactState &before, double part);
   };

@@ -105,7 +105,9 @@ namespace stiction
     std::size_t fall_horizon(unsigned int stalls, double residual) const;
 
     /// The residual; where it is small enough, of a state made anew from u, without what
-    /// the linear solver carried along.
+    /// the linear solver carried along. What K u leaves by rounding at open nodes of next
+    /// to no area, above the tolerance there, is left to the equilibrium, where it is far
+    /// below.
     ContactResidual measure(ContactState &state, double tolerance) const;
 
     /// If the body is only moved and touches nothing, so that all forces are the rounding
