@@ -32,6 +32,7 @@ namespace stiction
       double resistance = 0.;
       double energy     = 0.; // uᵀKu
       double work       = 0.; // of loads and reactions
+      Tensor<1, 3> contact;   // resultant of the contact forces
       double force      = 0.; // the largest resultant of a body
       double moment     = 0.; // the same, about the centre of all
       // of each body the lengths of loads, contact forces and reactions, and uᵀKu
@@ -81,6 +82,7 @@ namespace stiction
           double *const of_body = &sums.of_bodies[4 * node.piece];
           of_body[0] += applied.norm();
           of_body[1] += contact.norm();
+          sums.contact += contact;
           of_body[2] += reaction.norm();
           sums.loads += applied.norm();
           sums.reactions += reaction.norm();
@@ -100,6 +102,7 @@ namespace stiction
         *sum = Utilities::MPI::sum(*sum, body.communicator());
       Utilities::MPI::sum(resultants, body.communicator(), resultants);
       Utilities::MPI::sum(sums.of_bodies, body.communicator(), sums.of_bodies);
+      sums.contact    = Utilities::MPI::sum(sums.contact, body.communicator());
       sums.resistance = Utilities::MPI::max(sums.resistance, body.communicator());
       for (std::size_t i = 3; i < sums.of_bodies.size(); i += 4)
         sums.energy += sums.of_bodies[i];
@@ -134,8 +137,14 @@ namespace stiction
     const Eigen::Index m    = surface_.n_nodes();
     const Eigen::VectorXd f = surface_.forces(lambda_);
     double contact_forces   = 0.;
+    Tensor<1, 3> lost       = sums.contact; // between the sides of pairs
     for (Eigen::Index i = 0; i < m; ++i)
-      contact_forces += Tensor<1, 3>({f(i), f(i + m), f(i + 2 * m)}).norm();
+      {
+        const Tensor<1, 3> force({f(i), f(i + m), f(i + 2 * m)});
+        contact_forces += force.norm();
+        if (!surface_.boundary_of(surface_.nodes()[i]).is_pair())
+          lost += force;
+      }
 
     double S            = nonzero(std::max({sums.loads, sums.reactions, contact_forces}));
     double S_u0         = sums.energy;
@@ -155,7 +164,7 @@ namespace stiction
     const double size = elasticity_.body().diameter();
 
     body_figures_.equilibrium_residual = sums.imbalance / S;
-    body_figures_.force_balance        = sums.force / S;
+    body_figures_.force_balance        = std::max(sums.force, lost.norm()) / S;
     body_figures_.moment_balance       = sums.moment / (S * size);
     const auto n_bodies = static_cast<unsigned int>(sums.resultants.size());
     for (unsigned int p = 0; n_bodies > 1 && p < n_bodies; ++p)

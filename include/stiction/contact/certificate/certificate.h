@@ -46,7 +46,8 @@ namespace stiction
       /// Σ‖(f − Bᵀλ − Ku)_j‖/S over the free unknowns: equilibrium at every
       /// node, where it is more than the rounding of Ku there, else that.
       double equilibrium_residual = 0.;
-      /// ‖Σ(loads + contact forces + reactions)‖/S.
+      /// ‖Σ(loads + contact forces + reactions)‖/S, the largest of all bodies, or what
+      /// forces on one side of a pair lack on the other, if that is more.
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
       double moment_balance = 0.;
