@@ -315,9 +315,8 @@ namespace stiction
         require(places_.at(entry).where == not_set, entry,
                 "must stand in the sections 'Contact pair', or all that they say in "
                 "lists");
-        if (list.where.empty())
-          continue;
-        assign(list.where, list.section, list.name, trim(list.value), prm);
+        if (!list.where.empty())
+          assign(list.where, list.section, list.name, trim(list.value), prm);
         for (const auto &[where, name, value] : list.of_pairs)
           of_pairs_[entry].push_back({where.empty() ? not_set : where, value, name});
       }

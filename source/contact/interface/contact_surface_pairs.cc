@@ -118,6 +118,7 @@ namespace stiction
     public:
       Bearers(const Body &body, const std::vector<ContactBoundary> &boundaries)
         : body_(body)
+        , boundaries_(boundaries)
       {
         for (const ContactBoundary &boundary : boundaries)
           if (boundary.is_pair())
@@ -152,6 +153,23 @@ namespace stiction
         return order_.closes_circle(bodies_at(slaves), bodies_at(masters));
       }
 
+      // What to do where a side of the pair stands in several.
+      std::string as_one_pair(const ContactBoundary &pair) const
+      {
+        for (const std::string &name : {pair.partner_name(), pair.name()})
+          {
+            std::string opposite;
+            for (const ContactBoundary &other : boundaries_)
+              if (other.is_pair() &&
+                  (other.name() == name || other.partner_name() == name))
+                opposite += (opposite.empty() ? "" : ", ") +
+                            (other.name() == name ? other.partner_name() : other.name());
+            if (opposite.find(',') != std::string::npos)
+              return "make one pair of '" + name + "' with '" + opposite + "', ";
+          }
+        return "";
+      }
+
       // Throws InputError if the slave of a pair bears other forces already.
       void require_one_contact(const ContactBoundary &pair) const
       {
@@ -159,9 +177,8 @@ namespace stiction
           bearing_.count(pair.id()) == 0, "Boundary conditions/Slave side",
           "boundary '" + pair.name() + "' would bear the forces of its pair with '" +
             pair.partner_name() +
-            "' and those of another contact, must do so once: say the other side, name "
-            "all that lies opposite in one 'Obstacle = boundary : NAME, NAME', or make "
-            "boundaries of their own of the parts");
+            "' and those of another contact, must do so once: say the other side, " +
+            as_one_pair(pair) + "or make boundaries of their own of the parts");
       }
 
       void add(const ContactBoundary &pair)
@@ -185,6 +202,7 @@ namespace stiction
       }
 
       const Body &body_;
+      const std::vector<ContactBoundary> &boundaries_;
       std::multiset<types::boundary_id> sides_; // of all pairs
       std::set<types::boundary_id> bearing_;
       SlaveOrder order_;
