@@ -132,7 +132,8 @@ namespace stiction
   }
 
   std::vector<std::string> Faces::require_boundaries_fit(
-    std::vector<CellData<2>> &boundary, const std::set<types::boundary_id> &in_use) const
+    std::vector<CellData<2>> &boundary, const std::set<types::boundary_id> &in_use,
+    std::vector<std::string> &lost) const
   {
     std::map<Key, types::boundary_id> ids;
     for (const CellData<2> &quad : boundary)
@@ -183,19 +184,26 @@ namespace stiction
     for (const auto &[key, quad] : once)
       boundary.push_back(quad);
 
-    std::vector<std::string> lost;
+    std::vector<std::string> damages;
     const auto count = [&](const std::set<Key> &faces, const types::boundary_id id) {
       return std::to_string(faces.size()) + (faces.size() == 1 ? " face" : " faces") +
              " of boundary " + mesh_.name_of_boundary(id);
     };
     for (const auto &[id, faces] : inside)
-      if (outside.count(id) > 0)
+      if (outside.count(id) == 0)
+        continue;
+      else if (in_use.count(id) == 0)
         lost.push_back(count(faces, id) + " inside of the body");
+      else
+        damages.push_back(count(faces, id) +
+                          " inside of the body, between two cells: "
+                          "no contact, load or support acts there; parts of a body that "
+                          "are to be two need nodes of their own");
     for (const auto &[pair, faces] : on_another)
       lost.push_back(count(faces, pair.first) + " that " +
                      (faces.size() == 1 ? "is" : "are") + " on boundary " +
                      mesh_.name_of_boundary(pair.second) + " as well");
-    return lost;
+    return damages;
   }
 
   std::vector<std::string> Faces::holes_in(const std::vector<CellData<2>> &boundary) const

@@ -35,10 +35,14 @@ namespace stiction
     /// in use, of which there must be at most one, else the first. Those inside, which
     /// are no boundary, are marked as such.
     ///
-    /// @return what boundaries lose by that, a clause each.
+    /// @param lost what boundaries lose by that, a clause each.
+    ///
+    /// @return what of it boundaries in use do not have outside, a clause each, which
+    ///   begins with the number of faces.
     std::vector<std::string> require_boundaries_fit(
       std::vector<dealii::CellData<2>> &boundary,
-      const std::set<dealii::types::boundary_id> &in_use) const;
+      const std::set<dealii::types::boundary_id> &in_use,
+      std::vector<std::string> &lost) const;
 
     /// Where faces of boundaries seem to be missing: a face of none has more than half of
     /// its edges in common with faces of one that are in line with it, and the others

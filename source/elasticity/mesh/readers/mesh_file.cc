@@ -83,7 +83,11 @@ namespace stiction
                            "transfinite surfaces meet tetrahedra.")
              : std::string(": leave the others out; boundaries of a .inp are "
                            "'*SURFACE, NAME=bottom' with cells and their faces S1, S2, "
-                           "..., or sets of elements CPS3, CPS4, CPS6 and CPS8.")));
+                           "..., or sets of elements CPS3, CPS4, CPS6 and CPS8") +
+                 (others.find("M3D9") == std::string::npos
+                    ? "."
+                    : ", which Gmsh writes instead of M3D9 with "
+                      "'Mesh.SecondOrderIncomplete = 1'.")));
     }
   } // namespace
 
@@ -106,9 +110,10 @@ namespace stiction
         if (const auto id = names.find(name))
           ids.insert(*id);
       for (std::string &what :
-           faces.require_boundaries_fit(mesh.faces.boundary_quads, ids))
-        mesh.left_out.push_back(std::move(what));
-      mesh.damages = faces.holes_in(mesh.faces.boundary_quads);
+           faces.require_boundaries_fit(mesh.faces.boundary_quads, ids, mesh.left_out))
+        mesh.damages.push_back(std::move(what));
+      for (std::string &hole : faces.holes_in(mesh.faces.boundary_quads))
+        mesh.damages.push_back(std::move(hole));
     }
     cut_into_hexahedra(mesh);
     GridTools::consistently_order_cells(mesh.cells);

@@ -1,5 +1,7 @@
 #include "abaqus_keyword.h"
 
+#include <stiction/base/text/did_you_mean.h>
+
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -63,6 +65,19 @@ namespace stiction
       if (name == without_spaces(keyword))
         return keyword;
     return "";
+  }
+
+  std::string AbaqusKeyword::misspelt(const TextScanner &text) const
+  {
+    const std::vector<std::string> known = {
+      "*NODE",     "*ELEMENT",     "*ELSET",    "*SURFACE",     "*PART", "*ENDPART",
+      "*INSTANCE", "*ENDINSTANCE", "*ASSEMBLY", "*ENDASSEMBLY", "*NSET"};
+    if (std::find(known.begin(), known.end(), name) != known.end())
+      return "";
+    const std::string other = did_you_mean(name, known);
+    return other.empty() ? ""
+                         : "line " + std::to_string(text.line_number()) +
+                             " is passed over, its keyword is '" + name + "'" + other;
   }
 
   void AbaqusKeyword::require_all_is_here(const TextScanner &text) const

@@ -38,6 +38,10 @@ namespace stiction
     /// another one.
     void require_all_is_here(const TextScanner &text) const;
 
+    /// What to say if it is a misspelt keyword of meshes, as a clause that begins with
+    /// the line; empty: it is none.
+    std::string misspelt(const TextScanner &text) const;
+
     std::string name; ///< in capital letters with the star, without blanks: "*ENDPART"
     /// Names in capital letters, values as they are written.
     std::map<std::string, std::string> options;

@@ -50,6 +50,8 @@ namespace stiction
             name_materials();
           }
         text_.go_to(end);
+        misspelt_.erase("");
+        mesh_.mesh.damages.assign(misspelt_.begin(), misspelt_.end());
         if (!passed_over_.empty())
           mesh_.mesh.left_out.push_back(
             listed({passed_over_.begin(), passed_over_.end()}) +
@@ -128,7 +130,10 @@ namespace stiction
         else if (name == "*ELSET" && elset.empty())
           text_.refuse("a set without a name, must be '*ELSET, ELSET=name'");
         else
-          keyword_.require_all_is_here(text_);
+          {
+            keyword_.require_all_is_here(text_);
+            misspelt_.insert(keyword_.misspelt(text_));
+          }
       }
 
       void begin_instance()
@@ -384,7 +389,7 @@ namespace stiction
       AbaqusSets::Set *set_ = nullptr; // that of the keyword, if it has one
       std::string unfinished_;
 
-      std::set<std::string> passed_over_;
+      std::set<std::string> passed_over_, misspelt_;
       std::vector<Surface> surfaces_;
       std::vector<std::pair<AbaqusReference, std::string>> sections_; // with the material
     };
