@@ -290,14 +290,22 @@ namespace stiction
   template<typename Number>
   void BasisTransformation::forces_to_relative(LA::VectorOf<Number> &r) const
   {
-    if (is_identity())
-      return;
-    const Eigen::VectorXd of_slaves = relation_->slave_dofs.restriction(r);
-    Eigen::VectorXd change          = N_.transpose() * times(R_, of_slaves);
+    if (!is_identity())
+      relation_->master_dofs.add_extension(
+        on_masters(relation_->slave_dofs.restriction(r), Eigen::VectorXd()), r);
+  }
+
+  Eigen::VectorXd BasisTransformation::on_masters(const Eigen::VectorXd &of_slaves,
+                                                  const Eigen::VectorXd &of_springs) const
+  {
+    const auto moved = [&](const Eigen::VectorXd &forces) -> Eigen::VectorXd {
+      const Eigen::VectorXd all = times(R_, forces);
+      return of_springs.size() == 0 ? all : all - of_springs;
+    };
+    Eigen::VectorXd change = N_.transpose() * moved(of_slaves);
     for (unsigned int k = 0; k < relation_->n_chained; ++k)
-      change =
-        N_.transpose() * times(R_, of_slaves + relation_->chain.transpose() * change);
-    relation_->master_dofs.add_extension(change, r);
+      change = N_.transpose() * moved(of_slaves + relation_->chain.transpose() * change);
+    return change;
   }
 
   template<typename Number>
@@ -327,8 +335,8 @@ namespace stiction
       return forces_to_relative(dst);
     const Eigen::VectorXd forces =
       times(springs_, relation_->slave_dofs.restriction(src) - moved);
-    relation_->master_dofs.add_extension(-(N_.transpose() * forces), dst);
-    forces_to_relative(dst);
+    relation_->master_dofs.add_extension(
+      on_masters(relation_->slave_dofs.restriction(dst), forces), dst);
     relation_->slave_dofs.add_extension(forces, dst);
   }
 

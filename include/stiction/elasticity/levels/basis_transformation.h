@@ -136,6 +136,11 @@ namespace stiction
     /// N u, given û at the masters.
     Eigen::VectorXd opposite(const Eigen::VectorXd &of_masters) const;
 
+    /// What forces on slaves and of the springs, on the slaves too, add to those on
+    /// masters. @param of_springs empty: none.
+    Eigen::VectorXd on_masters(const Eigen::VectorXd &of_slaves,
+                               const Eigen::VectorXd &of_springs) const;
+
     std::shared_ptr<const Relation> relation_;
     Matrix N_; ///< without the rows of slaves that are absolute and have no springs
     std::vector<Eigen::Matrix3d> R_;       ///< empty: the identity
