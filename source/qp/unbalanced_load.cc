@@ -225,12 +225,12 @@ namespace stiction::qp
     return {left.head(n), sum_of(used, m, size), left.head(n).norm() / size};
   }
 
-  Eigen::MatrixXd unresisted_motions(const Eigen::MatrixXd &G,
-                                     const SlipBound &slip_bound)
+  std::pair<Eigen::MatrixXd, Eigen::MatrixXd> resisted_and_others(
+    const Eigen::MatrixXd &G, const SlipBound &slip_bound)
   {
     const Eigen::Index n = G.cols(), m = slip_bound.n_nodes();
     if (m == 0)
-      return Eigen::MatrixXd::Identity(n, n);
+      return {Eigen::MatrixXd(n, 0), Eigen::MatrixXd::Identity(n, n)};
     Eigen::MatrixXd felt = G;
     for (Eigen::Index i = 0; i < m; ++i)
       if (slip_bound.is_frictionless(i))
@@ -241,6 +241,6 @@ namespace stiction::qp
     while (rank < svd.singularValues().size() &&
            svd.singularValues()(rank) > rounding * G.norm())
       ++rank;
-    return svd.matrixV().rightCols(n - rank);
+    return {svd.matrixV().leftCols(rank), svd.matrixV().rightCols(n - rank)};
   }
 } // namespace stiction::qp

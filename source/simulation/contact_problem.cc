@@ -3,6 +3,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/text/in_words.h>
 #include <stiction/contact/certificate/duality_gap.h>
+#include <stiction/contact/dual/hardly_resisted.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -205,6 +206,8 @@ namespace stiction
       log_->line("  nothing resists where the body can " +
                  elasticity().free_motions().in_words(unresisted) +
                  ": there it is left where it is");
+    if (const std::string motion = hardly_resisted(); !motion.empty())
+      log_->line("  hardly anything resists where the body can " + motion);
     if (!steps_)
       if (const std::string reason =
             why_no_equilibrium(elasticity(), contact_surface(), units_);

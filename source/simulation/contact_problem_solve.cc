@@ -3,6 +3,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/dual/hardly_resisted.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
@@ -136,6 +137,16 @@ namespace stiction
     else if (status_.reason.empty())
       status_.reason = "the certificate measures more than the iteration did, "
                        "raise 'Contact solver/Tolerance'";
+    if (const std::string motion = hardly_resisted(); !motion.empty())
+      status_.reason += "; hardly anything resists where the body can " + motion +
+                        ", hold it there with 'Boundary conditions/Prescribed points'";
+  }
+
+  std::string ContactProblem::hardly_resisted() const
+  {
+    const Eigen::MatrixXd motions =
+      hardly_resisted_motions(elasticity(), contact_surface());
+    return motions.cols() == 0 ? "" : elasticity().free_motions().in_words(motions);
   }
 
   void ContactProblem::solve_with_friction()

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <utility>
+
 namespace stiction::qp
 {
   /// Pressures with an error bear friction with one: a load lacks friction for certain
@@ -35,8 +37,9 @@ namespace stiction::qp
   UnbalancedLoad unbalanced_load(const EqualityConstraint &constraint,
                                  const SlipBound &slip_bound);
 
-  /// The motions α along which nothing can ever resist: at no contact node does Gα
-  /// change the gap, or slip where there is friction. By columns, orthonormal.
-  Eigen::MatrixXd unresisted_motions(const Eigen::MatrixXd &G,
-                                     const SlipBound &slip_bound);
+  /// The motions α along which something may resist, and those along which nothing ever
+  /// does: at no contact node does Gα change the gap, or slip where there is friction. By
+  /// columns, orthonormal all together.
+  std::pair<Eigen::MatrixXd, Eigen::MatrixXd> resisted_and_others(
+    const Eigen::MatrixXd &G, const SlipBound &slip_bound);
 } // namespace stiction::qp

@@ -132,6 +132,8 @@ namespace stiction
     /// Adds what the solver did, in so many seconds, to that of the step.
     void add_effort(double seconds);
     void certify();
+    /// The motions of bodies that contact hardly resists, in words.
+    std::string hardly_resisted() const;
     void measure_duality_gap();
     /// Refines the mesh where the answer needs it.
     /// @return false if it is to remain as it is.

@@ -261,7 +261,7 @@ namespace stiction
           if (r(i) > far_away * moved)
             G.row(i).setZero();
         }
-      return qp::unresisted_motions(G, qp::SlipBound::given(std::move(bound)));
+      return qp::resisted_and_others(G, qp::SlipBound::given(std::move(bound))).second;
     }
   } // namespace
 
@@ -339,8 +339,9 @@ namespace stiction
     const Eigen::Index n = elasticity.free_motions().n();
     if (n == 0 || surface.has_friction_of_state())
       return Eigen::MatrixXd::Zero(n, 0);
-    return qp::unresisted_motions(rigid_balance(elasticity, surface).G.rightCols(n),
-                                  surface.slip_bound());
+    return qp::resisted_and_others(rigid_balance(elasticity, surface).G.rightCols(n),
+                                   surface.slip_bound())
+      .second;
   }
 
   void leave_in_place(const LinearElasticity &elasticity, const ContactSurface &surface,

@@ -15,8 +15,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 
-#include <Eigen/QR>
-
 #include <utility>
 
 namespace stiction
@@ -119,13 +117,7 @@ namespace stiction
     if (n == 0)
       return;
     const Eigen::MatrixXd motions = balance_.G.rightCols(n);
-    const Eigen::MatrixXd others  = qp::unresisted_motions(motions, slip_bound_);
-    // their orthogonal complement
-    const Eigen::MatrixXd projection =
-      Eigen::MatrixXd::Identity(n, n) - others * others.transpose();
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(projection);
-    const Eigen::MatrixXd basis = qr.householderQ();
-    driven_                     = motions * basis.leftCols(n - others.cols());
+    driven_ = motions * qp::resisted_and_others(motions, slip_bound_).first;
   }
 
   void ContactLevel::find_free_motions()

@@ -8,6 +8,7 @@
 #include <stiction/elasticity/solvers/multigrid_solver.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/output/results/run_result.h>
+#include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/parameters.h>
 #include <stiction/simulation/solvers/coarser_meshes.h>
 #include <stiction/simulation/solvers/dual_contact_solver.h>
@@ -50,7 +51,13 @@ namespace stiction
     print_progress("Newton method in displacements: " +
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
-    options.other_method = other_method();
+    options.other_method =
+      has_memory_to_hand_over(parameters,
+                              static_cast<double>(setting_.surface.B().all_dofs().size()),
+                              setting_.elasticity.body().communicator())
+        ? other_method()
+        : "make the cells of contact boundaries larger, for other methods need more "
+          "memory than there is";
     if (setting_.surface.has_wavering_side())
       options.hard_systems =
         "the forces of a pair are on its stiffer side, whose cells are not larger by a "

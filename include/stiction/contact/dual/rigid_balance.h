@@ -40,7 +40,7 @@ namespace stiction
                             const ContactSurface &surface,
                             const ContactConditions &reached, const Units &units);
 
-  /// The free motions of the body that qp::unresisted_motions() names, none where
+  /// The free motions of the body that qp::resisted_and_others() names, none where
   /// friction depends on the answer. Collective.
   Eigen::MatrixXd unresisted_motions(const LinearElasticity &elasticity,
                                      const ContactSurface &surface);

@@ -68,8 +68,10 @@ namespace stiction
           is_solid = is_solid || kind.first == "pyramids";
         }
       if (!is_solid && (!others.empty() || !mesh.faces.boundary_quads.empty()))
-        throw InputError(location + ", has faces but no cells, must be a mesh "
-                                    "of a solid body.");
+        throw InputError(location + ", has faces but no cells, must be a mesh of a "
+                                    "solid body, whose cells Gmsh leaves out where "
+                                    "boundaries are physical groups and no 'Physical "
+                                    "Volume' is one.");
       if (!is_solid)
         throw InputError(location + ", has no elements, must be a mesh of "
                                     "tetrahedra, prisms or hexahedra.");
