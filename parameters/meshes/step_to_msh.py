@@ -57,8 +57,8 @@ def named_numbers(options, known, what):
         if not name or not equals or not all(
                 word.strip().isdigit() for word in numbers.split(",")):
             fail(f"'{option}' must be a name and numbers of {what}s, such as 'wall=3,4'.")
-        if set(name) & set(":|;#"):  # which separate names in a parameter file
-            fail(f"the name in '{option}' must be without ':', '|', ';' and '#'.")
+        if set(name) & set(":|;,#"):  # which separate names in a parameter file
+            fail(f"the name in '{option}' must be without ':', '|', ';', ',' and '#'.")
         named.setdefault(name, [])
         for number in map(int, numbers.split(",")):
             if number not in known:

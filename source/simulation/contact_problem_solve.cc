@@ -122,7 +122,9 @@ namespace stiction
     const auto phase = phases_.scope("certificate");
     certificate_ = std::make_unique<Certificate>(elasticity(), contact_surface(), state_);
     status_.converged = certificate_->converged(parameters_.contact_solver.tolerance);
-    if (status_.converged && contact_surface().are_obstacles_too_deep(state_.distances))
+    const bool is_too_deep =
+      status_.converged && contact_surface().are_obstacles_too_deep(state_.distances);
+    if (is_too_deep)
       status_ = {false,
                  "an obstacle would have to move by more than the body is large to "
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
@@ -133,13 +135,17 @@ namespace stiction
     if (const std::string slide =
           why_it_slides(elasticity(), contact_surface(), *certificate_, units_);
         !slide.empty())
-      status_.reason = slide;
-    else if (status_.reason.empty())
+      {
+        status_.reason = slide;
+        return;
+      }
+    if (status_.reason.empty())
       status_.reason = "the certificate measures more than the iteration did, "
                        "raise 'Contact solver/Tolerance'";
-    if (const std::string motion = hardly_resisted(); !motion.empty())
+    if (const std::string motion = hardly_resisted(); !motion.empty() && !is_too_deep)
       status_.reason += "; hardly anything resists where the body can " + motion +
-                        ", hold it there with 'Boundary conditions/Prescribed points'";
+                        ", see whether loads drive it there, and if they do not, hold it "
+                        "with 'Boundary conditions/Prescribed points'";
   }
 
   std::string ContactProblem::hardly_resisted() const

@@ -6,16 +6,43 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <map>
+#include <utility>
+
 namespace stiction
 {
   namespace
   {
     // Of the squares of how nodes move against what is opposite, what presses or rubs:
-    // with less, normals within 2 degrees of being across, a motion is hardly resisted.
-    constexpr double hardly = 1e-3;
+    // with less, normals within half a degree of being across, a motion is hardly
+    // resisted.
+    constexpr double hardly = 1e-4;
 
     // A smaller coefficient of friction resists as little.
     constexpr double no_friction = 0.01;
+
+    // The weights of nodes: smooth parts of boundaries count alike, so that a small stop
+    // resists no less than the plane along which it stops.
+    Eigen::VectorXd weights_of(const ContactSurface &surface)
+    {
+      std::map<std::pair<unsigned int, unsigned int>, double> areas;
+      for (const ContactNode &node : surface.nodes())
+        areas[{node.boundary, node.part}] += node.area;
+      Eigen::VectorXd weights = surface.areas();
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        weights(i) /= areas.at({surface.nodes()[i].boundary, surface.nodes()[i].part});
+      return weights;
+    }
+
+    // Along an axis of the frame of a node, 1 or 2.
+    bool rubs(const ContactSurface &surface, const Eigen::Index node, const int axis)
+    {
+      const qp::SlipBound &bound = surface.slip_bound();
+      return bound.constant()(node) != 0. ||
+             (bound.is_coulomb() &&
+              bound.coefficient()(node) * surface.nodes()[node].scale[axis - 1] >
+                no_friction);
+    }
   } // namespace
 
   Eigen::MatrixXd hardly_resisted_motions(const LinearElasticity &elasticity,
@@ -30,14 +57,13 @@ namespace stiction
     if (resisted.cols() == 0)
       return resisted;
     const Eigen::MatrixXd moved =
-      surface.areas().replicate(3, 1).cwiseSqrt().asDiagonal() * (G * resisted);
-    const qp::SlipBound &bound = surface.slip_bound();
+      weights_of(surface).replicate(3, 1).cwiseSqrt().asDiagonal() * (G * resisted);
     Eigen::MatrixXd felt = moved, all = moved.transpose() * moved;
     all.diagonal().array() += 1e-12 * all.trace();
     for (Eigen::Index i = 0; i < m; ++i)
-      if (bound.constant()(i) == 0. &&
-          !(bound.is_coulomb() && bound.coefficient()(i) > no_friction))
-        felt.row(i + m) = felt.row(i + 2 * m) = Eigen::RowVectorXd::Zero(felt.cols());
+      for (const int axis : {1, 2})
+        if (!rubs(surface, i, axis))
+          felt.row(i + axis * m).setZero();
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
       felt.transpose() * felt, all);
     return resisted *

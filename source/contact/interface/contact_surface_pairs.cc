@@ -153,21 +153,23 @@ namespace stiction
         return order_.closes_circle(bodies_at(slaves), bodies_at(masters));
       }
 
-      // What to do where a side of the pair stands in several.
-      std::string as_one_pair(const ContactBoundary &pair) const
+      // How each boundary bears the forces of one pair.
+      std::string ways_to_do_so(const ContactBoundary &pair) const
       {
+        const std::string way = pair.partners().size() == 1 ? "say the other side, " : "";
         for (const std::string &name : {pair.partner_name(), pair.name()})
           {
             std::string opposite;
+            unsigned int n_pairs = 0;
             for (const ContactBoundary &other : boundaries_)
               if (other.is_pair() &&
                   (other.name() == name || other.partner_name() == name))
-                opposite += (opposite.empty() ? "" : ", ") +
+                opposite += (n_pairs++ == 0 ? "" : ", ") +
                             (other.name() == name ? other.partner_name() : other.name());
-            if (opposite.find(',') != std::string::npos)
-              return "make one pair of '" + name + "' with '" + opposite + "', ";
+            if (n_pairs > 1)
+              return way + "make one pair of '" + name + "' with '" + opposite + "', or ";
           }
-        return "";
+        return way.empty() ? "" : way + "or ";
       }
 
       // Throws InputError if the slave of a pair bears other forces already.
@@ -176,9 +178,8 @@ namespace stiction
         pair.source().require(
           bearing_.count(pair.id()) == 0, "Boundary conditions/Slave side",
           "boundary '" + pair.name() + "' would bear the forces of its pair with '" +
-            pair.partner_name() +
-            "' and those of another contact, must do so once: say the other side, " +
-            as_one_pair(pair) + "or make boundaries of their own of the parts");
+            pair.partner_name() + "' and those of another contact, must do so once: " +
+            ways_to_do_so(pair) + "make boundaries of their own of the parts");
       }
 
       void add(const ContactBoundary &pair)

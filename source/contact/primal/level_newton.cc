@@ -24,6 +24,10 @@ namespace stiction
     // ... and never beyond this part of the tolerance.
     constexpr double linear_part_of_tolerance = 0.3;
 
+    // A force that is released is missing on the other side of a pair, too, where dual
+    // weights of both signs share it out.
+    constexpr double both_sides = 4.;
+
     // Where there are no scales yet, the reduction of the first system.
     constexpr double first_reduction = 0.1;
 
@@ -228,11 +232,13 @@ namespace stiction
     residual = {problem_, state, problem_.slip_bound()};
     if (residual.value() <= tolerance)
       return residual;
-    ContactState released = state;
-    if (released.release_open_nodes(problem_, residual.conditions.scaling()) >
-        linear_part_of_tolerance * tolerance * residual.force_scale)
+    ContactState without = state;
+    const double released =
+      both_sides * without.release_open_nodes(problem_, residual.conditions.scaling()) /
+      residual.force_scale;
+    if (residual.equilibrium + released > tolerance)
       return residual;
-    state = released;
+    state = without;
     return {problem_, state, problem_.slip_bound()};
   }
 

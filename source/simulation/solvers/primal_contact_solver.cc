@@ -51,13 +51,13 @@ namespace stiction
     print_progress("Newton method in displacements: " +
                    parameters.stiffness_solver_type());
     LevelNewton::Options options;
-    options.other_method =
-      has_memory_to_hand_over(parameters,
-                              static_cast<double>(setting_.surface.B().all_dofs().size()),
-                              setting_.elasticity.body().communicator())
-        ? other_method()
-        : "make the cells of contact boundaries larger, for other methods need more "
-          "memory than there is";
+    options.other_method = other_method();
+    if (parameters.dual_operator.form == "assembled" &&
+        !has_memory_to_hand_over(
+          parameters, static_cast<double>(setting_.surface.B().all_dofs().size()),
+          setting_.elasticity.body().communicator()))
+      options.other_method += " with 'Dual operator/Form = by solves', as there is no "
+                              "memory for its matrix";
     if (setting_.surface.has_wavering_side())
       options.hard_systems =
         "the forces of a pair are on its stiffer side, whose cells are not larger by a "

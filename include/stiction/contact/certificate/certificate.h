@@ -46,8 +46,9 @@ namespace stiction
       /// Σ‖(f − Bᵀλ − Ku)_j‖/S over the free unknowns: equilibrium at every
       /// node, where it is more than the rounding of Ku there, else that.
       double equilibrium_residual = 0.;
-      /// ‖Σ(loads + contact forces + reactions)‖/S, the largest of all bodies, or what
-      /// forces on one side of a pair lack on the other, if that is more.
+      /// ‖Σ(loads + contact forces + reactions)‖/S, the largest of all bodies, or the sum
+      /// of the lengths of what nodal forces on one side of a pair lack on the other, if
+      /// that is more.
       double force_balance = 0.;
       /// The same for the moments, relative to S times the body's size.
       double moment_balance = 0.;
@@ -110,6 +111,9 @@ namespace stiction
     double load_work() const { return load_work_; }
 
   private:
+    /// What forces of pairs lack on the other side, N. Collective.
+    double lost_between_sides() const;
+
     void compute_body_figures(const State &state);
 
     const LinearElasticity &elasticity_;

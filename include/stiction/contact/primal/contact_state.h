@@ -28,7 +28,7 @@ namespace stiction
 
     /// Takes away forces at nodes whose gap is larger than their pressure, in these
     /// scales, and where no friction acts without pressure. They are then missing in the
-    /// equilibrium there.
+    /// equilibrium of the certificate; that of ContactResidual leaves these nodes out.
     ///
     /// @return the sum of their norms, N.
     double release_open_nodes(const ContactLevel &problem, const qp::Scaling &scaling);

@@ -106,8 +106,8 @@ namespace stiction
 
     /// The residual; where it is small enough, of a state made anew from u, without what
     /// the linear solver carried along. What K u leaves by rounding at open nodes of next
-    /// to no area, above the tolerance there, is left to the equilibrium, where it is far
-    /// below.
+    /// to no area, above the tolerance there, is left to the equilibrium, as the
+    /// certificate measures it, where it is far below.
     ContactResidual measure(ContactState &state, double tolerance) const;
 
     /// If the body is only moved and touches nothing, so that all forces are the rounding

@@ -41,8 +41,8 @@ namespace stiction
                  Multigrid &preconditioner, bool factorizes = true);
 
     /// The iterations that solve() takes at most beside those that move obstacles: their
-    /// directions are kept, 12 bytes an unknown each. With 20 of them bodies of cut
-    /// tetrahedra of degree 2 on one another need twice the steps.
+    /// directions are kept, 12 bytes an unknown each, 20 with factors. With 20 of them
+    /// bodies of cut tetrahedra of degree 2 on one another need twice the steps.
     static constexpr unsigned int max_directions = 40;
 
     /// What is known after an iteration.

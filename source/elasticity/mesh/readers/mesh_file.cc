@@ -8,6 +8,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace stiction
@@ -91,6 +92,22 @@ namespace stiction
                     : ", which Gmsh writes instead of M3D9 with "
                       "'Mesh.SecondOrderIncomplete = 1'.")));
     }
+
+    // Gmsh's format 2.2 has no groups where it is told to save all elements.
+    void require_groups(const MeshData &mesh, const std::string &location,
+                        const std::set<std::string> &in_use)
+    {
+      const auto &quads = mesh.faces.boundary_quads;
+      if (std::any_of(quads.begin(), quads.end(),
+                      [](const CellData<2> &quad) { return quad.boundary_id != 0; }))
+        return;
+      for (const std::string &name : in_use)
+        if (mesh.boundary_names.count(name) > 0)
+          throw InputError(location + ", has no face in a group, must have those of '" +
+                           name +
+                           "', to which it gives a name: where Gmsh wrote it with "
+                           "'Mesh.SaveAll = 1', 'Mesh.SaveAll = 0' keeps the groups.");
+    }
   } // namespace
 
   MeshData read_mesh_file(const std::string &file, const std::string &location,
@@ -98,6 +115,7 @@ namespace stiction
   {
     MeshData mesh = read_by_extension(file, location);
     require_cells(mesh, location);
+    require_groups(mesh, location, in_use);
     mesh.how_to_name_boundaries = how_to_name_boundaries(mesh, file);
     {
       const Faces faces(mesh, location);

@@ -26,12 +26,6 @@ namespace stiction
             read_section(line);
         if (!has_format_)
           text_.refuse("is not a Gmsh file, which begins with '$MeshFormat'");
-        if (!has_groups_ && !mesh_.mesh.cells.empty() &&
-            !mesh_.mesh.boundary_names.empty())
-          text_.refuse("no element is in a physical group such as '" +
-                       mesh_.mesh.boundary_names.begin()->first +
-                       "', to which the file gives names, must be written with "
-                       "'Mesh.SaveAll = 0', or as format 4.1, to have them");
         return mesh_.finish();
       }
 
@@ -211,17 +205,13 @@ namespace stiction
                        " nodes of Gmsh's type " + std::to_string(type) +
                        ", must have as many before the next one begins");
         for (const std::int64_t group : groups)
-          {
-            mesh_.add_element(type, group, nodes);
-            has_groups_ = has_groups_ || group != 0;
-          }
+          mesh_.add_element(type, group, nodes);
       }
 
       TextScanner &text_;
       MeshBuilder mesh_;
       std::array<std::map<std::int64_t, std::set<std::int64_t>>, 4> groups_of_;
       bool has_format_ = false, has_nodes_ = false, is_4_ = false;
-      bool has_groups_ = false; // whether an element is in a physical one
     };
   } // namespace
 

@@ -70,8 +70,9 @@ namespace stiction
   std::string AbaqusKeyword::misspelt(const TextScanner &text) const
   {
     const std::vector<std::string> known = {
-      "*NODE",     "*ELEMENT",     "*ELSET",    "*SURFACE",     "*PART", "*ENDPART",
-      "*INSTANCE", "*ENDINSTANCE", "*ASSEMBLY", "*ENDASSEMBLY", "*NSET"};
+      "*NODE",    "*ELEMENT",     "*ELSET",       "*SURFACE",     "*PART",
+      "*ENDPART", "*INSTANCE",    "*ENDINSTANCE", "*ASSEMBLY",    "*ENDASSEMBLY",
+      "*NSET",    "*USERELEMENT", "*USERSURFACE", "*SURFACEFLAW", "*DISTANCE"};
     if (std::find(known.begin(), known.end(), name) != known.end())
       return "";
     const std::string other = did_you_mean(name, known);
