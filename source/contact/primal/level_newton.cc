@@ -287,7 +287,7 @@ namespace stiction
       return "neither Newton steps nor the interior point method come closer, " +
              options_.other_method + advice_on_friction(problem_.slip_bound());
     return "most linear systems were not solved in " +
-           std::to_string(NewtonSystem::max_directions) + " iterations each (" +
+           std::to_string(system_.max_directions()) + " iterations each (" +
            options_.hard_systems +
            "), and are too large to be factorised in every step, " +
            options_.other_method;

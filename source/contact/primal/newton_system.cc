@@ -261,7 +261,7 @@ namespace stiction
     const std::size_t N = r.locally_owned_size();
 
     const std::vector<Eigen::Index> felt = felt_obstacles(linearization);
-    const auto capacity     = max_directions + static_cast<unsigned int>(felt.size());
+    const auto capacity     = max_directions() + static_cast<unsigned int>(felt.size());
     Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
     Eigen::VectorXd amounts = Eigen::VectorXd::Zero(capacity);
     unsigned int n = 0, n_imprecise = 0;
@@ -311,6 +311,12 @@ namespace stiction
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);
     return n;
+  }
+
+  unsigned int NewtonSystem::max_directions() const
+  {
+    constexpr unsigned int small_level = 20000; // unknowns
+    return problem_.mesh().n_dofs() <= small_level ? 20 : 40;
   }
 
   bool NewtonSystem::turns_to_factors()

@@ -41,9 +41,10 @@ namespace stiction
                  Multigrid &preconditioner, bool factorizes = true);
 
     /// The iterations that solve() takes at most beside those that move obstacles: their
-    /// directions are kept, 12 bytes an unknown each, 20 with factors. With 20 of them
-    /// bodies of cut tetrahedra of degree 2 on one another need twice the steps.
-    static constexpr unsigned int max_directions = 40;
+    /// directions are kept, 12 bytes an unknown each, 20 with factors. 20 iterations on a
+    /// small level, whose factors are cheaper than more of them, else 40: with 20, bodies
+    /// of cut tetrahedra of degree 2 on one another need twice the steps.
+    unsigned int max_directions() const;
 
     /// What is known after an iteration.
     struct Progress
@@ -69,7 +70,7 @@ namespace stiction
     /// that are less near than they are meant to, and the next are factorised.
     static constexpr unsigned int max_unfinished = 3;
 
-    /// How many systems were left at max_directions. After a few of them the
+    /// How many systems were left at max_directions(). After a few of them the
     /// preconditioner is asked to factorise the level; if it does, this is zero
     /// again.
     unsigned int n_unfinished() const { return n_unfinished_; }
