@@ -33,9 +33,8 @@ namespace stiction
       double resistance = 0.;
       double energy     = 0.; // uᵀKu
       double work       = 0.; // of loads and reactions
-      Tensor<1, 3> contact;   // resultant of the contact forces
-      double force  = 0.;     // the largest resultant of a body
-      double moment = 0.;     // the same, about the centre of all
+      double force      = 0.; // the largest resultant of a body
+      double moment     = 0.; // the same, about the centre of all
       // of each body the lengths of loads, contact forces and reactions, and uᵀKu
       std::vector<double> of_bodies;
       std::vector<double> resultants; // of each body the force

@@ -21,6 +21,9 @@ namespace stiction
     // A smaller coefficient of friction resists as little.
     constexpr double no_friction = 0.01;
 
+    // Of all motions together: one that moves no contact node is not divided by nothing.
+    constexpr double not_nothing = 1e-12;
+
     // The weights of nodes: smooth parts of boundaries count alike, so that a small stop
     // resists no less than the plane along which it stops.
     Eigen::VectorXd weights_of(const ContactSurface &surface)
@@ -59,7 +62,7 @@ namespace stiction
     const Eigen::MatrixXd moved =
       weights_of(surface).replicate(3, 1).cwiseSqrt().asDiagonal() * (G * resisted);
     Eigen::MatrixXd felt = moved, all = moved.transpose() * moved;
-    all.diagonal().array() += 1e-12 * all.trace();
+    all.diagonal().array() += not_nothing * all.trace();
     for (Eigen::Index i = 0; i < m; ++i)
       for (const int axis : {1, 2})
         if (!rubs(surface, i, axis))

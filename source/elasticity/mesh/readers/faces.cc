@@ -190,11 +190,9 @@ namespace stiction
              " of boundary " + mesh_.name_of_boundary(id);
     };
     for (const auto &[id, faces] : inside)
-      if (outside.count(id) == 0)
-        continue;
-      else if (in_use.count(id) == 0)
+      if (outside.count(id) > 0 && in_use.count(id) == 0)
         lost.push_back(count(faces, id) + " inside of the body");
-      else
+      else if (outside.count(id) > 0)
         damages.push_back(count(faces, id) +
                           " inside of the body, between two cells: "
                           "no contact, load or support acts there; parts of a body that "
