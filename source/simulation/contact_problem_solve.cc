@@ -5,8 +5,10 @@
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/hardly_resisted.h>
 #include <stiction/contact/dual/rigid_balance.h>
+#include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
@@ -29,6 +31,28 @@ namespace stiction
     // what forces change as normals turn: by a hundred and more on bodies that are
     // pressed in by little, by two on those that are by a part of a radius.
     constexpr unsigned int max_placements = 40;
+
+    // Which pressed surface of a body slid farther on another body than all are large, in
+    // words; empty if none did.
+    std::string why_slid_off(const ContactSurface &surface, const State &state,
+                             const Units &units)
+    {
+      const Eigen::VectorXd moved = surface.B().apply(state.u);
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        {
+          const ContactBoundary &boundary = surface.boundary_of(surface.nodes()[i]);
+          const double way                = at_node(moved, i).tail<2>().norm();
+          if (!boundary.partners().empty() && !boundary.slides_far() &&
+              state.lambda(i) > 0. && way > boundary.body_size())
+            return '\'' + boundary.name() + "' slid by " +
+                   with_unit(format("%.2g", way), units.length) + " on '" +
+                   boundary.partner_name() +
+                   "', farther than the bodies are large: nothing held them where they "
+                   "touched, change the loads, press parts together with more, or hold "
+                   "them with 'Boundary conditions/Prescribed displacement'";
+        }
+      return "";
+    }
   } // namespace
 
   void ContactProblem::solve_and_certify()
@@ -130,6 +154,9 @@ namespace stiction
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
                  "hold the body better",
                  status_.interrupted};
+    if (const std::string reason = why_slid_off(contact_surface(), state_, units_);
+        status_.converged && !reason.empty())
+      status_ = {false, reason, status_.interrupted};
     if (status_.converged || status_.interrupted)
       return;
     if (const std::string slide =
@@ -137,6 +164,7 @@ namespace stiction
         !slide.empty())
       {
         status_.reason = slide;
+        status_.slides = true;
         return;
       }
     if (status_.reason.empty())

@@ -149,7 +149,7 @@ namespace stiction
       solve_and_certify();
     };
     solve_from(state_);
-    if (status_.converged || status_.interrupted || !is_warm)
+    if (status_.converged || status_.interrupted || status_.slides || !is_warm)
       return;
     if (parameters_.output.print_progress)
       log_->line("It is solved once more, without what was known of it.");

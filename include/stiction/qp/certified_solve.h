@@ -33,6 +33,7 @@ namespace stiction
     std::string reason;        ///< if not: what stopped the iteration, what to change
     bool interrupted  = false; ///< whether the user stopped it
     bool stands_still = false; ///< whether another method may come closer
+    bool slides       = false; ///< whether friction does not hold a body
   };
 
   /// Solves the contact problem, with the obstacles where they are: lets the

@@ -2,6 +2,7 @@
 #include <stiction/contact/obstacles/pressed_obstacles.h>
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/contact_state.h>
+#include <stiction/contact/primal/primal_active_set.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/levels/dof_subset_hierarchy.h>
 #include <stiction/elasticity/levels/mesh_hierarchy.h>
@@ -9,6 +10,7 @@
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/stiffness_operator.h>
 #include <stiction/qp/contact_conditions.h>
+#include <stiction/qp/operators/nodal_blocks.h>
 #include <stiction/qp/rigid_place.h>
 #include <stiction/qp/unbalanced_load.h>
 
@@ -25,6 +27,16 @@ namespace stiction
   {
     // The components of a node as bits.
     constexpr unsigned char all_components = 7;
+
+    // Of the foundation: what holds a motion with less hardly resists it. Squared, it is
+    // normals within two degrees of being across.
+    constexpr double hardly = 1e-3;
+
+    // A smaller coefficient of friction resists as little as none.
+    constexpr double no_friction = 0.01;
+
+    // Of the foundation: holds what is loose about as far as bodies are pressed together.
+    constexpr double holding_stiffness = 0.1;
   } // namespace
 
   ContactLevel::ContactLevel(const LinearElasticity &elasticity,
@@ -116,8 +128,31 @@ namespace stiction
     balance_.e.tail(n) = -elasticity_.work_of_loads_along_free_motions();
     if (n == 0)
       return;
-    const Eigen::MatrixXd motions = balance_.G.rightCols(n);
-    driven_ = motions * qp::resisted_and_others(motions, slip_bound_).first;
+    const Eigen::MatrixXd motions  = balance_.G.rightCols(n);
+    const Eigen::MatrixXd resisted = qp::resisted_and_others(motions, slip_bound_).first;
+    driven_                        = motions * resisted;
+    if (resisted.cols() == 0)
+      return;
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(3 * n_nodes());
+    pressure.head(n_nodes()).setOnes();
+    const Eigen::VectorXd &coefficient = slip_bound_.coefficient();
+    const auto slippery                = coefficient.array() < no_friction;
+    const auto [part, combinations] =
+      PrimalActiveSet(
+        pressure, Eigen::VectorXd::Zero(3 * n_nodes()), Eigen::VectorXd::Ones(n_nodes()),
+        qp::SlipBound::mixed(slip_bound_.constant(), slippery.select(0., coefficient)))
+        .resistance(driven_, foundation_);
+    loose_amounts_ = resisted * combinations.leftCols((part.array() < hardly).count());
+    loose_         = motions * loose_amounts_;
+  }
+
+  void ContactLevel::apply_stiffness(LA::Vector &dst, const LA::Vector &u) const
+  {
+    basis_.vmult(*stiffness_, dst, u);
+    if (finer_ == nullptr || loose_.cols() == 0)
+      return;
+    const Eigen::MatrixXd forces = foundation_.replicate(3, 1).asDiagonal() * loose_;
+    B_.add_transpose(holding_stiffness, forces * (forces.transpose() * B_.apply(u)), dst);
   }
 
   void ContactLevel::find_free_motions()
@@ -140,6 +175,11 @@ namespace stiction
           u.local_element(3 * i + c) += moved[c];
       }
     basis_.to_relative(u);
+  }
+
+  void ContactLevel::add_loose_motion(const Eigen::Index motion, LA::Vector &u) const
+  {
+    add_free_motion(loose_amounts_.col(motion), u);
   }
 
   double ContactLevel::unbalanced_part(const qp::SlipBound &slip_bound) const

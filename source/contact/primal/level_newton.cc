@@ -21,6 +21,11 @@ namespace stiction
     // lack: from there on, other contact states are worth more.
     constexpr double linear_part = 0.2;
 
+    // The same where Newton steps have stood still with bodies that contact holds:
+    // whether one slides is told by pressures that are nearer the truth than its residual
+    // is.
+    constexpr double fine_linear_part = 0.01;
+
     // ... and never beyond this part of the tolerance.
     constexpr double linear_part_of_tolerance = 0.3;
 
@@ -58,6 +63,19 @@ namespace stiction
     // A body that contact alone holds was thrown away if gaps or slips have grown by this
     // since the first state with contact forces.
     constexpr double thrown = 10.;
+
+    // Residuals that differ by less are of the same states.
+    constexpr double same = 1e-3;
+
+    // Whether the last steps went back and forth between two states.
+    bool comes_back(const std::deque<double> &residuals)
+    {
+      const auto repeats = [&](const std::size_t k) {
+        return std::abs(residuals[k] - residuals[k - 2]) <= same * residuals[k];
+      };
+      const std::size_t n = residuals.size();
+      return n >= 4 && repeats(n - 1) && repeats(n - 2);
+    }
 
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
     constexpr double settled = 1e-2;
@@ -153,8 +171,10 @@ namespace stiction
         keep_first(state);
         const std::size_t horizon = fall_horizon(stalls, residual.value());
         const bool falls =
-          residual.value() <= tolerance || history.size() <= horizon ||
-          history.back() <= required_fall * history[history.size() - 1 - horizon];
+          residual.value() <= tolerance ||
+          (!comes_back(history) &&
+           (history.size() <= horizon ||
+            history.back() <= required_fall * history[history.size() - 1 - horizon]));
         if (falls && !options_.only_fallback)
           continue;
 
@@ -305,6 +325,10 @@ namespace stiction
       is_first ? lies_on : 0.);
     PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
     linearization.tether(problem_.driven_motions(), problem_.foundation(), state.w);
+    const double part =
+      statistics_.rho_changes > 0 && problem_.driven_motions().cols() > 0
+        ? fine_linear_part
+        : linear_part;
     const double force_scale  = residual.force_scale;
     const qp::Scaling scaling = residual.conditions.scaling();
     const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
@@ -318,10 +342,12 @@ namespace stiction
                   problem_.motion().force_error(now.lambda)});
       return linear <=
              std::max(linear_part_of_tolerance * tolerance,
-                      linear_part * qp::natural_residual(now.lambda, -now.w,
-                                                         problem_.slip_bound(), scaling));
+                      part * qp::natural_residual(now.lambda, -now.w,
+                                                  problem_.slip_bound(), scaling));
     };
-    const unsigned int iterations = system_.solve(state, linearization, is_enough);
+    const unsigned int iterations = system_.solve(
+      state, linearization, is_enough,
+      residual.value() <= (system_.left_unfinished() ? no_contact_set : settled));
     statistics_.krylov_iterations += iterations;
     ++statistics_.newton_steps;
     note_factorization();

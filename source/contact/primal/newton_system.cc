@@ -1,5 +1,6 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/newton_system.h>
+#include <stiction/elasticity/linear_algebra/long_vectors.h>
 #include <stiction/elasticity/linear_algebra/sum_over_ranks.h>
 #include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
@@ -15,70 +16,6 @@ namespace stiction
 {
   namespace
   {
-    // Long vectors are worked on in pieces that stay in the cache: all that is
-    // to be done with a piece is done at once.
-    constexpr std::size_t block_size = 1536;
-
-    using Piece      = Eigen::Map<Eigen::VectorXd>;
-    using ConstPiece = Eigen::Map<const Eigen::VectorXd>;
-
-    Eigen::Index piece_size(const std::size_t begin, const std::size_t size)
-    {
-      return static_cast<Eigen::Index>(std::min(block_size, size - begin));
-    }
-
-    // v_j · v for all j, of this rank.
-    std::vector<double> multiple_dot(const std::vector<const double *> &vectors,
-                                     const double *const v, const std::size_t size)
-    {
-      std::vector<double> products(vectors.size(), 0.);
-      for (std::size_t b = 0; b < size; b += block_size)
-        {
-          const Eigen::Index n = piece_size(b, size);
-          for (std::size_t j = 0; j < vectors.size(); ++j)
-            products[j] += ConstPiece(vectors[j] + b, n).dot(ConstPiece(v + b, n));
-        }
-      return products;
-    }
-
-    // v -= Σ h_j v_j; returns v·v and v·r.
-    std::vector<double> subtract_all(double *const v,
-                                     const std::vector<const double *> &vectors,
-                                     const std::vector<double> &h, const double *const r,
-                                     const std::size_t size)
-    {
-      std::vector<double> products(2, 0.);
-      for (std::size_t b = 0; b < size; b += block_size)
-        {
-          const Eigen::Index n = piece_size(b, size);
-          Piece piece(v + b, n);
-          for (std::size_t j = 0; j < vectors.size(); ++j)
-            piece -= h[j] * ConstPiece(vectors[j] + b, n);
-          products[0] += piece.squaredNorm();
-          products[1] += piece.dot(ConstPiece(r + b, n));
-        }
-      return products;
-    }
-
-    // r -= a v; returns r·r and the sum of the norms at the nodes.
-    std::vector<double> subtract(double *const r, const double a, const double *const v,
-                                 const std::size_t size)
-    {
-      std::vector<double> sums(2, 0.);
-      for (std::size_t k = 0; k < size; k += 3)
-        {
-          double square = 0.;
-          for (std::size_t c = k; c < k + 3; ++c)
-            {
-              r[c] -= a * v[c];
-              square += r[c] * r[c];
-            }
-          sums[0] += square;
-          sums[1] += std::sqrt(square);
-        }
-      return sums;
-    }
-
     // The part of a spring that is symmetric and pulls back; those of Newton steps are
     // nothing else.
     Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d &spring)
@@ -129,8 +66,13 @@ namespace stiction
   Eigen::VectorXd NewtonSystem::held_displacement(const PrimalActiveSet &linearization,
                                                   const Eigen::VectorXd &distances) const
   {
-    const Eigen::VectorXd moved = problem_.motion().displacement(distances);
-    return by_nodes(problem_.n_nodes(), [&](const Eigen::Index i) -> Eigen::Vector3d {
+    return held_part(linearization, problem_.motion().displacement(distances));
+  }
+
+  Eigen::VectorXd NewtonSystem::held_part(const PrimalActiveSet &linearization,
+                                          const Eigen::VectorXd &moved)
+  {
+    return by_nodes(moved.size() / 3, [&](const Eigen::Index i) -> Eigen::Vector3d {
       return at_node(moved, i) - linearization.nodes[i].projection * at_node(moved, i);
     });
   }
@@ -201,6 +143,56 @@ namespace stiction
     precondition(d, d.v, -1.);
   }
 
+  void NewtonSystem::take_loose_motions(const PrimalActiveSet &linearization)
+  {
+    const Eigen::Index n = problem_.loose_motions().cols();
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        loose_.push_back(std::make_unique<Direction>());
+        Direction &d = *loose_.back();
+        d.v          = problem_.mesh().zero_vector<double>();
+        d.solution   = d.v;
+        problem_.add_loose_motion(j, d.solution);
+        const Eigen::VectorXd moved = problem_.B().apply_to_motion(d.solution);
+        problem_.B().add_displacement(-1., held_part(linearization, moved), d.solution);
+        d.distances = Eigen::VectorXd::Zero(problem_.motion().n_pressed());
+        d.is_exact  = true;
+        apply(linearization, d);
+      }
+    Eigen::MatrixXd stiffness(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      stiffness.col(j) = work_of_loose_motions(loose_[j]->v);
+    if (n > 0)
+      loose_stiffness_.compute(stiffness);
+  }
+
+  Eigen::VectorXd NewtonSystem::work_of_loose_motions(const LA::Vector &v) const
+  {
+    std::vector<const double *> motions;
+    for (const auto &d : loose_)
+      motions.push_back(d->solution.begin());
+    std::vector<double> work = multiple_dot(motions, v.begin(), v.locally_owned_size());
+    sum_over_ranks(work, problem_.mesh().communicator());
+    return Eigen::Map<Eigen::VectorXd>(work.data(),
+                                       static_cast<Eigen::Index>(work.size()));
+  }
+
+  Eigen::VectorXd NewtonSystem::loose_part(const LA::Vector &v) const
+  {
+    return loose_.empty() ? Eigen::VectorXd()
+                          : loose_stiffness_.solve(work_of_loose_motions(v)).eval();
+  }
+
+  void NewtonSystem::Direction::subtract(const double h, const Direction &other)
+  {
+    displacement -= h * other.displacement;
+    force -= h * other.force;
+    contact_rows -= h * other.contact_rows;
+    obstacle_rows -= h * other.obstacle_rows;
+    for (std::size_t k = 0; k < reaction.size(); ++k)
+      reaction[k] -= h * other.reaction[k];
+  }
+
   double NewtonSystem::orthogonalize(const unsigned int n, Eigen::MatrixXd &H,
                                      const Eigen::VectorXd &obstacle_r)
   {
@@ -218,14 +210,9 @@ namespace stiction
         const Direction &other = *directions_[j];
         h[j]    = (h[j] + other.obstacle_rows.dot(d.obstacle_rows)) / other.square;
         H(j, n) = h[j];
-        d.displacement -= h[j] * other.displacement;
-        d.force -= h[j] * other.force;
-        d.contact_rows -= h[j] * other.contact_rows;
-        for (std::size_t k = 0; k < d.reaction.size(); ++k)
-          d.reaction[k] -= h[j] * other.reaction[k];
       }
     for (unsigned int j = 0; j < n; ++j) // after all products with them
-      d.obstacle_rows -= h[j] * directions_[j]->obstacle_rows;
+      d.subtract(h[j], *directions_[j]);
     std::vector<double> products =
       subtract_all(d.v.begin(), images, h, residual_.begin(), N);
     sum_over_ranks(products, communicator);
@@ -235,7 +222,8 @@ namespace stiction
 
   unsigned int NewtonSystem::solve(ContactState &state,
                                    const PrimalActiveSet &linearization,
-                                   const std::function<bool(const Progress &)> &stop)
+                                   const std::function<bool(const Progress &)> &stop,
+                                   const bool is_near)
   {
     const Eigen::Index m = problem_.n_nodes();
     set_supports(linearization);
@@ -260,6 +248,24 @@ namespace stiction
     const double start  = std::sqrt(square);
     const std::size_t N = r.locally_owned_size();
 
+    const auto go_on = [&](const double amount, const Direction &d) {
+      obstacle_r -= amount * d.obstacle_rows;
+      contact_r -= amount * d.contact_rows;
+      state.w += amount * d.displacement;
+      state.lambda -= amount * d.force;
+      problem_.add_prescribed_entries(-amount, d.reaction, state.R);
+    };
+
+    loose_.clear();
+    if (is_near)
+      take_loose_motions(linearization);
+    Eigen::VectorXd ways = loose_part(r);
+    for (Eigen::Index j = 0; j < ways.size(); ++j)
+      {
+        r.add(-ways(j), loose_[j]->v);
+        go_on(ways(j), *loose_[j]);
+      }
+
     const std::vector<Eigen::Index> felt = felt_obstacles(linearization);
     const auto capacity     = max_directions() + static_cast<unsigned int>(felt.size());
     Eigen::MatrixXd H       = Eigen::MatrixXd::Identity(capacity, capacity);
@@ -279,6 +285,12 @@ namespace stiction
         if (!d.is_exact && !preconditioner_.is_precise())
           ++n_imprecise;
         apply(linearization, d);
+        d.loose = loose_part(d.v);
+        for (Eigen::Index j = 0; j < d.loose.size(); ++j)
+          {
+            d.v.add(-d.loose(j), loose_[j]->v);
+            d.subtract(d.loose(j), *loose_[j]);
+          }
 
         const double product = orthogonalize(n, H, obstacle_r);
         if (!(d.square > 0.))
@@ -287,26 +299,29 @@ namespace stiction
         amounts(n)                = product / d.square;
         std::vector<double> norms = subtract(r.begin(), amounts(n), d.v.begin(), N);
         sum_over_ranks(norms, communicator);
-        obstacle_r -= amounts(n) * d.obstacle_rows;
+        go_on(amounts(n), d);
         square = norms[0] + obstacle_r.squaredNorm();
-        contact_r -= amounts(n) * d.contact_rows;
-        state.w += amounts(n) * d.displacement;
-        state.lambda -= amounts(n) * d.force;
-        problem_.add_prescribed_entries(-amounts(n), d.reaction, state.R);
         ++n;
         is_finished = n >= felt.size() && (stop({n, norms[1], contact_r, state.lambda,
                                                  state.w, std::sqrt(square) / start}) ||
                                            square == 0.);
         turns       = n_imprecise == max_unfinished && turns_to_factors();
       }
+    left_unfinished_ = !is_finished;
     if (!is_finished && !turns && ++n_unfinished_ >= max_unfinished)
       turns_to_factors();
 
     // u is moved along the preconditioned vectors, R is the residual wherever
     // nothing was replaced in it
-    add_all(
-      state, linearization,
-      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(amounts.head(n)));
+    const Eigen::VectorXd y =
+      H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(amounts.head(n));
+    add_all(state, linearization, y);
+    for (Eigen::Index j = 0; j < ways.size(); ++j)
+      {
+        for (unsigned int k = 0; k < n; ++k)
+          ways(j) -= y(k) * directions_[k]->loose(j);
+        state.u.add(ways(j), loose_[j]->solution);
+      }
     problem_.B().set_transpose(state.lambda, r);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);
@@ -347,9 +362,9 @@ namespace stiction
   {
     double *const u        = state.u.begin();
     const std::size_t size = state.u.locally_owned_size();
-    for (std::size_t b = 0; b < size; b += block_size)
+    for (std::size_t b = 0; b < size; b += piece_size)
       {
-        const std::size_t end = std::min(b + block_size, size);
+        const std::size_t end = std::min(b + piece_size, size);
         for (Eigen::Index j = 0; j < y.size(); ++j)
           {
             const Direction &d = *directions_[j];

@@ -65,13 +65,10 @@ namespace stiction
       }
   }
 
-  void PrimalActiveSet::tether(const Eigen::MatrixXd &motions,
-                               const Eigen::VectorXd &foundation,
-                               const Eigen::VectorXd &w)
+  PrimalActiveSet::Resistance PrimalActiveSet::resistance(
+    const Eigen::MatrixXd &motions, const Eigen::VectorXd &foundation) const
   {
     const Eigen::Index n = motions.cols();
-    if (n == 0)
-      return;
     const auto m         = static_cast<Eigen::Index>(nodes.size());
     Eigen::MatrixXd held = Eigen::MatrixXd::Zero(n, n), all = held, at(3, n);
     for (Eigen::Index i = 0; i < m; ++i)
@@ -83,11 +80,17 @@ namespace stiction
         held.noalias() += at.transpose() * M * at;
         all.noalias() += foundation(i) * at.transpose() * at;
       }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-      held, all, Eigen::EigenvaluesOnly);
-    if (eigen.eigenvalues()(0) > no_stiffness)
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held, all);
+    return {eigen.eigenvalues(), eigen.eigenvectors()};
+  }
+
+  void PrimalActiveSet::tether(const Eigen::MatrixXd &motions,
+                               const Eigen::VectorXd &foundation,
+                               const Eigen::VectorXd &w)
+  {
+    if (motions.cols() == 0 || resistance(motions, foundation).part(0) > no_stiffness)
       return;
-    for (Eigen::Index i = 0; i < m; ++i)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
       {
         const double spring = tether_stiffness * foundation(i);
         nodes[i].spring += spring * Eigen::Matrix3d::Identity();

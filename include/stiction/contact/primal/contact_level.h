@@ -66,11 +66,9 @@ namespace stiction
 
     const BasisTransformation &basis() const { return basis_; }
 
-    /// dst = K u. Collective.
-    void apply_stiffness(LA::Vector &dst, const LA::Vector &u) const
-    {
-      basis_.vmult(*stiffness_, dst, u);
-    }
+    /// dst = K u, on a coarser level with springs against loose_motions(): facets drive
+    /// these far there, elsewhere than on the level that it is to start. Collective.
+    void apply_stiffness(LA::Vector &dst, const LA::Vector &u) const;
 
     const LA::Vector &load() const { return load_; }
 
@@ -136,6 +134,13 @@ namespace stiction
     /// How the contact nodes move under the motions of the body that can be driven,
     /// 3m × any: all free ones but those that nothing ever resists.
     const Eigen::MatrixXd &driven_motions() const { return driven_; }
+
+    /// Of these the ones that hardly anything resists even where all nodes are pressed
+    /// and stick as they can, 3m × any: a ball turns so in a cup without friction.
+    const Eigen::MatrixXd &loose_motions() const { return loose_; }
+
+    /// u += one of these.
+    void add_loose_motion(Eigen::Index motion, LA::Vector &u) const;
 
     /// A support given in contact variables, with the regularization of a preconditioner,
     /// or that of one with factors: @p projection a diagonal one that treats both
@@ -215,5 +220,6 @@ namespace stiction
     EqualityConstraint balance_;              ///< see rigid_balance()
     Eigen::VectorXd foundation_;
     Eigen::MatrixXd driven_;
+    Eigen::MatrixXd loose_, loose_amounts_; ///< of contact nodes, of free motions
   };
 } // namespace stiction

@@ -5,6 +5,7 @@
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <functional>
 #include <memory>
@@ -26,6 +27,13 @@ namespace stiction
   /// ask for in the others. The first directions of the method move one
   /// obstacle each, with what the body does about it by the preconditioner: block
   /// elimination, which the iterations after it complete.
+  ///
+  /// Motions that hardly anything resists (ContactLevel::loose_motions()) are lost in a
+  /// preconditioner, above all in single precision, and a residual that is minimised does
+  /// not grow first so that they move. Near the end they are kept apart by deflation
+  /// (R. A. Nicolaides, Deflation of conjugate gradients with applications to boundary
+  /// value problems, 1987): forces do no work along them, at the start and after each
+  /// iteration, and what they do against normals that differ is left to these.
   ///
   /// The method minimises the residual like GMRES, and has the residual, the
   /// contact forces and the slip at hand after every iteration: the caller
@@ -62,9 +70,12 @@ namespace stiction
     /// product at the start. Collective.
     ///
     /// @param stop asked after each iteration.
+    /// @param is_near whether contact states are about right, so that steps along motions
+    ///   that hardly anything resists go where they should.
     /// @return the number of iterations.
     unsigned int solve(ContactState &state, const PrimalActiveSet &linearization,
-                       const std::function<bool(const Progress &)> &stop);
+                       const std::function<bool(const Progress &)> &stop,
+                       bool is_near = false);
 
     /// So many systems left unfinished, or in one of them so many preconditioned vectors
     /// that are less near than they are meant to, and the next are factorised.
@@ -74,6 +85,9 @@ namespace stiction
     /// preconditioner is asked to factorise the level; if it does, this is zero
     /// again.
     unsigned int n_unfinished() const { return n_unfinished_; }
+
+    /// Whether the last system was.
+    bool left_unfinished() const { return left_unfinished_; }
 
     /// Whether that was done.
     bool is_factorized() const { return is_factorized_; }
@@ -102,6 +116,10 @@ namespace stiction
       Eigen::VectorXd contact_rows; ///< of v
       Eigen::VectorXd obstacle_rows;
       std::vector<double> reaction; ///< K d at prescribed unknowns
+      Eigen::VectorXd loose;        ///< what was taken away of the loose motions
+
+      /// All but the long vectors -= h times the other's.
+      void subtract(double h, const Direction &other);
     };
 
     Direction &new_direction(unsigned int n);
@@ -122,6 +140,17 @@ namespace stiction
     void move_obstacle(const PrimalActiveSet &linearization, Eigen::Index obstacle,
                        Direction &d);
 
+    /// Makes directions of the loose motions, with nodes that are held left in place, and
+    /// factorises the stiffness that they have.
+    void take_loose_motions(const PrimalActiveSet &linearization);
+
+    /// Of forces along the loose motions.
+    Eigen::VectorXd work_of_loose_motions(const LA::Vector &v) const;
+
+    /// The amounts of the loose motions that take away this work; of size 0 if there are
+    /// none.
+    Eigen::VectorXd loose_part(const LA::Vector &v) const;
+
     /// Makes what direction n is mapped to orthogonal to those before it, and enters
     /// their parts of it into column n of H.
     ///
@@ -141,6 +170,10 @@ namespace stiction
     Eigen::VectorXd held_displacement(const PrimalActiveSet &linearization,
                                       const Eigen::VectorXd &distances) const;
 
+    /// Of a displacement of the nodes, length 3m, what is held.
+    static Eigen::VectorXd held_part(const PrimalActiveSet &linearization,
+                                     const Eigen::VectorXd &moved);
+
     void set_supports(const PrimalActiveSet &linearization);
 
     /// W y + S w at the contact nodes.
@@ -153,8 +186,10 @@ namespace stiction
     Multigrid &preconditioner_;
     const bool factorizes_;
     std::vector<std::unique_ptr<Direction>> directions_; ///< kept for reuse
-    LA::Vector residual_, step_;                         ///< scratch
+    std::vector<std::unique_ptr<Direction>> loose_;      ///< of one system
+    Eigen::PartialPivLU<Eigen::MatrixXd> loose_stiffness_;
+    LA::Vector residual_, step_; ///< scratch
     unsigned int n_unfinished_ = 0;
-    bool is_factorized_ = false, is_too_hard_ = false;
+    bool is_factorized_ = false, is_too_hard_ = false, left_unfinished_ = false;
   };
 } // namespace stiction

@@ -55,10 +55,19 @@ namespace stiction
     PrimalActiveSet(const Eigen::VectorXd &lambda, const Eigen::VectorXd &w,
                     const Eigen::VectorXd &rho, const qp::SlipBound &slip_bound);
 
+    /// How motions are resisted by nodes that are held or have springs.
+    struct Resistance
+    {
+      Eigen::VectorXd part;    ///< of that of the foundation, ascending
+      Eigen::MatrixXd motions; ///< in those that were given, 1 in the foundation
+    };
+
+    /// @param motions of the nodes, 3m × n. @param foundation N/m, length m.
+    Resistance resistance(const Eigen::MatrixXd &motions,
+                          const Eigen::VectorXd &foundation) const;
+
     /// Where nodes that are held or have springs leave one of these motions free, all
     /// get a soft spring that draws them to where they are, so that the step is bounded.
-    ///
-    /// @param motions of the nodes, 3m × n. @param foundation N/m, length m.
     void tether(const Eigen::MatrixXd &motions, const Eigen::VectorXd &foundation,
                 const Eigen::VectorXd &w);
 
