@@ -137,6 +137,8 @@ namespace stiction
     refined.refine_global(placed.refinement);
     if (!origin_.quadratic_cells.empty())
       origin_.quadratic_cells.place_vertices(refined);
+    if (placed.refinement > 0) // the coarse ones are
+      require_valid_cells(refined, origin_.quadratic_cells, placed.location);
     Triangulation<3> flat(Triangulation<3>::none, false);
     GridGenerator::flatten_triangulation(refined, flat);
     for (const auto id : triangulation_.get_manifold_ids())
