@@ -15,6 +15,9 @@
 
 #include <deal.II/base/timer.h>
 
+#include <Eigen/QR>
+
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -32,23 +35,51 @@ namespace stiction
     // pressed in by little, by two on those that are by a part of a radius.
     constexpr unsigned int max_placements = 40;
 
-    // Which pressed surface of a body slid farther on another body than all are large, in
-    // words; empty if none did.
-    std::string why_slid_off(const ContactSurface &surface, const State &state,
+    // Where the equilibrium lacks more, no pressures were reached that tell of friction.
+    constexpr double in_equilibrium = 1e-2;
+
+    // Of a slide: what the rigid motions of a body do at least of it where it is free.
+    constexpr double least_of_slide = 0.5;
+
+    // Whether a body is free to move along a direction at a point, turning or not.
+    bool is_free(const FreeMotions &motions, const unsigned int piece,
+                 const dealii::Point<3> &x, const Eigen::Vector3d &direction)
+    {
+      const auto [first, n] = motions.of(piece);
+      if (n == 0)
+        return false;
+      const Eigen::MatrixXd moves = motions.at(x, piece).middleCols(first, n);
+      const Eigen::Vector3d along = moves * moves.colPivHouseholderQr().solve(direction);
+      return along.norm() > least_of_slide * direction.norm();
+    }
+
+    // Which pressed surface of a body slid on another body by more than all bodies are
+    // large together though nothing drives it, in words; empty if none did.
+    std::string why_slid_off(const LinearElasticity &elasticity,
+                             const ContactSurface &surface, const State &state,
                              const Units &units)
     {
-      const Eigen::VectorXd moved = surface.B().apply(state.u);
+      const Eigen::VectorXd moved = surface.B().relative_displacement(state.u);
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         {
-          const ContactBoundary &boundary = surface.boundary_of(surface.nodes()[i]);
-          const double way                = at_node(moved, i).tail<2>().norm();
-          if (!boundary.partners().empty() && !boundary.slides_far() &&
-              state.lambda(i) > 0. && way > boundary.body_size())
+          const ContactNode &node         = surface.nodes()[i];
+          const ContactBoundary &boundary = surface.boundary_of(node);
+          if (!boundary.is_pair() || boundary.is_tied() || !(state.lambda(i) > 0.))
+            continue;
+          const Eigen::Vector3d normal = surface.B().frames()[i].axes().row(0);
+          const Eigen::Vector3d slide =
+            at_node(moved, i) - normal.dot(at_node(moved, i)) * normal;
+          const auto pieces = boundary.pieces(elasticity.body());
+          if (slide.norm() > boundary.body_size() &&
+              std::any_of(pieces.begin(), pieces.end(), [&](const unsigned int piece) {
+                return is_free(elasticity.free_motions(), piece, node.position, slide);
+              }))
             return '\'' + boundary.name() + "' slid by " +
-                   with_unit(format("%.2g", way), units.length) + " on '" +
+                   with_unit(format("%.2g", slide.norm()), units.length) + " on '" +
                    boundary.partner_name() +
-                   "', farther than the bodies are large: nothing held them where they "
-                   "touched, change the loads, press parts together with more, or hold "
+                   "', farther than all bodies together are large: nothing held it where "
+                   "it touched, change the loads, press parts together with more, or "
+                   "hold "
                    "them with 'Boundary conditions/Prescribed displacement'";
         }
       return "";
@@ -154,17 +185,23 @@ namespace stiction
                  "press with its force, lower 'Boundary conditions/Obstacle force' or "
                  "hold the body better",
                  status_.interrupted};
-    if (const std::string reason = why_slid_off(contact_surface(), state_, units_);
-        status_.converged && !reason.empty())
-      status_ = {false, reason, status_.interrupted};
-    if (status_.converged || status_.interrupted)
+    if (status_.converged)
+      {
+        const std::string slide =
+          why_slid_off(elasticity(), contact_surface(), state_, units_);
+        if (!slide.empty())
+          status_ = {false, slide, status_.interrupted, false, true};
+        return;
+      }
+    if (status_.interrupted)
       return;
     if (const std::string slide =
           why_it_slides(elasticity(), contact_surface(), *certificate_, units_);
         !slide.empty())
       {
         status_.reason = slide;
-        status_.slides = true;
+        status_.slides =
+          certificate_->body_figures().equilibrium_residual <= in_equilibrium;
         return;
       }
     if (status_.reason.empty())

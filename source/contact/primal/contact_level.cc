@@ -28,9 +28,9 @@ namespace stiction
     // The components of a node as bits.
     constexpr unsigned char all_components = 7;
 
-    // Of the foundation: what holds a motion with less hardly resists it. Squared, it is
-    // normals within two degrees of being across.
-    constexpr double hardly = 1e-3;
+    // Of the foundation: what holds a motion with less hardly resists it, facets do. A
+    // taper of half a degree holds with more.
+    constexpr double hardly = 5e-5;
 
     // A smaller coefficient of friction resists as little as none.
     constexpr double no_friction = 0.01;
@@ -126,6 +126,7 @@ namespace stiction
         balance_.G.col(p + j) = -B_.apply_to_motion(u);
       }
     balance_.e.tail(n) = -elasticity_.work_of_loads_along_free_motions();
+    driven_ = loose_ = loose_amounts_ = held_loose_ = Eigen::MatrixXd(3 * n_nodes(), 0);
     if (n == 0)
       return;
     const Eigen::MatrixXd motions  = balance_.G.rightCols(n);
@@ -144,15 +145,16 @@ namespace stiction
         .resistance(driven_, foundation_);
     loose_amounts_ = resisted * combinations.leftCols((part.array() < hardly).count());
     loose_         = motions * loose_amounts_;
+    if (finer_ != nullptr)
+      held_loose_ = foundation_.replicate(3, 1).asDiagonal() * loose_;
   }
 
   void ContactLevel::apply_stiffness(LA::Vector &dst, const LA::Vector &u) const
   {
     basis_.vmult(*stiffness_, dst, u);
-    if (finer_ == nullptr || loose_.cols() == 0)
-      return;
-    const Eigen::MatrixXd forces = foundation_.replicate(3, 1).asDiagonal() * loose_;
-    B_.add_transpose(holding_stiffness, forces * (forces.transpose() * B_.apply(u)), dst);
+    if (held_loose_.cols() > 0)
+      B_.add_transpose(holding_stiffness,
+                       held_loose_ * (held_loose_.transpose() * B_.apply(u)), dst);
   }
 
   void ContactLevel::find_free_motions()

@@ -74,7 +74,8 @@ namespace stiction
         return std::abs(residuals[k] - residuals[k - 2]) <= same * residuals[k];
       };
       const std::size_t n = residuals.size();
-      return n >= 4 && repeats(n - 1) && repeats(n - 2);
+      return n >= 4 && repeats(n - 1) && repeats(n - 2) &&
+             std::abs(residuals[n - 1] - residuals[n - 2]) > same * residuals[n - 1];
     }
 
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
@@ -195,6 +196,8 @@ namespace stiction
         ++stalls;
         c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
         ++statistics_.rho_changes;
+        if (problem_.driven_motions().cols() > 0)
+          fine_above_ = required_fall * residual.value();
         if (!path_ && ++stalls_without_path % 2 == 1 && !options_.only_fallback)
           continue;
         if (slides(residual))
@@ -325,10 +328,7 @@ namespace stiction
       is_first ? lies_on : 0.);
     PrimalActiveSet linearization(lambda, state.w, rho, problem_.slip_bound());
     linearization.tether(problem_.driven_motions(), problem_.foundation(), state.w);
-    const double part =
-      statistics_.rho_changes > 0 && problem_.driven_motions().cols() > 0
-        ? fine_linear_part
-        : linear_part;
+    const double part = residual.value() > fine_above_ ? fine_linear_part : linear_part;
     const double force_scale  = residual.force_scale;
     const qp::Scaling scaling = residual.conditions.scaling();
     const bool has_scales     = residual.conditions.lambda().squaredNorm() > 0.;
@@ -345,9 +345,10 @@ namespace stiction
                       part * qp::natural_residual(now.lambda, -now.w,
                                                   problem_.slip_bound(), scaling));
     };
-    const unsigned int iterations = system_.solve(
-      state, linearization, is_enough,
-      residual.value() <= (system_.left_unfinished() ? no_contact_set : settled));
+    const unsigned int iterations =
+      system_.solve(state, linearization, is_enough,
+                    residual.value() <= (was_unfinished_ ? no_contact_set : settled));
+    was_unfinished_ = system_.left_unfinished();
     statistics_.krylov_iterations += iterations;
     ++statistics_.newton_steps;
     note_factorization();
@@ -377,6 +378,7 @@ namespace stiction
       options_.only_fallback
         ? 0.
         : interior_point_part * std::min({1., residual, path_->residual()});
+    was_unfinished_            = false;
     const auto take_the_better = [&]() {
       if (path_->residual() < residual)
         state = path_->best();

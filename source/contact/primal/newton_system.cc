@@ -16,6 +16,9 @@ namespace stiction
 {
   namespace
   {
+    // Beyond that, motions are too far from each other to be told apart.
+    constexpr double singular = 1e-12;
+
     // The part of a spring that is symmetric and pulls back; those of Newton steps are
     // nothing else.
     Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d &spring)
@@ -153,7 +156,7 @@ namespace stiction
         d.v          = problem_.mesh().zero_vector<double>();
         d.solution   = d.v;
         problem_.add_loose_motion(j, d.solution);
-        const Eigen::VectorXd moved = problem_.B().apply_to_motion(d.solution);
+        const Eigen::VectorXd moved = problem_.B().apply(d.solution);
         problem_.B().add_displacement(-1., held_part(linearization, moved), d.solution);
         d.distances = Eigen::VectorXd::Zero(problem_.motion().n_pressed());
         d.is_exact  = true;
@@ -162,8 +165,11 @@ namespace stiction
     Eigen::MatrixXd stiffness(n, n);
     for (Eigen::Index j = 0; j < n; ++j)
       stiffness.col(j) = work_of_loose_motions(loose_[j]->v);
-    if (n > 0)
-      loose_stiffness_.compute(stiffness);
+    if (n == 0)
+      return;
+    loose_stiffness_.compute(stiffness);
+    if (!(loose_stiffness_.rcond() > singular))
+      loose_.clear();
   }
 
   Eigen::VectorXd NewtonSystem::work_of_loose_motions(const LA::Vector &v) const
@@ -244,11 +250,7 @@ namespace stiction
     problem_.B().set_transpose(contact_r, r);
     Eigen::VectorXd obstacle_r =
       problem_.motion().missing_forces(state.lambda - contact_r);
-    double square       = r.norm_sqr() + obstacle_r.squaredNorm();
-    const double start  = std::sqrt(square);
-    const std::size_t N = r.locally_owned_size();
-
-    const auto go_on = [&](const double amount, const Direction &d) {
+    const auto advance = [&](const double amount, const Direction &d) {
       obstacle_r -= amount * d.obstacle_rows;
       contact_r -= amount * d.contact_rows;
       state.w += amount * d.displacement;
@@ -263,8 +265,12 @@ namespace stiction
     for (Eigen::Index j = 0; j < ways.size(); ++j)
       {
         r.add(-ways(j), loose_[j]->v);
-        go_on(ways(j), *loose_[j]);
+        advance(ways(j), *loose_[j]);
       }
+
+    double square       = r.norm_sqr() + obstacle_r.squaredNorm();
+    const double start  = std::sqrt(square);
+    const std::size_t N = r.locally_owned_size();
 
     const std::vector<Eigen::Index> felt = felt_obstacles(linearization);
     const auto capacity     = max_directions() + static_cast<unsigned int>(felt.size());
@@ -299,7 +305,7 @@ namespace stiction
         amounts(n)                = product / d.square;
         std::vector<double> norms = subtract(r.begin(), amounts(n), d.v.begin(), N);
         sum_over_ranks(norms, communicator);
-        go_on(amounts(n), d);
+        advance(amounts(n), d);
         square = norms[0] + obstacle_r.squaredNorm();
         ++n;
         is_finished = n >= felt.size() && (stop({n, norms[1], contact_r, state.lambda,

@@ -15,6 +15,9 @@ namespace stiction
     // the slip, and the spring is not strained.
     constexpr double stiffest_spring = 1e4;
 
+    // Of all motions together: one that moves no contact node is not divided by nothing.
+    constexpr double not_nothing = 1e-12;
+
     // Of the foundation: what holds a motion with less leaves it free.
     constexpr double no_stiffness = 1e-9;
 
@@ -80,6 +83,7 @@ namespace stiction
         held.noalias() += at.transpose() * M * at;
         all.noalias() += foundation(i) * at.transpose() * at;
       }
+    all.diagonal().array() += not_nothing * all.trace();
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held, all);
     return {eigen.eigenvalues(), eigen.eigenvectors()};
   }

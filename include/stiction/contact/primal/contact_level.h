@@ -66,8 +66,9 @@ namespace stiction
 
     const BasisTransformation &basis() const { return basis_; }
 
-    /// dst = K u, on a coarser level with springs against loose_motions(): facets drive
-    /// these far there, elsewhere than on the level that it is to start. Collective.
+    /// dst = K u. On a coarser level springs from the undeformed place, a tenth of the
+    /// foundation, act along loose_motions(): its facets would drive the body far, and
+    /// elsewhere than those of the mesh itself. Collective.
     void apply_stiffness(LA::Vector &dst, const LA::Vector &u) const;
 
     const LA::Vector &load() const { return load_; }
@@ -221,5 +222,6 @@ namespace stiction
     Eigen::VectorXd foundation_;
     Eigen::MatrixXd driven_;
     Eigen::MatrixXd loose_, loose_amounts_; ///< of contact nodes, of free motions
+    Eigen::MatrixXd held_loose_; ///< of a coarser level: the loose ones in the foundation
   };
 } // namespace stiction

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -161,7 +162,9 @@ namespace stiction
     Options options_;
     NewtonSystem system_;
     double c_;
-    std::unique_ptr<ContactState> first_;       // of keep_first()
+    double fine_above_ = std::numeric_limits<double>::infinity(); // residual, see step()
+    bool was_unfinished_ = false;         // the linear system of the last Newton step
+    std::unique_ptr<ContactState> first_; // of keep_first()
     std::unique_ptr<PrimalInteriorPoint> path_; // while it can be followed on
     bool stands_still_ = false;
 

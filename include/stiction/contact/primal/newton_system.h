@@ -71,7 +71,7 @@ namespace stiction
     ///
     /// @param stop asked after each iteration.
     /// @param is_near whether contact states are about right, so that steps along motions
-    ///   that hardly anything resists go where they should.
+    ///   that hardly anything resists go where they should: they are deflated then.
     /// @return the number of iterations.
     unsigned int solve(ContactState &state, const PrimalActiveSet &linearization,
                        const std::function<bool(const Progress &)> &stop,
@@ -116,7 +116,7 @@ namespace stiction
       Eigen::VectorXd contact_rows; ///< of v
       Eigen::VectorXd obstacle_rows;
       std::vector<double> reaction; ///< K d at prescribed unknowns
-      Eigen::VectorXd loose;        ///< what was taken away of the loose motions
+      Eigen::VectorXd loose; ///< of loose motions taken away, before orthogonalize()
 
       /// All but the long vectors -= h times the other's.
       void subtract(double h, const Direction &other);
