@@ -126,7 +126,13 @@ namespace stiction
         balance_.G.col(p + j) = -B_.apply_to_motion(u);
       }
     balance_.e.tail(n) = -elasticity_.work_of_loads_along_free_motions();
+    find_driven_motions();
+  }
+
+  void ContactLevel::find_driven_motions()
+  {
     driven_ = loose_ = loose_amounts_ = held_loose_ = Eigen::MatrixXd(3 * n_nodes(), 0);
+    const Eigen::Index n                            = elasticity_.free_motions().n();
     if (n == 0)
       return;
     const Eigen::MatrixXd motions  = balance_.G.rightCols(n);

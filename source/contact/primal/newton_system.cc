@@ -189,6 +189,16 @@ namespace stiction
                           : loose_stiffness_.solve(work_of_loose_motions(v)).eval();
   }
 
+  void NewtonSystem::deflate(Direction &d) const
+  {
+    d.loose = loose_part(d.v);
+    for (Eigen::Index j = 0; j < d.loose.size(); ++j)
+      {
+        d.v.add(-d.loose(j), loose_[j]->v);
+        d.subtract(d.loose(j), *loose_[j]);
+      }
+  }
+
   void NewtonSystem::Direction::subtract(const double h, const Direction &other)
   {
     displacement -= h * other.displacement;
@@ -291,13 +301,7 @@ namespace stiction
         if (!d.is_exact && !preconditioner_.is_precise())
           ++n_imprecise;
         apply(linearization, d);
-        d.loose = loose_part(d.v);
-        for (Eigen::Index j = 0; j < d.loose.size(); ++j)
-          {
-            d.v.add(-d.loose(j), loose_[j]->v);
-            d.subtract(d.loose(j), *loose_[j]);
-          }
-
+        deflate(d);
         const double product = orthogonalize(n, H, obstacle_r);
         if (!(d.square > 0.))
           break;
@@ -321,13 +325,11 @@ namespace stiction
     // nothing was replaced in it
     const Eigen::VectorXd y =
       H.topLeftCorner(n, n).triangularView<Eigen::UnitUpper>().solve(amounts.head(n));
+    for (unsigned int k = 0; k < n; ++k)
+      ways -= y(k) * directions_[k]->loose;
     add_all(state, linearization, y);
     for (Eigen::Index j = 0; j < ways.size(); ++j)
-      {
-        for (unsigned int k = 0; k < n; ++k)
-          ways(j) -= y(k) * directions_[k]->loose(j);
-        state.u.add(ways(j), loose_[j]->solution);
-      }
+      state.u.add(ways(j), loose_[j]->solution);
     problem_.B().set_transpose(state.lambda, r);
     problem_.set_prescribed_entries(problem_.prescribed_entries(state.R), r);
     state.R.swap(r);

@@ -179,6 +179,8 @@ namespace stiction
   private:
     void find_inner_nodes();
     void find_free_motions();
+    /// Also the loose ones among them.
+    void find_driven_motions();
     /// u += Zα on this level.
     void add_free_motion(const Eigen::VectorXd &amounts, LA::Vector &u) const;
     void take_conditions_of_body();

@@ -151,6 +151,10 @@ namespace stiction
     /// none.
     Eigen::VectorXd loose_part(const LA::Vector &v) const;
 
+    /// Takes the loose motions away from d and from what it is mapped to, so that this
+    /// does no work along them.
+    void deflate(Direction &d) const;
+
     /// Makes what direction n is mapped to orthogonal to those before it, and enters
     /// their parts of it into column n of H.
     ///
