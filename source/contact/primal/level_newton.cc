@@ -1,5 +1,6 @@
 #include <stiction/contact/primal/contact_level.h>
 #include <stiction/contact/primal/level_newton.h>
+#include <stiction/contact/primal/residual_history.h>
 #include <stiction/elasticity/multigrid/multigrid.h>
 #include <stiction/qp/advice.h>
 #include <stiction/qp/contact_scales.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <utility>
 
 namespace stiction
@@ -24,7 +24,7 @@ namespace stiction
     // The same where Newton steps have stood still with bodies that contact holds:
     // whether one slides is told by pressures that are nearer the truth than its residual
     // is.
-    constexpr double fine_linear_part = 0.01;
+    constexpr double fine_linear_part = 0.01, not_much_closer = 0.7;
 
     // ... and never beyond this part of the tolerance.
     constexpr double linear_part_of_tolerance = 0.3;
@@ -45,8 +45,7 @@ namespace stiction
     // one that stands on an edge or a point is.
     constexpr double lies_on = 0.1;
 
-    // ρ is changed if the residual falls by less than this in so many steps.
-    constexpr double required_fall           = 0.7;
+    // ρ is changed if the residual does not fall in so many steps.
     constexpr std::size_t later_fall_horizon = 3;
 
     // ... at first in so many, while linear systems are easy and the residual is above
@@ -61,22 +60,8 @@ namespace stiction
     constexpr double interior_point_part = 0.1;
 
     // A body that contact alone holds was thrown away if gaps or slips have grown by this
-    // since the first state with contact forces.
+    // since the first state with contact forces, or the residual in one step.
     constexpr double thrown = 10.;
-
-    // Residuals that differ by less are of the same states.
-    constexpr double same = 1e-3;
-
-    // Whether the last steps went back and forth between two states.
-    bool comes_back(const std::deque<double> &residuals)
-    {
-      const auto repeats = [&](const std::size_t k) {
-        return std::abs(residuals[k] - residuals[k - 2]) <= same * residuals[k];
-      };
-      const std::size_t n = residuals.size();
-      return n >= 4 && repeats(n - 1) && repeats(n - 2) &&
-             std::abs(residuals[n - 1] - residuals[n - 2]) > same * residuals[n - 1];
-    }
 
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
     constexpr double settled = 1e-2;
@@ -130,7 +115,7 @@ namespace stiction
   {
     ContactResidual residual(problem_, state, problem_.slip_bound());
     keep_first(state);
-    std::deque<double> history;
+    ResidualHistory history;
     Pace pace;
     unsigned int stalls = 0, stalls_without_path = 0;
     const auto from_elsewhere = [&]() {
@@ -149,15 +134,13 @@ namespace stiction
         if (statistics_.n_steps() >= max_steps)
           return "the cap on Newton steps was met, " +
                  pace.advice(tolerance, options_.other_method);
+        bool is_thrown = false;
         if (!options_.only_fallback)
           {
-            step(state, lambda, residual, tolerance);
-            residual = measure(state, tolerance);
-            lambda   = state.lambda;
-            observer(statistics_, residual);
+            is_thrown = !advance(state, lambda, residual, tolerance, observer);
             if (touches_only(state) && drop_rounding(state, residual))
               return {};
-            history.push_back(residual.value());
+            history.add(residual.value());
             pace.add(statistics_.n_steps(), residual.value());
           }
         stands_still_ = !std::isfinite(residual.value());
@@ -170,13 +153,9 @@ namespace stiction
             return from_elsewhere().value_or(why_no_closer());
           }
         keep_first(state);
-        const std::size_t horizon = fall_horizon(stalls, residual.value());
-        const bool falls =
-          residual.value() <= tolerance ||
-          (!comes_back(history) &&
-           (history.size() <= horizon ||
-            history.back() <= required_fall * history[history.size() - 1 - horizon]));
-        if (falls && !options_.only_fallback)
+        if (!options_.only_fallback &&
+            (residual.value() <= tolerance ||
+             (!is_thrown && history.falls(fall_horizon(stalls, residual.value())))))
           continue;
 
         if (drop_rounding(state, residual))
@@ -197,7 +176,7 @@ namespace stiction
         c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
         ++statistics_.rho_changes;
         if (problem_.driven_motions().cols() > 0)
-          fine_above_ = required_fall * residual.value();
+          fine_above_ = not_much_closer * residual.value();
         if (!path_ && ++stalls_without_path % 2 == 1 && !options_.only_fallback)
           continue;
         if (slides(residual))
@@ -212,8 +191,30 @@ namespace stiction
                   observer);
         residual = measure(state, tolerance);
         lambda   = state.lambda;
-        history.push_back(residual.value());
+        history.add(residual.value());
       }
+  }
+
+  bool LevelNewton::advance(ContactState &state, Eigen::VectorXd &lambda,
+                            ContactResidual &residual, const double tolerance,
+                            const Observer &observer)
+  {
+    std::optional<ContactState> before;
+    if (!path_ && statistics_.n_steps() > 0 && problem_.driven_motions().cols() > 0 &&
+        residual.value() <= no_contact_set)
+      before = state;
+    step(state, lambda, residual, tolerance);
+    const ContactResidual after = measure(state, tolerance);
+    observer(statistics_, after);
+    if (before && std::isfinite(after.value()) &&
+        after.value() > std::max(tolerance, thrown * residual.value()))
+      {
+        state = *std::move(before);
+        return false;
+      }
+    residual = after;
+    lambda   = state.lambda;
+    return true;
   }
 
   std::optional<std::string> LevelNewton::solve_from_elsewhere(

@@ -128,6 +128,16 @@ namespace stiction
     std::string iterate(ContactState &state, Eigen::VectorXd lambda, double tolerance,
                         unsigned int max_steps, const Observer &observer);
 
+    /// A Newton step, after which λ is the state's. One that makes the residual of a body
+    /// that contact alone holds far larger has thrown it, to where it may find another
+    /// equilibrium than the one that its history leads to: it is not made, unless it is
+    /// the first, from an interpolated state, or one that the interior point method leads
+    /// to, which is often a great way and right.
+    ///
+    /// @return whether it was.
+    bool advance(ContactState &state, Eigen::VectorXd &lambda, ContactResidual &residual,
+                 double tolerance, const Observer &observer);
+
     /// Asks for the other start, if that was not done and steps are left, and solves the
     /// problem from there, all over again.
     ///
