@@ -84,6 +84,26 @@ namespace
           << " cells: " << warnings(run, "waver from node to node") << std::endl;
   }
 
+  // A sheet under a narrow load: what is one cell of the base has the pressures of
+  // several nodes, which a soft sheet has as on a rigid wall.
+  void squeeze(const std::string &E)
+  {
+    const Run run(
+      file("sheet.prm",
+           brick("base", "3,3,1", "6,6,2", "0;0;-1", "0;0;0;0;0;1;0", "10") +
+             brick("sheet", "1,1,0.1", "20,10,2", "0.98;1.02;0", "0;0;0;0;0;1;0", E) +
+             section("Boundary conditions",
+                     {"Prescribed displacement = base.bottom : 0; 0; 0 | "
+                      "sheet.top : 0; 0; free",
+                      "Pressure = sheet.top : 1e-3*if(abs(x-1.48)<0.1,1,0)"}) +
+             section("Contact pair sole",
+                     {"Boundary = sheet.bottom", "Obstacle = boundary : base.top",
+                      "Slave side = boundary", "Law = frictionless"})),
+      {});
+    out() << "sheet with E = " << E << ": " << warnings(run, "waver from node to node")
+          << std::endl;
+  }
+
   // The nodes of the block over the joint bear where the mean of both sides is.
   void straddle(const std::string &E, const std::string &down)
   {
@@ -118,6 +138,8 @@ int main(int argc, char *argv[])
   for (const std::string law : {"frictionless", "tied"})
     for (const std::string cells : {"12,12,4", "30,30,10"})
       press(law, cells);
+  for (const std::string E : {"0.1", "10"})
+    squeeze(E);
   for (const std::string down : {"0.01", "0.05"})
     straddle("30", down);
   straddle("1000", "0.05");

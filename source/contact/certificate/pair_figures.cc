@@ -4,6 +4,7 @@
 #include <stiction/contact/interface/state.h>
 #include <stiction/contact/pairs/climbed_facets.h>
 #include <stiction/contact/pairs/surface_face.h>
+#include <stiction/contact/pairs/wavering.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/qp/operators/nodal_blocks.h>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -307,8 +307,9 @@ namespace stiction
         }
     }
 
-    double wavering(const ContactSurface &surface, const ContactBoundary &pair,
-                    const State &state, const double force_scale)
+    double wavering(const LinearElasticity &elasticity, const ContactSurface &surface,
+                    const ContactBoundary &pair, const State &state,
+                    const double force_scale)
     {
       const Eigen::VectorXd lambda = surface.forces(state.lambda);
       Eigen::VectorXd areas        = surface.areas();
@@ -319,22 +320,22 @@ namespace stiction
         else
           areas(i) = 0.;
       const Eigen::VectorXd sizes = forces.rowwise().norm();
-      const double all            = sizes.sum();
       const auto enough =
         surface.has_wavering_side() ? enough_on_stiff_side : enough_to_waver;
-      if (all <= least_force * force_scale ||
+      if (sizes.sum() <= least_force * force_scale ||
           (sizes.array() > least_share * sizes.maxCoeff()).count() < enough)
         return 0.;
-      // of degree 2 some weights are negative
-      const auto W    = surface.B().other_side().weights.cwiseAbs().eval();
-      const auto mean = [](const Eigen::MatrixX3d &sums, const Eigen::VectorXd &of) {
-        return Eigen::MatrixX3d(
-          of.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().asDiagonal() *
-          sums);
+      const auto softness = [&](const std::vector<types::boundary_id> &boundaries) {
+        const auto faces = surface_faces(elasticity, boundaries);
+        double sum       = 0.;
+        for (const SurfaceFace &face : faces)
+          sum += 1. / face.youngs_modulus;
+        return sum / static_cast<double>(faces.size());
       };
-      const Eigen::MatrixX3d felt   = mean(W.transpose() * forces, W.transpose() * areas);
-      const Eigen::MatrixX3d smooth = mean(W * felt, W * Eigen::VectorXd::Ones(W.cols()));
-      return (forces - areas.asDiagonal() * smooth).rowwise().norm().sum() / all;
+      // what a softer side gives way to, that gives the pressures, as on a rigid wall
+      const double own = softness({pair.id()}), other = softness(pair.partners());
+      return std::min(1., 2. * other / (own + other)) *
+             stiction::wavering(surface.B().other_side().weights, forces, areas);
     }
   } // namespace
 
@@ -343,7 +344,7 @@ namespace stiction
                            const State &state, const double force_scale)
   {
     PairFigures figures;
-    figures.wavering = wavering(surface, pair, state, force_scale);
+    figures.wavering = wavering(elasticity, surface, pair, state, force_scale);
     if (pair.is_tied())
       return figures;
     const PressedNodes pressed(surface, pair, state);

@@ -31,6 +31,9 @@ namespace stiction
     // Of the normal force of a pair: three degrees.
     constexpr double much_tilt = 0.05;
 
+    // Cosine of a tenth of a degree, to all normals of a surface.
+    constexpr double flat = 1. - 1.5e-6;
+
     // Of the strain energy of the bodies of a pair.
     constexpr double much_from_facets = 0.02;
 
@@ -155,19 +158,35 @@ namespace stiction
                     100. * figures.moment_across_gap)});
     }
 
-    void add_tilt(const ContactBoundary &pair, const PairFigures &figures,
-                  Warnings &warnings)
+    bool is_flat(const ContactBoundary &pair, const ContactSurface &surface)
+    {
+      dealii::Tensor<1, 3> first;
+      for (const ContactNode &node : surface.nodes())
+        if (surface.boundary_of(node).id() == pair.id())
+          {
+            first = first.norm_square() == 0. ? node.normal : first;
+            if (node.normal * first < flat)
+              return false;
+          }
+      return true;
+    }
+
+    void add_tilt(const ContactBoundary &pair, const ContactSurface &surface,
+                  const PairFigures &figures, Warnings &warnings)
     {
       if (figures.tilt > much_tilt)
         warnings.push_back(
           {"normals of " + pair.name(), figures.tilt,
            format("pressures between '%s' and '%s' act along the normals of the first, "
                   "%.0f %% of their force across those of the second, which is too much "
-                  "or too little along it: one of them stands on an edge; ",
+                  "or too little along it: one of them stands on an edge, or has rolled "
+                  "there since it was drawn; ",
                   pair.name().c_str(), pair.partner_name().c_str(), 100. * figures.tilt) +
-             (pair.partners().size() == 1
-                ? "let the side that is flat there bear the forces ('Slave side')."
-                : "round it off, or make the flat one the one boundary.")});
+             (pair.partners().size() > 1
+                ? "round it off, or make the flat one the one boundary."
+              : is_flat(pair, surface)
+                ? "round the edge off, or draw what rolls nearer to where it comes to."
+                : "let the side that is flat there bear the forces ('Slave side').")});
     }
 
     void add_joint(const ContactBoundary &pair, const PairFigures &figures,
@@ -304,7 +323,7 @@ namespace stiction
     add_width(pair, figures, warnings);
     add_slide(pair, figures, units, warnings);
     add_gap(pair, figures, body, units, warnings);
-    add_tilt(pair, figures, warnings);
+    add_tilt(pair, surface, figures, warnings);
     add_joint(pair, figures, way, units, warnings);
     add_misfit(pair, figures, warnings);
     add_corners(pair, figures, warnings);

@@ -62,7 +62,8 @@ namespace stiction
     /// How much of the tractions p the other side does not feel, since they change sign
     /// from node to node, Σ A_i |p_i − q_i| / Σ A_i |p_i|, where q are means with the
     /// weights W of tractions opposite, which are means of p. Below 1/3 where pressures
-    /// are smooth.
+    /// are smooth. Times 2 (1/E of the other side) / (sum of both) where that is below 1:
+    /// a soft side gives the pressures itself, as on a rigid wall.
     double wavering = 0.;
   };
 
