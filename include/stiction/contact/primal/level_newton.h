@@ -49,7 +49,7 @@ namespace stiction
       /// sentence.
       std::string other_method = "choose another 'Contact solver/Method'";
       /// Why linear systems may take many iterations, a part of a sentence.
-      std::string hard_systems = "are cells flat, is a Poisson ratio near 0.5?";
+      std::string hard_systems = "are cells or bodies flat, is a Poisson ratio near 0.5?";
     };
 
     /// What was done so far.
