@@ -20,6 +20,9 @@ namespace stiction
     // most; a history of 100,000 steps has larger ones.
     constexpr double least_part = 1e-6;
 
+    // Of the forces of a body that was certified: more are loads that it has no longer.
+    constexpr double out_of_balance = 1e-5;
+
     // Of the largest change of the displacement: less is rounding.
     constexpr double at_rest = 1e-12;
 
@@ -83,6 +86,16 @@ namespace stiction
     for (const auto dof : elasticity.body().locally_owned_dofs())
       if (elasticity.is_prescribed(dof))
         last_.u(dof) = elasticity.prescribed_value(dof);
+    if (is_carried_)
+      return;
+
+    // a restart may have other loads and supports: those of then held what was strained
+    LA::Vector missing = last_.internal_force;
+    surface.add_forces(1., state.lambda, missing);
+    missing -= last_.load;
+    missing -= last_.reaction;
+    if (missing.l1_norm() > out_of_balance * last_.internal_force.l1_norm())
+      last_.load += missing;
   }
 
   EnergyBalance::End EnergyBalance::end_of(const LinearElasticity &elasticity,

@@ -200,8 +200,8 @@ namespace stiction
                             const Observer &observer)
   {
     std::optional<ContactState> before;
-    if (!path_ && statistics_.n_steps() > 0 && problem_.driven_motions().cols() > 0 &&
-        residual.value() <= no_contact_set)
+    if (!path_ && (statistics_.n_steps() > 0 || options_.is_start_known) &&
+        problem_.driven_motions().cols() > 0 && residual.value() <= no_contact_set)
       before = state;
     step(state, lambda, residual, tolerance);
     const ContactResidual after = measure(state, tolerance);
