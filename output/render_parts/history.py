@@ -18,6 +18,7 @@ LINES = ("-", "--", ":", "-.")  # of the contact boundaries
 SINGLE = {"normal_force": ("normal force", "force"),  # words, kind of unit
           "torque": ("torque on the body", "moment"),
           "dissipated_total": ("dissipated by friction", "energy")}
+MUCH = 2e-2  # of what presses times the width that it has
 HARDLY = 1e-2  # parts of the largest displacement over which no curve is drawn
 WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches
 
@@ -67,12 +68,27 @@ def force_or_moment(boundaries):
     return "moment" if turning > ROUNDING * pressing * length else "normal_force"
 
 
+def twists(boundaries):
+    """Whether bodies are turned about where they press, by more than forces there do."""
+    def couple(rows):
+        centre, force, moment = (np.array([np.nan_to_num(rows[f"{what}_{axis}"])
+                                           for axis in AXES])
+                                 for what in ("center", "force", "moment"))
+        return np.linalg.norm(moment - np.cross(centre, force, axis=0), axis=0)
+
+    return any(couple(rows).max() > MUCH * np.max(
+        rows["normal_force"] * np.sqrt(rows["slip_area"] + rows["stick_area"]))
+        for rows in boundaries.values())
+
+
 def diagrams(boundaries):
     """What is drawn: quantity, words of the abscissa, its unit (None: of lengths), and
     for each boundary the abscissa and its rows."""
     what = force_or_moment(boundaries)
     over_time = {name: (rows["t"], rows) for name, rows in boundaries.items()}
     result = [(what, "t", "", over_time)]
+    if what == "force" and twists(boundaries):
+        result.append(("moment", "t", "", over_time))
     for c, axis in enumerate(AXES):
         curves = {name: (rows["obstacle_" + axis], rows)
                   for name, rows in boundaries.items() if c in moved(rows)}

@@ -4,7 +4,7 @@
 // method that forgets where the stone was finds it touching nothing, which is in
 // equilibrium as well.
 
-#include "tests.h"
+#include "several_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +65,41 @@ subsection Time
   set End = 2
 end
 )";
+
+  // A taper of degree 2 between planes at atan(1/10): in displacements alone it came out.
+  const std::string taper = R"(
+subsection Geometry
+  set Lengths        = 1, 1, 2
+  set Subdivisions   = 6, 6, 12
+  set Element degree = 2
+end
+subsection Material
+  set Young's modulus = 1000
+  set Poisson ratio   = 0.3
+end
+subsection Boundary conditions
+  set Prescribed displacement = front : free; 0; free
+  set Pressure                = top : if(t < 1.5, 1, 0)
+end
+subsection Contact pair L
+  set Boundary    = left
+  set Obstacle    = plane : 0; 0; 0; 0.99503719; 0; 0.099503719
+  set Initial gap = 0.0995037*z
+  set Law         = coulomb
+  set Coefficient = 0.17
+end
+subsection Contact pair R
+  set Boundary    = right
+  set Obstacle    = plane : 1; 0; 0; -0.99503719; 0; 0.099503719
+  set Initial gap = 0.0995037*z
+  set Law         = coulomb
+  set Coefficient = 0.17
+end
+subsection Time
+  set End   = 2
+  set Steps = 1, 2
+end
+)";
 } // namespace
 
 int main(int argc, char *argv[])
@@ -92,5 +127,18 @@ int main(int argc, char *argv[])
             << ", the same by all methods to 1e-5 " << yes(most - least < 1e-5 * most)
             << ", held with some 2 kN " << yes(std::abs(least / 2000. - 1.) < 0.05)
             << std::endl;
+    }
+
+  const std::string prm = file("taper.prm", taper);
+  for (const std::string F : {"0.17", "0.09"})
+    {
+      const Settings friction = {"Contact pair L/Coefficient=" + F,
+                                 "Contact pair R/Coefficient=" + F};
+      const Run run(prm, friction + Settings{"Contact solver/Method=newton multigrid"}),
+        newton(prm, friction + Settings{"Contact solver/Method=newton"});
+      const double N = run.summary()["contact"]["normal_force"];
+      out() << "taper with F = " << F << ": certified " << yes(run.converged) << ", held "
+            << yes(N > 1.) << ", as by newton to 1e-4 "
+            << yes(N <= 1. || distance(run, newton) < 1e-4) << std::endl;
     }
 }

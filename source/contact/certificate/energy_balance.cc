@@ -20,7 +20,8 @@ namespace stiction
     // most; a history of 100,000 steps has larger ones.
     constexpr double least_part = 1e-6;
 
-    // Of the forces of a body that was certified: more are loads that it has no longer.
+    // Of the forces of a body: more is out of balance by loads that it has no longer. A
+    // tolerance above this leaves as much, which then counts as loads.
     constexpr double out_of_balance = 1e-5;
 
     // Of the largest change of the displacement: less is rounding.
@@ -82,14 +83,17 @@ namespace stiction
     , elastic_energy_(energy_before.value_or(0.5 * (last_.u * last_.internal_force)))
     , is_carried_(energy_before.has_value())
   {
-    // interpolated to new nodes it is not what is prescribed there
-    for (const auto dof : elasticity.body().locally_owned_dofs())
-      if (elasticity.is_prescribed(dof))
-        last_.u(dof) = elasticity.prescribed_value(dof);
     if (is_carried_)
-      return;
+      {
+        // interpolated to new nodes it is not what is prescribed there
+        for (const auto dof : elasticity.body().locally_owned_dofs())
+          if (elasticity.is_prescribed(dof))
+            last_.u(dof) = elasticity.prescribed_value(dof);
+        return;
+      }
 
-    // a restart may have other loads and supports: those of then held what was strained
+    // After a restart loads and supports may be others. Those before it balanced K u and
+    // the contact forces; they count as loads where no support is now, else as reactions.
     LA::Vector missing = last_.internal_force;
     surface.add_forces(1., state.lambda, missing);
     missing -= last_.load;

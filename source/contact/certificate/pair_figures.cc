@@ -307,9 +307,9 @@ namespace stiction
         }
     }
 
-    double wavering(const LinearElasticity &elasticity, const ContactSurface &surface,
-                    const ContactBoundary &pair, const State &state,
-                    const double force_scale)
+    void add_wavering(const LinearElasticity &elasticity, const ContactSurface &surface,
+                      const ContactBoundary &pair, const State &state,
+                      const double force_scale, PairFigures &figures)
     {
       const Eigen::VectorXd lambda = surface.forces(state.lambda);
       Eigen::VectorXd areas        = surface.areas();
@@ -324,7 +324,7 @@ namespace stiction
         surface.has_wavering_side() ? enough_on_stiff_side : enough_to_waver;
       if (sizes.sum() <= least_force * force_scale ||
           (sizes.array() > least_share * sizes.maxCoeff()).count() < enough)
-        return 0.;
+        return;
       const auto softness = [&](const std::vector<types::boundary_id> &boundaries) {
         const auto faces = surface_faces(elasticity, boundaries);
         double sum       = 0.;
@@ -332,10 +332,9 @@ namespace stiction
           sum += 1. / face.youngs_modulus;
         return sum / static_cast<double>(faces.size());
       };
-      // what a softer side gives way to, that gives the pressures, as on a rigid wall
       const double own = softness({pair.id()}), other = softness(pair.partners());
-      return std::min(1., 2. * other / (own + other)) *
-             stiction::wavering(surface.B().other_side().weights, forces, areas);
+      figures.stiffness_in_wavering = std::min(1., 2. * other / (own + other));
+      figures.wavering = wavering(surface.B().other_side().weights, forces, areas);
     }
   } // namespace
 
@@ -344,7 +343,7 @@ namespace stiction
                            const State &state, const double force_scale)
   {
     PairFigures figures;
-    figures.wavering = wavering(elasticity, surface, pair, state, force_scale);
+    add_wavering(elasticity, surface, pair, state, force_scale, figures);
     if (pair.is_tied())
       return figures;
     const PressedNodes pressed(surface, pair, state);

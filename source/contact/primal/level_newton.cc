@@ -23,7 +23,7 @@ namespace stiction
 
     // The same where Newton steps have stood still with bodies that contact holds:
     // whether one slides is told by pressures that are nearer the truth than its residual
-    // is.
+    // is. They are solved so until the residual is a part of what it was there.
     constexpr double fine_linear_part = 0.01, not_much_closer = 0.7;
 
     // ... and never beyond this part of the tolerance.
@@ -60,7 +60,7 @@ namespace stiction
     constexpr double interior_point_part = 0.1;
 
     // A body that contact alone holds was thrown away if gaps or slips have grown by this
-    // since the first state with contact forces, or the residual in one step.
+    // since the first state with contact forces.
     constexpr double thrown = 10.;
 
     // Beyond that, or with parts out of balance, pressures tell nothing of friction.
@@ -134,10 +134,12 @@ namespace stiction
         if (statistics_.n_steps() >= max_steps)
           return "the cap on Newton steps was met, " +
                  pace.advice(tolerance, options_.other_method);
-        bool is_thrown = false;
         if (!options_.only_fallback)
           {
-            is_thrown = !advance(state, lambda, residual, tolerance, observer);
+            step(state, lambda, residual, tolerance);
+            residual = measure(state, tolerance);
+            lambda   = state.lambda;
+            observer(statistics_, residual);
             if (touches_only(state) && drop_rounding(state, residual))
               return {};
             history.add(residual.value());
@@ -155,7 +157,7 @@ namespace stiction
         keep_first(state);
         if (!options_.only_fallback &&
             (residual.value() <= tolerance ||
-             (!is_thrown && history.falls(fall_horizon(stalls, residual.value())))))
+             history.falls(fall_horizon(stalls, residual.value()))))
           continue;
 
         if (drop_rounding(state, residual))
@@ -193,28 +195,6 @@ namespace stiction
         lambda   = state.lambda;
         history.add(residual.value());
       }
-  }
-
-  bool LevelNewton::advance(ContactState &state, Eigen::VectorXd &lambda,
-                            ContactResidual &residual, const double tolerance,
-                            const Observer &observer)
-  {
-    std::optional<ContactState> before;
-    if (!path_ && (statistics_.n_steps() > 0 || options_.is_start_known) &&
-        problem_.driven_motions().cols() > 0 && residual.value() <= no_contact_set)
-      before = state;
-    step(state, lambda, residual, tolerance);
-    const ContactResidual after = measure(state, tolerance);
-    observer(statistics_, after);
-    if (before && std::isfinite(after.value()) &&
-        after.value() > std::max(tolerance, thrown * residual.value()))
-      {
-        state = *std::move(before);
-        return false;
-      }
-    residual = after;
-    lambda   = state.lambda;
-    return true;
   }
 
   std::optional<std::string> LevelNewton::solve_from_elsewhere(

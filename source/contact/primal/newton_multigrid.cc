@@ -135,10 +135,9 @@ namespace stiction
   {
     for (const auto &problem : problems_)
       problem->set_earlier_scales(solution.scales);
-    const unsigned int first      = first_level(solution);
-    Eigen::VectorXd lambda        = begin(first, solution);
-    const bool begins_where_known = lambda.size() > 0 && !lambda.isZero(0.);
-    const auto earlier            = statistics_;
+    const unsigned int first = first_level(solution);
+    Eigen::VectorXd lambda   = begin(first, solution);
+    const auto earlier       = statistics_;
     ContactStep row;
     row.step       = before.step;
     row.iterations = before.iterations;
@@ -182,7 +181,6 @@ namespace stiction
           observer(row);
         };
         LevelNewton::Options options = is_finest ? options_ : for_start(options_);
-        options.is_start_known       = l == first && begins_where_known;
         if (is_finest && other_start)
           options.other_start = [&]() -> Eigen::VectorXd {
             const ContactStep here = row;

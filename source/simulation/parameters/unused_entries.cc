@@ -41,30 +41,25 @@ namespace stiction
        "'Geometry/Type' is not 'file'"}};
 
     std::vector<std::string> unused;
-    const auto apply = [&](const ParameterFile &source, const Rule &rule) {
+    const auto apply = [&](const ParameterFile &source, const std::vector<Rule> &all) {
       const auto given = source.given();
-      if (const auto entry = given.find(rule.entry);
-          !rule.is_used && entry != given.end() &&
-          !dealii::Utilities::trim(entry->second).empty())
-        unused.push_back(source.locate(rule.entry) + ": " + rule.reason);
+      for (const Rule &rule : all)
+        if (const auto entry = given.find(rule.entry);
+            !rule.is_used && entry != given.end() &&
+            !dealii::Utilities::trim(entry->second).empty())
+          unused.push_back(source.locate(rule.entry) + ": " + rule.reason);
     };
-    for (const Rule &rule : rules)
-      apply(parameters.source, rule);
+    apply(parameters.source, rules);
 
     // what the law of another pair uses is not used by all
-    const auto has_sections = [&](const std::size_t pair) {
-      return parameters.source.section_of_pair("Friction/Law", pair) != "Friction";
-    };
-    for (std::size_t pair = 0; pair < laws.size() && has_sections(pair); ++pair)
-      {
-        const ParameterFile source = parameters.source.of_pair(pair);
-        apply(source,
-              {"Friction/Coefficient", !has_coulomb || laws[pair] == FrictionLaw::coulomb,
-               "its 'Law' is not 'coulomb'"});
-        apply(source,
-              {"Friction/Slip stress", !has_given || laws[pair] == FrictionLaw::given,
-               "its 'Law' is not 'given'"});
-      }
+    if (parameters.source.section_of_pair("Friction/Law", 0) != "Friction")
+      for (std::size_t pair = 0; pair < laws.size(); ++pair)
+        apply(
+          parameters.source.of_pair(pair),
+          {{"Friction/Coefficient", !has_coulomb || laws[pair] == FrictionLaw::coulomb,
+            "its 'Law' is not 'coulomb'"},
+           {"Friction/Slip stress", !has_given || laws[pair] == FrictionLaw::given,
+            "its 'Law' is not 'given'"}});
     return unused;
   }
 } // namespace stiction

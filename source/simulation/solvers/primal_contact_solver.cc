@@ -142,7 +142,21 @@ namespace stiction
     if (!newton_ || is_dual_alone_)
       return solve_dual();
 
+    const State before = state;
     SolveStatus status = solve_for_displacements(state, last, observer);
+    if (status.converged && can_hand_over_ && is_let_go(before, state))
+      {
+        print_progress("Contact bears nothing any more, 'newton' looks whether friction "
+                       "holds what it bore:");
+        make_dual();
+        const State let_go         = std::exchange(state, before);
+        const SolveStatus of_other = solve_dual();
+        if (of_other.converged && !is_let_go(before, state))
+          return of_other;
+        state              = let_go;
+        status.interrupted = of_other.interrupted;
+        return status;
+      }
     if (!status.stands_still || status.interrupted || !can_hand_over_)
       return status;
     const auto n_dual = static_cast<unsigned int>(3 * setting_.surface.n_nodes());
@@ -150,8 +164,7 @@ namespace stiction
                    (n_dual > medium_contact
                       ? format(", which may take minutes with %u dual unknowns:", n_dual)
                       : ":"));
-    if (!dual_)
-      dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
+    make_dual();
     const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
     const bool is_warm = last.residual < residual_of_start;
     if (!is_warm)
@@ -163,6 +176,23 @@ namespace stiction
     print_progress("Once more, without what was found:");
     forget();
     return solve_dual();
+  }
+
+  void PrimalContactSolver::make_dual()
+  {
+    if (!dual_)
+      dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
+  }
+
+  bool PrimalContactSolver::is_let_go(const State &before, const State &after) const
+  {
+    const auto pressing = [&](const State &state) {
+      return state.lambda.head(setting_.surface.n_nodes()).sum();
+    };
+    return setting_.elasticity.free_motions().n() > 0 &&
+           before.lambda.size() == after.lambda.size() && pressing(before) > 0. &&
+           pressing(after) <=
+             setting_.parameters.contact_solver.tolerance * pressing(before);
   }
 
   std::string PrimalContactSolver::why_not_at_all() const

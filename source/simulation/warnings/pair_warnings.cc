@@ -31,7 +31,7 @@ namespace stiction
     // Of the normal force of a pair: three degrees.
     constexpr double much_tilt = 0.05;
 
-    // Cosine of a tenth of a degree, to all normals of a surface.
+    // Cosine of a tenth of a degree, from one normal of a surface to all others.
     constexpr double flat = 1. - 1.5e-6;
 
     // Of the strain energy of the bodies of a pair.
@@ -160,12 +160,12 @@ namespace stiction
 
     bool is_flat(const ContactBoundary &pair, const ContactSurface &surface)
     {
-      dealii::Tensor<1, 3> first;
+      const ContactNode *first = nullptr;
       for (const ContactNode &node : surface.nodes())
         if (surface.boundary_of(node).id() == pair.id())
           {
-            first = first.norm_square() == 0. ? node.normal : first;
-            if (node.normal * first < flat)
+            first = first != nullptr ? first : &node;
+            if (node.normal * first->normal < flat)
               return false;
           }
       return true;
@@ -186,7 +186,8 @@ namespace stiction
                 ? "round it off, or make the flat one the one boundary."
               : is_flat(pair, surface)
                 ? "round the edge off, or draw what rolls nearer to where it comes to."
-                : "let the side that is flat there bear the forces ('Slave side').")});
+                : "let the other side bear the forces ('Slave side') if it is flat "
+                  "there, else round the edge off.")});
     }
 
     void add_joint(const ContactBoundary &pair, const PairFigures &figures,
@@ -293,7 +294,7 @@ namespace stiction
       const bool may_fit =
         pair.keeps_mesh_gap() && !pair.is_tied() &&
         std::any_of(surface.nodes().begin(), surface.nodes().end(), is_round);
-      if (figures.wavering > much_wavering)
+      if (figures.stiffness_in_wavering * figures.wavering > much_wavering)
         warnings.push_back(
           {"wavering of " + pair.name(), figures.wavering,
            format(

@@ -62,9 +62,13 @@ namespace stiction
     /// How much of the tractions p the other side does not feel, since they change sign
     /// from node to node, Σ A_i |p_i − q_i| / Σ A_i |p_i|, where q are means with the
     /// weights W of tractions opposite, which are means of p. Below 1/3 where pressures
-    /// are smooth. Times 2 (1/E of the other side) / (sum of both) where that is below 1:
-    /// a soft side gives the pressures itself, as on a rigid wall.
+    /// are smooth.
     double wavering = 0.;
+
+    /// How far that leaves pressures undetermined, 2 (1/E of the other side) / (sum of
+    /// both sides), at most 1, with means over the boundaries: a side that is far softer
+    /// determines them itself, as on a rigid wall.
+    double stiffness_in_wavering = 1.;
   };
 
   /// Of a contact boundary that is a pair; of one that is tied only how tractions waver.

@@ -41,8 +41,6 @@ namespace stiction
       /// Whether to do without Newton steps for Coulomb's law or given friction
       /// altogether, to test what they fall back to.
       bool only_fallback = false;
-      /// Whether the first state is that of a load step before, not interpolated.
-      bool is_start_known = false;
       /// Called once where Newton steps come no closer: assigns another one to the state
       /// that solve() was given, and returns the contact forces to sort nodes by; of size
       /// 0 if there is none. May throw Interrupted on all ranks.
@@ -129,16 +127,6 @@ namespace stiction
     /// solve(), which may leave a state that is worse than the best of the path.
     std::string iterate(ContactState &state, Eigen::VectorXd lambda, double tolerance,
                         unsigned int max_steps, const Observer &observer);
-
-    /// A Newton step, after which λ is the state's. One that makes the residual of a body
-    /// that contact alone holds far larger has thrown it, to where it may find another
-    /// equilibrium than the one that its history leads to: it is not made, unless it is
-    /// the first from an interpolated state, or one that the interior point method leads
-    /// to, which is often a great way and right.
-    ///
-    /// @return whether it was.
-    bool advance(ContactState &state, Eigen::VectorXd &lambda, ContactResidual &residual,
-                 double tolerance, const Observer &observer);
 
     /// Asks for the other start, if that was not done and steps are left, and solves the
     /// problem from there, all over again.

@@ -38,6 +38,13 @@ namespace stiction
     SolveStatus solve_for_displacements(State &state, ContactStep &last,
                                         const Observer &observer);
 
+    void make_dual();
+
+    /// Whether nothing presses any more on a body that contact alone held. It may be an
+    /// equilibrium beside the one that its history leads to: friction may hold a wedge
+    /// without loads, and Newton steps in displacements find one or the other.
+    bool is_let_go(const State &before, const State &after) const;
+
     const bool can_hand_over_;
     std::unique_ptr<CoarserMeshes> coarser_meshes_; ///< if there are some
     std::unique_ptr<NewtonMultigrid> newton_; ///< none where it is left to newton at once
