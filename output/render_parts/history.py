@@ -86,18 +86,18 @@ def diagrams(boundaries):
     for each boundary the abscissa and its rows."""
     what = force_or_moment(boundaries)
     over_time = {name: (rows["t"], rows) for name, rows in boundaries.items()}
+    turned = {name: (rows["obstacle_angle"], rows)
+              for name, rows in boundaries.items() if np.ptp(rows["obstacle_angle"]) > 0}
     result = [(what, "t", "", over_time)]
-    if what == "force" and twists(boundaries):
+    if what == "force" and not turned and twists(boundaries):
         result.append(("moment", "t", "", over_time))
     for c, axis in enumerate(AXES):
         curves = {name: (rows["obstacle_" + axis], rows)
                   for name, rows in boundaries.items() if c in moved(rows)}
         if curves:
             result.append((what, f"obstacle displacement along {axis}", None, curves))
-    curves = {name: (rows["obstacle_angle"], rows)
-              for name, rows in boundaries.items() if np.ptp(rows["obstacle_angle"]) > 0}
-    if curves:
-        result.append(("torque", "obstacle turned by", "rad", curves))
+    if turned:
+        result.append(("torque", "obstacle turned by", "rad", turned))
     if any(rows["slip_area"].max() > 0 for rows in boundaries.values()):
         result.append(("dissipated_total", "t", "", over_time))
     return result

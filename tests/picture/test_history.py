@@ -42,13 +42,14 @@ class Steps(unittest.TestCase):
 class Curves(unittest.TestCase):
     """The diagrams of a history."""
 
-    PRESSED = "normal_force,moment_x,moment_y,moment_z,open_area,slip_area,stick_area,"
+    PRESSED = "normal_force,moment_x,moment_y,moment_z,open_area,slip_area,stick_area," \
+        "center_y,center_z,"
     HEADER = "t,boundary,force_x,force_y,force_z,center_x," \
         "obstacle_x,obstacle_y,obstacle_z,obstacle_angle,torque,dissipated_total\n"
 
     def read(self, rows, pressed="5,0,0,0,0,0,1,"):
         """What a directory with these rows has, each with how it is pressed."""
-        rows = "".join(pressed + row for row in rows.splitlines(keepends=True))
+        rows = "".join(pressed + "0,0," + row for row in rows.splitlines(keepends=True))
         with tempfile.TemporaryDirectory() as directory:
             with open(os.path.join(directory, "history.csv"), "w",
                       encoding="utf-8") as stream:
@@ -56,8 +57,8 @@ class Curves(unittest.TestCase):
             return history.read(directory)
 
     def test_diagrams(self):
-        boundaries = self.read('1,"a,b",0,0,0,,0,0,0,0,0,0\n1,c,1,0,2,1,0,0,0,0,4,0\n'
-                               '2,"a,b",1,0,-5,1,0.1,0,0,0,0,3\n2,c,1,0,2,1,0,0,0,0.2,5,0\n')
+        boundaries = self.read('1,"a,b",0,0,0,,0,0,0,0,0,0\n1,c,1,0,2,0,0,0,0,0,4,0\n'
+                               '2,"a,b",1,0,-5,0,0.1,0,0,0,0,3\n2,c,1,0,2,0,0,0,0,0.2,5,0\n')
         self.assertEqual(list(boundaries), ["a,b", "c"])
         self.assertTrue(np.isnan(boundaries["a,b"]["center_x"][0]))
         figure = history.draw(boundaries, words.units_of(
@@ -74,7 +75,7 @@ class Curves(unittest.TestCase):
         self.assertIsNone(over_angle.get_legend())
 
     def test_curves_over_t_begin_at_the_start(self):
-        boundaries = self.read("1,a,0,0,-5,1,0,0,-0.1,0,0,2\n2,a,0,0,-9,1,0,0,-0.2,0,0,3\n",
+        boundaries = self.read("1,a,0,0,-5,0,0,0,-0.1,0,0,2\n2,a,0,0,-9,0,0,0,-0.2,0,0,3\n",
                                "5,0,0,0,0,1,0,")
         for start, before in ((0.5, [[[[0.5, 1], [0, -5]]], [], [[[0.5, 1], [0, 2]]]]),
                               (3, [[], [], []])):  # of another run
@@ -101,6 +102,14 @@ class Curves(unittest.TestCase):
             curve, = [line for line in over_angle.lines if len(line.get_xdata()) == 3]
             np.testing.assert_allclose(curve.get_xdata(), [0, 0.012, 0.024])
             np.testing.assert_allclose(curve.get_ydata(), [0, 1.8, 2.1])
+
+    def test_clutch(self):
+        """Moments are shown beside forces that press and do not make them."""
+        for moment, shown in ((3, 3), (1e-3, 2)):
+            figure = history.draw(self.read(
+                "1,a,0,0,-5,0,0,0,0,0,0,0\n2,a,0,0,-5,0,0,0,0,0,0,7\n",
+                f"5,0,0,{moment},0,1,0,"), words.units_of({}))
+            self.assertEqual(len(figure.axes), shown)
 
     def test_fit(self):
         """Of forces that add up to rounding the moments are shown, and of moments that
