@@ -96,8 +96,7 @@ namespace stiction
     // the contact forces; they count as loads where no support is now, else as reactions.
     LA::Vector missing = last_.internal_force;
     surface.add_forces(1., state.lambda, missing);
-    missing -= last_.load;
-    missing -= last_.reaction;
+    missing.add(-1., last_.load, -1., last_.reaction);
     if (missing.l1_norm() > out_of_balance * last_.internal_force.l1_norm())
       last_.load += missing;
   }

@@ -23,8 +23,8 @@ namespace stiction
 
     // The same where Newton steps have stood still with bodies that contact holds:
     // whether one slides is told by pressures that are nearer the truth than its residual
-    // is. They are solved so until the residual is a part of what it was there.
-    constexpr double fine_linear_part = 0.01, not_much_closer = 0.7;
+    // is. It is so until the residual has fallen.
+    constexpr double fine_linear_part = 0.01;
 
     // ... and never beyond this part of the tolerance.
     constexpr double linear_part_of_tolerance = 0.3;
@@ -178,7 +178,7 @@ namespace stiction
         c_ = options_.first_c * rho_factors[stalls % rho_factors.size()];
         ++statistics_.rho_changes;
         if (problem_.driven_motions().cols() > 0)
-          fine_above_ = not_much_closer * residual.value();
+          fine_above_ = ResidualHistory::required_fall * residual.value();
         if (!path_ && ++stalls_without_path % 2 == 1 && !options_.only_fallback)
           continue;
         if (slides(residual))

@@ -6,9 +6,6 @@ namespace stiction
 {
   namespace
   {
-    // What counts as a fall.
-    constexpr double required_fall = 0.7;
-
     // Residuals that differ by less are of the same states.
     constexpr double same = 1e-3;
   } // namespace

@@ -131,57 +131,66 @@ namespace stiction
   SolveStatus PrimalContactSolver::solve(State &state, const Observer &observer)
   {
     ContactStep last;
-    const auto solve_dual = [&]() {
-      return dual_->solve(state, [&, n_before = last.step](ContactStep step) {
-        step.step += n_before;
-        step.unknowns = setting_.elasticity.mesh().n_dofs();
-        last.step     = step.step;
-        observer(step);
-      });
-    };
     if (!newton_ || is_dual_alone_)
-      return solve_dual();
+      return solve_dual(state, last, observer);
 
-    const State before = state;
-    SolveStatus status = solve_for_displacements(state, last, observer);
-    if (status.converged && can_hand_over_ && is_let_go(before, state))
-      {
-        print_progress("Contact bears nothing any more, 'newton' looks whether friction "
-                       "holds what it bore:");
-        make_dual();
-        const State let_go         = std::exchange(state, before);
-        const SolveStatus of_other = solve_dual();
-        if (of_other.converged && !is_let_go(before, state))
-          return of_other;
-        state              = let_go;
-        status.interrupted = of_other.interrupted;
-        return status;
-      }
-    if (!status.stands_still || status.interrupted || !can_hand_over_)
-      return status;
+    const State before       = can_hand_over_ ? state : State();
+    const SolveStatus status = solve_for_displacements(state, last, observer);
+    if (status.converged && is_let_go(before, state))
+      return look_whether_held(status, before, state, last, observer);
+    if (status.stands_still && !status.interrupted && can_hand_over_)
+      return hand_over(state, last, observer);
+    return status;
+  }
+
+  SolveStatus PrimalContactSolver::solve_dual(State &state, ContactStep &last,
+                                              const Observer &observer)
+  {
+    if (!dual_)
+      dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
+    return dual_->solve(state, [&, n_before = last.step](ContactStep step) {
+      step.step += n_before;
+      step.unknowns = setting_.elasticity.mesh().n_dofs();
+      last.step     = step.step;
+      observer(step);
+    });
+  }
+
+  SolveStatus PrimalContactSolver::hand_over(State &state, ContactStep &last,
+                                             const Observer &observer)
+  {
     const auto n_dual = static_cast<unsigned int>(3 * setting_.surface.n_nodes());
     print_progress("Newton steps in displacements come no closer, 'newton' goes on" +
                    (n_dual > medium_contact
                       ? format(", which may take minutes with %u dual unknowns:", n_dual)
                       : ":"));
-    make_dual();
     const auto forget  = [&]() { state = {{}, {}, {}, state.history, state.scales}; };
     const bool is_warm = last.residual < residual_of_start;
     if (!is_warm)
       forget();
-    status         = solve_dual();
-    is_dual_alone_ = status.converged && n_dual <= medium_contact;
+    const SolveStatus status = solve_dual(state, last, observer);
+    is_dual_alone_           = status.converged && n_dual <= medium_contact;
     if (status.converged || status.interrupted || !is_warm)
       return status;
     print_progress("Once more, without what was found:");
     forget();
-    return solve_dual();
+    return solve_dual(state, last, observer);
   }
 
-  void PrimalContactSolver::make_dual()
+  SolveStatus PrimalContactSolver::look_whether_held(SolveStatus status,
+                                                     const State &before, State &state,
+                                                     ContactStep &last,
+                                                     const Observer &observer)
   {
-    if (!dual_)
-      dual_ = std::make_unique<DualContactSolver>(setting_, both_methods);
+    print_progress("Contact bears nothing any more, 'newton' looks whether friction "
+                   "holds what it bore:");
+    const State let_go     = std::exchange(state, before);
+    const SolveStatus held = solve_dual(state, last, observer);
+    if (held.converged && !is_let_go(before, state))
+      return held;
+    state              = let_go;
+    status.interrupted = held.interrupted;
+    return status;
   }
 
   bool PrimalContactSolver::is_let_go(const State &before, const State &after) const

@@ -78,7 +78,8 @@ namespace stiction
     /// @param surface at the time of that, for the gaps.
     EnergyBalance(const LinearElasticity &elasticity, const ContactSurface &surface);
 
-    /// Goes on from the end of a step.
+    /// Goes on from the end of a step. After a restart the elasticity may have other
+    /// loads and supports; those until then follow from the balance of the forces there.
     ///
     /// @param surface at the time of that, for the gaps.
     /// @param energy_before on the mesh from which the state was carried, if it was, J.

@@ -10,11 +10,14 @@ namespace stiction
   class ResidualHistory
   {
   public:
+    /// What counts as a fall: to this part at most.
+    static constexpr double required_fall = 0.7;
+
     void add(const double residual) { residuals_.push_back(residual); }
     void clear() { residuals_.clear(); }
 
-    /// Whether the last one is well below that of so many steps before, or there was none
-    /// yet, and steps do not go back and forth between two states.
+    /// Whether the last one has fallen since so many steps before, or there are not as
+    /// many yet, and steps do not go back and forth between two states.
     bool falls(std::size_t horizon) const;
 
   private:

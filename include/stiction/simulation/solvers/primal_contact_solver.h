@@ -38,12 +38,29 @@ namespace stiction
     SolveStatus solve_for_displacements(State &state, ContactStep &last,
                                         const Observer &observer);
 
-    void make_dual();
+    /// By the dual method newton. Collective.
+    ///
+    /// @param last the last step so far: steps are counted on.
+    SolveStatus solve_dual(State &state, ContactStep &last, const Observer &observer);
+
+    /// The same where Newton steps in displacements come no closer: from what they found
+    /// if that is near, otherwise from nothing. Collective.
+    SolveStatus hand_over(State &state, ContactStep &last, const Observer &observer);
 
     /// Whether nothing presses any more on a body that contact alone held. It may be an
     /// equilibrium beside the one that its history leads to: friction may hold a wedge
     /// without loads, and Newton steps in displacements find one or the other.
+    ///
+    /// @param before at the end of the load step before; empty: there was none.
     bool is_let_go(const State &before, const State &after) const;
+
+    /// Solves a load step in which a body was let go once more, from where the one before
+    /// ended, by newton, which begins with the forces. Collective.
+    ///
+    /// @param state as it was let go; remains so unless newton finds it held.
+    /// @param status of that. @return the status of the state that is left.
+    SolveStatus look_whether_held(SolveStatus status, const State &before, State &state,
+                                  ContactStep &last, const Observer &observer);
 
     const bool can_hand_over_;
     std::unique_ptr<CoarserMeshes> coarser_meshes_; ///< if there are some
