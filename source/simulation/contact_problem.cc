@@ -4,6 +4,7 @@
 #include <stiction/base/text/in_words.h>
 #include <stiction/contact/certificate/duality_gap.h>
 #include <stiction/contact/dual/hardly_resisted.h>
+#include <stiction/contact/dual/no_equilibrium.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/interface/contact_boundary.h>
 #include <stiction/contact/interface/contact_surface.h>

@@ -4,6 +4,7 @@
 #include <stiction/base/log.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/hardly_resisted.h>
+#include <stiction/contact/dual/no_equilibrium.h>
 #include <stiction/contact/dual/rigid_balance.h>
 #include <stiction/contact/dual/slid_off.h>
 #include <stiction/contact/interface/contact_surface.h>
@@ -151,6 +152,15 @@ namespace stiction
         status_.reason = slide;
         status_.slides =
           certificate_->body_figures().equilibrium_residual <= in_equilibrium;
+        return;
+      }
+    if (const std::string motion =
+          ends_.empty() ? ""
+                        : why_it_comes_out(elasticity(), contact_surface(),
+                                           ends_.front().state.lambda, units_);
+        !motion.empty())
+      {
+        status_.reason = motion;
         return;
       }
     if (status_.reason.empty())

@@ -5,7 +5,7 @@
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
 #include <stiction/contact/certificate/certificate.h>
-#include <stiction/contact/dual/rigid_balance.h>
+#include <stiction/contact/dual/no_equilibrium.h>
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <stiction/base/units.h>
 #include <stiction/elasticity/linear_algebra/linear_algebra.h>
 #include <stiction/qp/operators/equality_constraint.h>
 
 #include <Eigen/Core>
 
-#include <string>
-
 namespace stiction
 {
-  class ContactConditions;
   class ContactSurface;
   class LinearElasticity;
   struct State;
@@ -20,25 +16,6 @@ namespace stiction
   /// columns −BZ of G. Collective.
   EqualityConstraint rigid_balance(const LinearElasticity &elasticity,
                                    const ContactSurface &surface);
-
-  /// If one of several bodies is held by no support and touches nothing: a sentence that
-  /// says so. Collective.
-  std::string why_loose(const LinearElasticity &elasticity,
-                        const ContactSurface &surface);
-
-  /// If no contact forces within the slip bound balance the loads: a sentence on the
-  /// motion that nothing stops. Empty: there are such forces, or friction depends on
-  /// the answer so that nothing can be said. Collective.
-  std::string why_no_equilibrium(const LinearElasticity &elasticity,
-                                 const ContactSurface &surface, const Units &units);
-
-  /// If contact forces with the friction that pressures reached bear do not balance the
-  /// loads, whatever their normal parts are, by far more than these pressures are wrong:
-  /// a sentence on the motion that nothing stops. It tells of these pressures, not
-  /// whether there is an equilibrium with others. Collective.
-  std::string why_it_slides(const LinearElasticity &elasticity,
-                            const ContactSurface &surface,
-                            const ContactConditions &reached, const Units &units);
 
   /// The free motions of the body that qp::resisted_and_others() names, none where
   /// friction depends on the answer. Collective.
