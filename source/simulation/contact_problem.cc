@@ -30,6 +30,7 @@
 #include <stiction/simulation/time_steps.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -45,6 +46,9 @@ namespace stiction
   {
     // Fewer are made in a second or two.
     constexpr double cells_worth_a_word = 2e5;
+
+    // For formulas at the times of all steps, where nothing is solved.
+    constexpr double seconds_for_times = 20.;
   } // namespace
 
   ContactProblem::ContactProblem(const Parameters &parameters, MPI_Comm communicator,
@@ -140,7 +144,24 @@ namespace stiction
                  static_cast<double>(body_->triangulation().n_global_active_cells()),
                  static_cast<double>(contact_surface().B().all_dofs().size()),
                  communicator_);
+    check_times();
     log_->line("The input is valid; nothing was solved.");
+  }
+
+  void ContactProblem::check_times()
+  {
+    if (contact_surface().slides_far())
+      return; // obstacles are where answers put them
+    const dealii::Timer timer;
+    for (const double time : parameters_.time.times())
+      {
+        if (dealii::Utilities::MPI::max(timer.wall_time(), communicator_) >
+            seconds_for_times)
+          return log_->line(format("Formulas were not evaluated from t = %.6g on, which "
+                                   "would take long.",
+                                   time));
+        discretization_->set_time(parameters_.of_contact(), time, {});
+      }
   }
 
   void ContactProblem::make_grid()

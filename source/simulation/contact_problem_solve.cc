@@ -50,9 +50,8 @@ namespace stiction
         catch (const InputError &error)
           {
             status_.converged = false;
-            status_.reason =
-              std::string("obstacles cannot be placed at the answer: ") + error.what();
-            status_.reason.erase(status_.reason.find_last_not_of('.') + 1);
+            status_.reason    = "obstacles cannot be placed at the answer: " +
+                             without_full_stop(error.what());
             return;
           }
         certify();

@@ -126,7 +126,19 @@ namespace stiction
   {
     const SlipHistory history =
       ends_.empty() ? SlipHistory() : ends_.front().state.history;
-    discretization_->set_time(parameters_.of_contact(), time, history, last_state());
+    try
+      {
+        discretization_->set_time(parameters_.of_contact(), time, history, last_state());
+      }
+    catch (const InputError &error)
+      {
+        if (ends_.empty())
+          throw;
+        discretization_->set_time(parameters_.of_contact(), ends_.front().time, history,
+                                  last_state());
+        return refuse_step(format("the input is of no use at t = %.6g: ", time) +
+                           without_full_stop(error.what()));
+      }
     if (steps_) // else it was asked when the surface was made
       if (const std::string reason =
             why_no_equilibrium(elasticity(), contact_surface(), units_);
@@ -169,7 +181,8 @@ namespace stiction
                             : ends_.front().state;
     status_ = {};
     certify();
-    status_.reason = reason;
+    status_.converged = false;
+    status_.reason    = reason;
   }
 
   void ContactProblem::add_effort(const double seconds)

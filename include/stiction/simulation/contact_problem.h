@@ -142,6 +142,9 @@ namespace stiction
     /// is no discretization any more.
     void make_next_mesh(const std::vector<bool> &is_cut);
 
+    /// Evaluates formulas at the times of all steps, so that validate() refuses them.
+    void check_times();
+
     void make_grid();
     /// Of what was left to the program.
     void describe_choices() const;

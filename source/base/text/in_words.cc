@@ -17,4 +17,10 @@ namespace stiction
       text += (text.empty() ? "'" : ", '") + name + "'";
     return text;
   }
+
+  std::string without_full_stop(std::string sentence)
+  {
+    sentence.erase(sentence.find_last_not_of('.') + 1);
+    return sentence;
+  }
 } // namespace stiction
