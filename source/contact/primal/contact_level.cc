@@ -372,8 +372,11 @@ namespace stiction
     const double part =
       has_factors ? regularization_of_factors : regularization(elasticity_);
 
+    // turned, the identity of an open node would hold by what rounding leaves
+    const Eigen::Matrix3d on_frame = projection * is_free.asDiagonal();
     NodalConstraint support;
-    support.projection = R.transpose() * (projection * is_free.asDiagonal()).eval() * R;
+    if (!on_frame.isIdentity(0.))
+      support.projection = R.transpose() * on_frame * R;
     support.spring =
       M.transpose() * spring * M + part * foundation_(node) * Eigen::Matrix3d::Identity();
     return support;
