@@ -39,9 +39,21 @@ namespace stiction
 
     using Indices = std::vector<Eigen::Index>;
 
-    bool is_column(const SparseColumns &matrix, const Eigen::Index k)
+    // tᵀKt of each column t of T, without the product of all with all.
+    Eigen::VectorXd diagonal_of_product(const SparseColumns &K, const SparseColumns &T)
     {
-      return SparseColumns::InnerIterator(matrix, k);
+      Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(T.cols());
+      Eigen::VectorXd t        = Eigen::VectorXd::Zero(T.rows());
+      for (Eigen::Index k = 0; k < T.cols(); ++k)
+        {
+          for (SparseColumns::InnerIterator entry(T, k); entry; ++entry)
+            t(entry.row()) = entry.value();
+          for (SparseColumns::InnerIterator entry(T, k); entry; ++entry)
+            diagonal(k) += entry.value() * K.col(entry.row()).dot(t);
+          for (SparseColumns::InnerIterator entry(T, k); entry; ++entry)
+            t(entry.row()) = 0.;
+        }
+      return diagonal;
     }
 
     // Those of the identity.
@@ -130,29 +142,25 @@ namespace stiction
     constexpr double small      = BasisTransformation::small_block;
     const SparseColumns added   = basis.large_added(small);
     const SparseColumns springs = basis.springs_of_masters(felt_stiffness_, small);
-    // others than the masters that slaves hang on need no look
-    Indices seen;
-    for (Eigen::Index k = 0; k < added.cols(); ++k)
-      if (!is_left_out_[k] && (is_column(added, k) || is_column(springs, k)))
-        seen.push_back(k);
-    const SparseColumns M = columns_of(seen, added.cols());
-    const SparseColumns T = of_masters_ * M + of_slaves_ * SparseColumns(added * M);
-    const SparseColumns K = SparseColumns(T.transpose() * SparseColumns(K_ * T)) +
-                            SparseColumns(M.transpose() * SparseColumns(springs * M));
-    const Eigen::VectorXd diagonal = K.diagonal();
+    const SparseColumns T       = of_masters_ + SparseColumns(of_slaves_ * added);
+    const Eigen::VectorXd diagonal =
+      diagonal_of_product(K_, T) + Eigen::VectorXd(springs.diagonal());
     Indices chosen;
     Dofs unknowns;
     for (Eigen::Index k = 0; k < diagonal.size(); ++k)
-      if (diagonal(k) > (1. + heavier) * own_diagonal_(seen[k]))
+      if (!is_left_out_[k] && diagonal(k) > (1. + heavier) * own_diagonal_(k))
         {
           chosen.push_back(k);
-          unknowns.push_back(basis.masters()[seen[k] / 3] + seen[k] % 3);
+          unknowns.push_back(basis.masters()[k / 3] + k % 3);
         }
     unknowns_ = DofSubset(std::move(unknowns));
     if (is_empty())
       return;
-    const SparseColumns of_chosen = columns_of(chosen, K.cols());
-    factors_.compute(of_chosen.transpose() * SparseColumns(K * of_chosen));
+    const SparseColumns M         = columns_of(chosen, T.cols());
+    const SparseColumns of_chosen = T * M;
+    factors_.compute(
+      SparseColumns(of_chosen.transpose() * SparseColumns(K_ * of_chosen)) +
+      SparseColumns(M.transpose() * SparseColumns(springs * M)));
     if (factors_.info() != Eigen::Success) // springs of chains are left out
       unknowns_ = DofSubset();
   }
