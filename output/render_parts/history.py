@@ -15,6 +15,7 @@ from .words import ROUNDING, exponent_of, label, number, plain
 AXES = "xyz"
 COLORS = ("#3F8FC6", "#6FBFA5", "#B00020")  # of the components, or of boundaries
 LINES = ("-", "--", ":", "-.")  # of the contact boundaries
+MARKERS = (".", "s", "^", "x", "v", "D")  # and where lines begin anew
 SINGLE = {"normal_force": ("normal force", "force"),  # words, kind of unit
           "torque": ("torque on the body", "moment"),
           "dissipated_total": ("dissipated by friction", "energy")}
@@ -128,11 +129,12 @@ def draw_curves(axes, names, start, what, words, unit, curves, units):
     furthest = max(np.abs(place).max() for place, _ in curves.values())
     exponents = (exponent_of(furthest), exponent_of(largest))
     for name, (place, _) in curves.items():
-        line = LINES[names.index(name) % len(LINES)]
+        again, line = divmod(names.index(name), len(LINES))
         for axis, (color, values) in lines[name].items():
             parts = [axis] * bool(axis) + [plain(name)] * (len(curves) > 1)
             place_shown, shown = place / 10.0**exponents[0], values / 10.0**exponents[1]
-            axes.plot(place_shown, shown, line, color=color, marker=".", markersize=4,
+            axes.plot(place_shown, shown, LINES[line], color=color,
+                      marker=MARKERS[again % len(MARKERS)], markersize=4,
                       linewidth=1.2, label=", ".join(parts) or None)
             if words == "t" and start < place[0]:
                 axes.plot([start / 10.0**exponents[0], place_shown[0]], [0, shown[0]],

@@ -34,7 +34,7 @@ namespace stiction
     // Of the largest force at a node: those with less are left open by rounding.
     constexpr double least_share = 1e-3;
 
-    // Nodes: what fewer of them bear tells nothing of pressures anyway.
+    // Nodes: what fewer of them bear tells nothing of pressures, nor of moments.
     constexpr Eigen::Index enough_for_pressures = 5;
 
     // Of the depth of facets: those of meshes that match keep apart by less.
@@ -146,7 +146,7 @@ namespace stiction
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
         across += pressed.gaps(k) * pressed.normals.row(k).cross(pressed.friction.row(k));
       if (pressed.friction.norm() <= no_friction * pressed.pressing.norm() ||
-          across.norm() == 0.)
+          across.norm() == 0. || pressed.bear().count() < enough_for_pressures)
         return;
       double moment = 0.;
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)

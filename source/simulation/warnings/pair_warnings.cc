@@ -121,12 +121,14 @@ namespace stiction
       if (figures.cells_across < narrow)
         warnings.push_back(
           {"width of " + pair.name(), 1. / std::max(figures.cells_across, 0.1),
-           format(
-             "where '%s' and '%s' touch is %.1f cells wide, of the side that has the "
-             "larger ones there: the estimated error sees a half to a third of the "
-             "error then; make cells smaller there, as 'Geometry/Contact "
-             "refinement' does.",
-             pair.name().c_str(), pair.partner_name().c_str(), figures.cells_across)});
+           format("where '%s' and '%s' touch is %s cells wide, of the side that has the "
+                  "larger ones there: the estimated error sees a half to a third of the "
+                  "error then; make cells smaller there, as 'Geometry/Contact "
+                  "refinement' does.",
+                  pair.name().c_str(), pair.partner_name().c_str(),
+                  figures.cells_across < 0.1
+                    ? "less than 0.1"
+                    : format("%.1f", figures.cells_across).c_str())});
     }
 
     void add_slide(const ContactBoundary &pair, const PairFigures &figures,
