@@ -34,7 +34,7 @@ namespace stiction
     // Of the largest force at a node: those with less are left open by rounding.
     constexpr double least_share = 1e-3;
 
-    // Nodes: what fewer of them bear tells nothing of pressures, nor of moments.
+    // Nodes: what fewer of them bear tells nothing of pressures anyway.
     constexpr Eigen::Index enough_for_pressures = 5;
 
     // Of the depth of facets: those of meshes that match keep apart by less.
@@ -56,6 +56,9 @@ namespace stiction
 
     // Of the product of a force and its arm: nodes along an axis have no moment about it.
     constexpr double least_moment = 0.01;
+
+    // Nodes: forces at fewer of them have no moment to compare with.
+    constexpr Eigen::Index least_with_arms = 3;
 
     // Of the largest force of the problem: a pair with less bears what a tolerance left.
     constexpr double least_force = 1e-6;
@@ -146,7 +149,7 @@ namespace stiction
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
         across += pressed.gaps(k) * pressed.normals.row(k).cross(pressed.friction.row(k));
       if (pressed.friction.norm() <= no_friction * pressed.pressing.norm() ||
-          across.norm() == 0. || pressed.bear().count() < enough_for_pressures)
+          across.norm() == 0. || pressed.bear().count() < least_with_arms)
         return;
       double moment = 0.;
       for (Eigen::Index k = 0; k < pressed.gaps.size(); ++k)
