@@ -10,6 +10,7 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/elasticity/mesh/body.h>
 #include <stiction/elasticity/mesh/local_refinement.h>
+#include <stiction/elasticity/mesh/mesh_level.h>
 #include <stiction/elasticity/model/materials.h>
 #include <stiction/elasticity/stiffness/linear_elasticity.h>
 #include <stiction/elasticity/stiffness/support_reactions.h>
@@ -142,6 +143,7 @@ namespace stiction
     print_overview(*log_, elasticity(), contact_surface(), units_);
     print_memory(*log_, parameters_,
                  static_cast<double>(body_->triangulation().n_global_active_cells()),
+                 static_cast<double>(elasticity().mesh().n_dofs()),
                  static_cast<double>(contact_surface().B().all_dofs().size()),
                  communicator_);
     check_times();

@@ -1,8 +1,11 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
 #include <stiction/base/memory.h>
+#include <stiction/contact/pairs/slave_side.h>
 #include <stiction/simulation/parameters/memory_estimates.h>
 #include <stiction/simulation/parameters/parameters.h>
+
+#include <cmath>
 
 namespace stiction
 {
@@ -29,6 +32,16 @@ namespace stiction
 
   namespace
   {
+    // Bytes a rank: its code and libraries.
+    constexpr double program = 1.7e8;
+
+    // Bytes a cell of the coarsest level, if that is no small brick, for coarser grids.
+    constexpr double background = 1e4;
+
+    // Bytes an unknown: of the directions that a linear system of many iterations keeps,
+    // and of factors where multigrid is no good or 'newton' goes on.
+    constexpr double directions = 480., factors = 6e3;
+
     double memory_for_Q(const Parameters &parameters, const double n_dual_unknowns,
                         MPI_Comm communicator)
     {
@@ -94,14 +107,32 @@ namespace stiction
   }
 
   void print_memory(Log &log, const Parameters &parameters, const double n_cells,
-                    const double n_dual_unknowns, MPI_Comm communicator)
+                    const double n_unknowns, const double n_dual_unknowns,
+                    MPI_Comm communicator)
   {
-    const double mesh = memory_for_mesh(parameters, n_cells);
+    int n_ranks = 1;
+    MPI_Comm_size(communicator, &n_ranks);
+    const double n_coarse =
+      parameters.geometry.is_brick()
+        ? 0.
+        : n_cells / std::pow(8., parameters.geometry.global_refinement);
+    const double mesh =
+      memory_for_mesh(parameters, n_cells) + background * n_coarse + n_ranks * program;
     const double dual =
       memory_for_dual_operator(parameters, n_dual_unknowns, communicator);
     log.line("Memory, estimated");
     log.line(format("  mesh and elastic solves  %.3g GB", mesh / 1e9));
     log.line(format("  dual operator            %.3g GB", dual / 1e9));
+    if (parameters.contact_solver.is_primal())
+      {
+        double more = directions * n_unknowns;
+        if (n_unknowns <= max_for_newton)
+          more += factors * n_unknowns +
+                  (parameters.dual_operator.form == "assembled"
+                     ? memory_for_Q(parameters, n_dual_unknowns, communicator)
+                     : 0.);
+        log.line(format("  more if systems are hard %.3g GB", more / 1e9));
+      }
     log.line(
       format("  available                %.3g GB", available_memory(communicator) / 1e9));
   }

@@ -29,7 +29,8 @@ namespace stiction
   void require_memory_for_dual_operator(const Parameters &parameters,
                                         double n_dual_unknowns, MPI_Comm communicator);
 
-  /// Prints both and what memory there is. Collective.
+  /// Prints both, with that of the program itself, what the method 'newton multigrid' may
+  /// take beside it where linear systems are hard, and what memory there is. Collective.
   void print_memory(Log &log, const Parameters &parameters, double n_cells,
-                    double n_dual_unknowns, MPI_Comm communicator);
+                    double n_unknowns, double n_dual_unknowns, MPI_Comm communicator);
 } // namespace stiction
