@@ -152,18 +152,37 @@ namespace stiction
 
   void ContactProblem::check_times()
   {
-    if (contact_surface().slides_far())
-      return; // obstacles are where answers put them
+    if (restart_)
+      return; // the steps that were taken had other formulas
+    std::vector<double> times = parameters_.time.times();
+    if (steps_)
+      times.insert(times.begin(), parameters_.time.start);
+    // the last one, and then those between ever closer
+    const std::size_t n = times.size();
+    std::vector<double> spread{times.back()};
+    std::size_t stride = 1;
+    while (stride < n)
+      stride *= 2;
+    for (; stride > 0; stride /= 2)
+      for (std::size_t k = stride; k < n; k += 2 * stride)
+        spread.push_back(times[n - 1 - k]);
+
+    const bool slides_far = contact_surface().slides_far();
     const dealii::Timer timer;
-    for (const double time : parameters_.time.times())
+    for (std::size_t k = 0; k < n; ++k)
       {
         if (dealii::Utilities::MPI::max(timer.wall_time(), communicator_) >
             seconds_for_times)
-          return log_->line(format("Formulas were not evaluated from t = %.6g on, which "
-                                   "would take long.",
-                                   time));
-        discretization_->set_time(parameters_.of_contact(), time, {});
+          return log_->line(text_of("Formulas were evaluated at ", k, " of ", n,
+                                    " times, all of them would take long."));
+        if (slides_far) // obstacles are where answers put them
+          discretization_->elasticity->set_time(spread[k]);
+        else
+          discretization_->set_time(parameters_.of_contact(), spread[k], {});
       }
+    if (slides_far)
+      log_->line("With 'Sliding = far' formulas of obstacles and friction were evaluated "
+                 "at the first time alone.");
   }
 
   void ContactProblem::make_grid()

@@ -144,22 +144,24 @@ namespace stiction
       }
     if (status_.interrupted)
       return;
+    const bool is_in_equilibrium =
+      certificate_->body_figures().equilibrium_residual <= in_equilibrium;
+    if (!is_in_equilibrium && !ends_.empty() &&
+        on_nodes(ends_.front().state.history, contact_surface()).nodes ==
+          ends_.front().state.history.nodes)
+      if (const std::string motion = why_it_comes_out(elasticity(), contact_surface(),
+                                                      ends_.front().state.lambda, units_);
+          !motion.empty())
+        {
+          status_.reason = motion;
+          return;
+        }
     if (const std::string slide =
           why_it_slides(elasticity(), contact_surface(), *certificate_, units_);
         !slide.empty())
       {
         status_.reason = slide;
-        status_.slides =
-          certificate_->body_figures().equilibrium_residual <= in_equilibrium;
-        return;
-      }
-    if (const std::string motion =
-          ends_.empty() ? ""
-                        : why_it_comes_out(elasticity(), contact_surface(),
-                                           ends_.front().state.lambda, units_);
-        !motion.empty())
-      {
-        status_.reason = motion;
+        status_.slides = is_in_equilibrium;
         return;
       }
     if (status_.reason.empty())

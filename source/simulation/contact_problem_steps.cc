@@ -63,9 +63,9 @@ namespace stiction
         return false;
       }
     begin_step(times);
-    solve_at(times.time());
+    solve_or_refuse(times.time());
     while (refine_mesh())
-      solve_at(times.time());
+      solve_or_refuse(times.time());
     if (status_.converged)
       {
         times.accept();
@@ -122,23 +122,30 @@ namespace stiction
                     : ""));
   }
 
-  void ContactProblem::solve_at(const double time)
+  void ContactProblem::solve_or_refuse(const double time)
   {
-    const SlipHistory history =
-      ends_.empty() ? SlipHistory() : ends_.front().state.history;
     try
       {
-        discretization_->set_time(parameters_.of_contact(), time, history, last_state());
+        solve_at(time);
       }
     catch (const InputError &error)
       {
         if (ends_.empty())
           throw;
-        discretization_->set_time(parameters_.of_contact(), ends_.front().time, history,
+        const StepEnd &last = ends_.front();
+        discretization_->set_time(parameters_.of_contact(), last.time, last.state.history,
                                   last_state());
-        return refuse_step(format("the input is of no use at t = %.6g: ", time) +
-                           without_full_stop(error.what()));
+        refuse_step(format("the input is of no use at t = %.6g: ", time) +
+                    without_full_stop(error.what()) +
+                    format("; shown is the end of the step before, t = %.6g", last.time));
       }
+  }
+
+  void ContactProblem::solve_at(const double time)
+  {
+    const SlipHistory history =
+      ends_.empty() ? SlipHistory() : ends_.front().state.history;
+    discretization_->set_time(parameters_.of_contact(), time, history, last_state());
     if (steps_) // else it was asked when the surface was made
       if (const std::string reason =
             why_no_equilibrium(elasticity(), contact_surface(), units_);
@@ -181,8 +188,7 @@ namespace stiction
                             : ends_.front().state;
     status_ = {};
     certify();
-    status_.converged = false;
-    status_.reason    = reason;
+    status_ = {false, reason};
   }
 
   void ContactProblem::add_effort(const double seconds)

@@ -92,6 +92,10 @@ namespace stiction
     /// Leaves the problem at the time of that.
     void begin_balance();
     void solve_at(double time);
+
+    /// As solve_at(). Where the input is of no use at that time, there is no answer, and
+    /// the end of the last step stands. Throws InputError before the first one.
+    void solve_or_refuse(double time);
     void begin_step(const TimeSteps &times);
     /// Makes the state the end of a step, and writes its results if there are several.
     void end_step(const TimeSteps &times);
@@ -142,7 +146,8 @@ namespace stiction
     /// is no discretization any more.
     void make_next_mesh(const std::vector<bool> &is_cut);
 
-    /// Evaluates formulas at the times of all steps, so that validate() refuses them.
+    /// Evaluates formulas at the times of all steps, of long histories as far as 20 s
+    /// reach, so that validate() refuses them.
     void check_times();
 
     void make_grid();

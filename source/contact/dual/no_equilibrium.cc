@@ -42,7 +42,8 @@ namespace stiction
     // Of what the loads push with: less is none.
     constexpr double no_force = 1e-12;
 
-    // Of the work of pressures along a motion out of contact, what may be against it.
+    // Of what a motion out of contact moves: rounding, and normals that are not quite
+    // those of the surface.
     constexpr double still_pressed = 1e-3;
 
     const char *const what_stops_it =
@@ -298,7 +299,7 @@ namespace stiction
                                const Eigen::VectorXd &lambda, const Units &units)
   {
     const Eigen::Index m = surface.n_nodes();
-    if (surface.has_friction_of_state() || lambda.size() != 3 * m)
+    if (surface.has_friction_of_state() || !(lambda.head(m).maxCoeff() > 0.))
       return "";
     const EqualityConstraint balance = rigid_balance(elasticity, surface);
     EqualityConstraint of_friction   = balance;
@@ -308,14 +309,26 @@ namespace stiction
           of_friction.e -= lambda(i) * balance.G.row(i).transpose();
           of_friction.G.row(i).setZero();
         }
-    const Unstopped unstopped = unstopped_motion(
-      elasticity, surface, of_friction,
-      qp::SlipBound::given(surface.slip_bound().at(lambda)), &lambda, units);
+    const Eigen::VectorXd bound = surface.slip_bound().at(lambda);
+    const Unstopped unstopped   = unstopped_motion(
+        elasticity, surface, of_friction, qp::SlipBound::given(bound), &lambda, units);
     if (unstopped.part <= at_the_limit)
       return "";
-    const Eigen::VectorXd approach = (-balance.G * unstopped.directions).head(m);
-    if (lambda.head(m).dot(approach.cwiseMax(0.)) >
-        still_pressed * lambda.head(m).dot(approach.cwiseAbs()))
+
+    // Nothing may be pressed more along the motion, nor do pressures that fall to
+    // nothing, as those of loads taken away, push.
+    const Eigen::VectorXd rho   = -unstopped.directions;
+    const Eigen::VectorXd moved = balance.G * rho;
+    double resisted = 0., largest = 0.;
+    for (Eigen::Index i = 0; i < m; ++i)
+      {
+        largest = std::max(largest, at_node(moved, i).norm());
+        if (!surface.slip_bound().is_tied(i))
+          resisted += std::max(0., bound(i) * at_node(moved, i).tail<2>().norm() +
+                                     lambda(i) * moved(i));
+      }
+    if (moved.head(m).maxCoeff() > still_pressed * largest ||
+        balance.e.dot(rho) <= (1. + at_the_limit) * resisted)
       return "";
     return "at the pressures of the step before " + unstopped.motion + what_stops_it;
   }

@@ -372,7 +372,7 @@ namespace stiction
     const double part =
       has_factors ? regularization_of_factors : regularization(elasticity_);
 
-    // turned, the identity of an open node would hold by what rounding leaves
+    // RᵀIR differs from I by rounding, and what is not I counts as held
     const Eigen::Matrix3d on_frame = projection * is_free.asDiagonal();
     NodalConstraint support;
     if (!on_frame.isIdentity(0.))

@@ -143,6 +143,7 @@ namespace stiction
     const SparseColumns added   = basis.large_added(small);
     const SparseColumns springs = basis.springs_of_masters(felt_stiffness_, small);
     const SparseColumns T       = of_masters_ + SparseColumns(of_slaves_ * added);
+    // where nothing is added it is the own diagonal, and the master is not chosen
     const Eigen::VectorXd diagonal =
       diagonal_of_product(K_, T) + Eigen::VectorXd(springs.diagonal());
     Indices chosen;

@@ -1,10 +1,13 @@
+#include <stiction/base/log.h>
 #include <stiction/base/text/parameter_file.h>
 #include <stiction/simulation/parameters/time_parameters.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace stiction
 {
@@ -109,16 +112,24 @@ namespace stiction
                 "must be after 'Start' with several steps");
         require(n == 1. || start + (end - start) / n > start, "Steps",
                 "are too many for the time between 'Start' and 'End'");
-        return;
       }
-    double last = start;
-    for (const double time : *numbers)
+    else
       {
-        require(time > last, "Steps",
-                "each time must be after the one before and 'Start'");
-        last = time;
+        double last = start;
+        for (const double time : *numbers)
+          {
+            require(time > last, "Steps",
+                    "each time must be after the one before and 'Start'");
+            last = time;
+          }
+        require(source.given().count("Time/End") == 0 || end == last, "End",
+                "must be the last of the times in 'Steps', or not be there");
       }
-    require(source.given().count("Time/End") == 0 || end == last, "End",
-            "must be the last of the times in 'Steps', or not be there");
+    double longest = 0., last = start;
+    for (const double time : times())
+      longest = std::max(longest, time - std::exchange(last, time));
+    require(smallest_step <= longest / 2., "Smallest step",
+            format("must be at most half of the longest step, %g, or no step is ever cut",
+                   longest));
   }
 } // namespace stiction
