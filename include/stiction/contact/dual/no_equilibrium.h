@@ -32,9 +32,10 @@ namespace stiction
                             const ContactConditions &reached, const Units &units);
 
   /// If friction at the pressures of an earlier state does not balance the loads, and
-  /// along the motion that is left no contact node is approached, so that pressures do not
-  /// rise, and the loads do more work than friction takes at these pressures or less: a
-  /// sentence on the motion. A taper that is pushed out of its hub moves so. Collective.
+  /// along the motion that is left no contact node is approached, so that pressures do
+  /// not rise, and the loads do more work than friction takes at these pressures or less:
+  /// a sentence on the motion. A taper that is pushed out of its hub moves so.
+  /// Collective.
   ///
   /// @param lambda of the earlier state, on the nodes of the surface.
   std::string why_it_comes_out(const LinearElasticity &elasticity,
