@@ -2,6 +2,7 @@
 
 #include <stiction/base/errors.h>
 #include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/hardly_resisted.h>
 #include <stiction/contact/dual/no_equilibrium.h>

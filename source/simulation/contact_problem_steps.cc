@@ -3,6 +3,7 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/interrupt.h>
 #include <stiction/base/log.h>
+#include <stiction/base/text/in_words.h>
 #include <stiction/contact/certificate/certificate.h>
 #include <stiction/contact/dual/no_equilibrium.h>
 #include <stiction/contact/interface/contact_surface.h>
