@@ -50,6 +50,20 @@ namespace stiction
 
     // For formulas at the times of all steps, where nothing is solved.
     constexpr double seconds_for_times = 20.;
+
+    // The last one, and then those between ever closer.
+    std::vector<double> spread(const std::vector<double> &times)
+    {
+      const std::size_t n = times.size();
+      std::size_t stride  = 1;
+      while (stride < n)
+        stride *= 2;
+      std::vector<double> result{times.back()};
+      for (; stride > 0; stride /= 2)
+        for (std::size_t k = stride; k < n; k += 2 * stride)
+          result.push_back(times[n - 1 - k]);
+      return result;
+    }
   } // namespace
 
   ContactProblem::ContactProblem(const Parameters &parameters, MPI_Comm communicator,
@@ -157,28 +171,21 @@ namespace stiction
     std::vector<double> times = parameters_.time.times();
     if (steps_)
       times.insert(times.begin(), parameters_.time.start);
-    // the last one, and then those between ever closer
-    const std::size_t n = times.size();
-    std::vector<double> spread{times.back()};
-    std::size_t stride = 1;
-    while (stride < n)
-      stride *= 2;
-    for (; stride > 0; stride /= 2)
-      for (std::size_t k = stride; k < n; k += 2 * stride)
-        spread.push_back(times[n - 1 - k]);
-
     const bool slides_far = contact_surface().slides_far();
     const dealii::Timer timer;
-    for (std::size_t k = 0; k < n; ++k)
+    std::size_t n_done = 0;
+    for (const double time : spread(times))
       {
         if (dealii::Utilities::MPI::max(timer.wall_time(), communicator_) >
             seconds_for_times)
-          return log_->line(text_of("Formulas were evaluated at ", k, " of ", n,
+          return log_->line(text_of("Formulas were evaluated at ", n_done, " of ",
+                                    times.size(),
                                     " times, all of them would take long."));
         if (slides_far) // obstacles are where answers put them
-          discretization_->elasticity->set_time(spread[k]);
+          discretization_->elasticity->set_time(time);
         else
-          discretization_->set_time(parameters_.of_contact(), spread[k], {});
+          discretization_->set_time(parameters_.of_contact(), time, {});
+        ++n_done;
       }
     if (slides_far)
       log_->line("With 'Sliding = far' formulas of obstacles and friction were evaluated "

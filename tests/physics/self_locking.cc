@@ -116,15 +116,15 @@ int main(int argc, char *argv[])
     }
 
   // the planes bear N (F cos 20° - sin 20°) against a pull
+  const Run held(keystone, {"Time/Steps=1, 2"});
+  const double N     = held.summary()["contact"]["normal_force"];
+  const double bears = N * (0.5 * std::cos(angle) - std::sin(angle));
   for (const std::string pull : {"80", "110"})
     {
       const Run run(keystone, {"Time/Steps=1, 2, 3",
                                "Boundary conditions/Traction=top : 0; 0; if(t < 1.5, "
                                "-1000, if(t < 2.5, 0, " +
                                  pull + "))"});
-      const Run held(keystone, {"Time/Steps=1, 2"});
-      const double N         = held.summary()["contact"]["normal_force"];
-      const double bears     = N * (0.5 * std::cos(angle) - std::sin(angle));
       const std::string text = run.summary()["reason"];
       const std::string told = "moves away along (0, 0, 1), where the loads push with";
       out() << "pulled with " << pull << " Pa: certified " << yes(run.converged);

@@ -202,12 +202,13 @@ namespace stiction
     }
 
     // A motion that no forces within a slip bound stop, in words, none if it is empty;
-    // the part of the loads that they lack; which motion it is, of obstacles and bodies.
+    // the part of the loads that they lack; and what is left of them, −ρ being the
+    // motion.
     struct Unstopped
     {
       std::string motion;
-      double part                = 0.;
-      Eigen::VectorXd directions = {};
+      double part         = 0.;
+      Eigen::VectorXd rho = {};
     };
 
     // @param reached contact forces with the normals where something moves; those that
@@ -235,13 +236,13 @@ namespace stiction
       if (of_body.norm() < 0.5 * rho.norm())
         return {"the obstacle that is pressed on finds nothing that bears " +
                   with_unit(format("%.4g", work / rho.norm()), units.force),
-                part, -rho};
+                part, rho};
       const Eigen::Matrix3d along = along_surfaces(
         surface, reached != nullptr ? *reached : lambda, moved, rho.norm());
       return {in_words(find_runaway(elasticity, of_body, work, along,
                                     surface.largest_coefficient()),
                        units),
-              part, -rho};
+              part, rho};
     }
   } // namespace
 
@@ -317,8 +318,7 @@ namespace stiction
 
     // Nothing may be pressed more along the motion, nor do pressures that fall to
     // nothing, as those of loads taken away, push.
-    const Eigen::VectorXd rho   = -unstopped.directions;
-    const Eigen::VectorXd moved = balance.G * rho;
+    const Eigen::VectorXd moved = balance.G * unstopped.rho;
     double resisted = 0., largest = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       {
@@ -328,7 +328,7 @@ namespace stiction
                                      lambda(i) * moved(i));
       }
     if (moved.head(m).maxCoeff() > still_pressed * largest ||
-        balance.e.dot(rho) <= (1. + at_the_limit) * resisted)
+        balance.e.dot(unstopped.rho) <= (1. + at_the_limit) * resisted)
       return "";
     return "at the pressures of the step before " + unstopped.motion + what_stops_it;
   }
