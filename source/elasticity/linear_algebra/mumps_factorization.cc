@@ -39,10 +39,11 @@ namespace stiction
     void for_each_lower_entry(const LA::SparseMatrix &matrix, const Callback &callback)
     {
       const Epetra_CrsMatrix &K = matrix.trilinos_matrix();
+      const int *const numbers  = K.RowMap().MyGlobalElements();
       for (int i = 0; i < K.NumMyRows(); ++i)
-        for_each_entry(K, K.GRID(i), [&](const int column, const double value) {
-          if (column <= K.GRID(i))
-            callback(K.GRID(i), column, value);
+        for_each_entry(K, numbers[i], [&](const int column, const double value) {
+          if (column <= numbers[i])
+            callback(numbers[i], column, value);
         });
     }
   } // namespace
@@ -159,6 +160,7 @@ namespace stiction
   void MumpsFactorization::Mumps::copy_values(const LA::SparseMatrix &matrix)
   {
     std::size_t k = 0;
+    values.reserve(rows.size());
     for_each_lower_entry(matrix, [&](const int, const int, const double value) {
       if (is_listed[k++])
         values.push_back(value);

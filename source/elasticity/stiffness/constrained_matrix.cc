@@ -100,6 +100,8 @@ namespace stiction
     const Epetra_CrsMatrix &K = matrix_->trilinos_matrix();
     const Eigen::Matrix3d I   = Eigen::Matrix3d::Identity();
 
+    const int *const rows = K.RowMap().MyGlobalElements();
+
     std::vector<Eigen::Matrix3d> P;
     std::vector<bool> is_held; // P is not the identity
     for (const Node &node : nodes_)
@@ -108,10 +110,26 @@ namespace stiction
         is_held.push_back(P.back() != I);
       }
 
+    // Most rows have no held node and no support: they stay as they are.
+    const auto stays = [&](const int i, const unsigned int own) {
+      int n_entries = 0, *columns = nullptr;
+      double *values = nullptr;
+      K.ExtractMyRowView(i, n_entries, values, columns);
+      return !is_held[own] && support_of_.count(nodes_[own].first_dof) == 0 &&
+             std::none_of(columns, columns + n_entries, [&](const int column) {
+               return is_held[unknown_of_column_[column] / 3];
+             });
+    };
+
     // the entries of the three rows of a node, in the order of the unknowns
     std::array<std::vector<std::pair<unsigned int, double *>>, 3> entries;
     for (int i = 0; i < K.NumMyRows(); i += 3)
       {
+        const int number       = rows[i];
+        const unsigned int own = unknown_of_column_[K.LCID(number)] / 3;
+        const bool is_hanging  = matrix_->el(number, number) == 0.;
+        if (!is_hanging && stays(i, own))
+          continue;
         for (int a = 0; a < 3; ++a)
           {
             int n_entries = 0, *columns = nullptr; // local ones
@@ -122,8 +140,7 @@ namespace stiction
               entries[a].emplace_back(unknown_of_column_[columns[k]], values + k);
             std::sort(entries[a].begin(), entries[a].end());
           }
-        const unsigned int own = unknown_of_column_[K.LCID(K.GRID(i))] / 3;
-        if (matrix_->el(K.GRID(i), K.GRID(i)) == 0.) // a hanging node
+        if (is_hanging)
           {
             for (int a = 0; a < 3; ++a)
               for (const auto &[unknown, entry] : entries[a])

@@ -15,8 +15,9 @@ namespace stiction
     double *values = nullptr;
     matrix.ExtractMyRowView(matrix.LRID(static_cast<int>(row)), n_entries, values,
                             columns);
+    const int *const numbers = matrix.ColMap().MyGlobalElements(); // GCID() is slow
     for (int k = 0; k < n_entries; ++k)
-      callback(static_cast<dealii::types::global_dof_index>(matrix.GCID(columns[k])),
+      callback(static_cast<dealii::types::global_dof_index>(numbers[columns[k]]),
                values[k]);
   }
 } // namespace stiction
