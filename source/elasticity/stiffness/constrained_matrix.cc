@@ -94,88 +94,62 @@ namespace stiction
     return P;
   }
 
+  Eigen::Matrix3d ConstrainedMatrix::constrained_diagonal(
+    const Eigen::Matrix3d &block, const Node &node, const Eigen::Matrix3d &P,
+    const NodalSupports &supports) const
+  {
+    if (block(0, 0) == 0.) // a hanging node
+      return mean_diagonal_ * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d held = Eigen::Matrix3d::Identity() - P;
+    Eigen::Matrix3d diagonal =
+      P * block * P + held * block.diagonal().asDiagonal() * held;
+    const auto support = support_of_.find(node.first_dof);
+    if (support != support_of_.end())
+      diagonal += supports[support->second].spring;
+    return diagonal;
+  }
+
   void ConstrainedMatrix::set_supports(const NodalSupports &supports)
   {
     matrix_->copy_from(stiffness_);
     const Epetra_CrsMatrix &K = matrix_->trilinos_matrix();
-    const Eigen::Matrix3d I   = Eigen::Matrix3d::Identity();
-
-    const int *const rows = K.RowMap().MyGlobalElements();
 
     std::vector<Eigen::Matrix3d> P;
     std::vector<bool> is_held; // P is not the identity
     for (const Node &node : nodes_)
       {
         P.push_back(projection(node, supports));
-        is_held.push_back(P.back() != I);
+        is_held.push_back(P.back() != Eigen::Matrix3d::Identity());
       }
 
-    // Most rows have no held node and no support: they stay as they are.
-    const auto stays = [&](const int i, const unsigned int own) {
-      int n_entries = 0, *columns = nullptr;
-      double *values = nullptr;
-      K.ExtractMyRowView(i, n_entries, values, columns);
-      return !is_held[own] && support_of_.count(nodes_[own].first_dof) == 0 &&
-             std::none_of(columns, columns + n_entries, [&](const int column) {
-               return is_held[unknown_of_column_[column] / 3];
-             });
-    };
-
-    // the entries of the three rows of a node, in the order of the unknowns
-    std::array<std::vector<std::pair<unsigned int, double *>>, 3> entries;
+    const int *const rows = K.RowMap().MyGlobalElements();
     for (int i = 0; i < K.NumMyRows(); i += 3)
       {
-        const int number       = rows[i];
-        const unsigned int own = unknown_of_column_[K.LCID(number)] / 3;
-        const bool is_hanging  = matrix_->el(number, number) == 0.;
-        if (!is_hanging && stays(i, own))
-          continue;
+        // the three rows of a node have the same columns, three for each node
+        int n_entries = 0, *columns = nullptr; // local ones
+        std::array<double *, 3> values{};
         for (int a = 0; a < 3; ++a)
+          K.ExtractMyRowView(i + a, n_entries, values[a], columns);
+        const auto node_of = [&](const int k) {
+          return unknown_of_column_[columns[k]] / 3;
+        };
+        const unsigned int own = unknown_of_column_[K.LCID(rows[i])] / 3;
+        for (int k = 0; k < n_entries; k += 3)
           {
-            int n_entries = 0, *columns = nullptr; // local ones
-            double *values = nullptr;
-            K.ExtractMyRowView(i + a, n_entries, values, columns);
-            entries[a].clear();
-            for (int k = 0; k < n_entries; ++k)
-              entries[a].emplace_back(unknown_of_column_[columns[k]], values + k);
-            std::sort(entries[a].begin(), entries[a].end());
-          }
-        if (is_hanging)
-          {
-            for (int a = 0; a < 3; ++a)
-              for (const auto &[unknown, entry] : entries[a])
-                if (unknown == 3 * own + a)
-                  *entry = mean_diagonal_;
-            continue;
-          }
-
-        for (std::size_t k = 0; k < entries[0].size(); k += 3)
-          {
-            const unsigned int node = entries[0][k].first / 3;
+            const unsigned int node = node_of(k);
             if (!is_held[own] && !is_held[node] && node != own)
               continue;
+            if (k + 2 >= n_entries || node_of(k + 1) != node || node_of(k + 2) != node)
+              throw std::logic_error("the stiffness matrix does not "
+                                     "consist of nodal blocks");
             Eigen::Matrix3d block;
             for (int a = 0; a < 3; ++a)
-              for (int b = 0; b < 3; ++b)
-                {
-                  if (entries[a][k + b].first != 3 * node + b)
-                    throw std::logic_error("the stiffness matrix does not "
-                                           "consist of nodal blocks");
-                  block(a, b) = *entries[a][k + b].second;
-                }
-            const Eigen::Vector3d diagonal = block.diagonal();
-            block                          = (P[own] * block * P[node]).eval();
-            if (node == own)
-              {
-                const Eigen::Matrix3d held = I - P[own];
-                block += held * diagonal.asDiagonal() * held;
-                const auto support = support_of_.find(nodes_[own].first_dof);
-                if (support != support_of_.end())
-                  block += supports[support->second].spring;
-              }
+              block.row(a) = Eigen::Map<Eigen::RowVector3d>(values[a] + k);
+            block = node == own
+                      ? constrained_diagonal(block, nodes_[own], P[own], supports)
+                      : (P[own] * block * P[node]).eval();
             for (int a = 0; a < 3; ++a)
-              for (int b = 0; b < 3; ++b)
-                *entries[a][k + b].second = block(a, b);
+              Eigen::Map<Eigen::RowVector3d>(values[a] + k) = block.row(a);
           }
       }
   }

@@ -52,6 +52,12 @@ namespace stiction
     /// What is free at a node.
     Eigen::Matrix3d projection(const Node &node, const NodalSupports &supports) const;
 
+    /// The block of a node with itself: with its support, and with what keeps
+    /// held directions and hanging nodes from being singular.
+    Eigen::Matrix3d constrained_diagonal(const Eigen::Matrix3d &block, const Node &node,
+                                         const Eigen::Matrix3d &P,
+                                         const NodalSupports &supports) const;
+
     const LA::SparseMatrix &stiffness_;
     std::unique_ptr<LA::SparseMatrix> matrix_;
     std::unordered_map<dealii::types::global_dof_index, std::size_t>
