@@ -19,13 +19,17 @@ MARKERS = (".", "s", "^", "x", "v", "D")  # and where lines begin anew
 SINGLE = {"normal_force": ("normal force", "force"),  # words, kind of unit
           "torque": ("torque on the body", "moment"),
           "dissipated_total": ("dissipated by friction", "energy")}
+WORDS = ("boundary", "pair", "opposite")  # columns that are no numbers
 MUCH = 2e-2  # of what presses times the width that it has
+SMALL_PART = 2e-2  # of the largest value: curves below it are not drawn ...
+MANY = 8  # ... where there are more than these
 HARDLY = 1e-2  # parts of the largest displacement over which no curve is drawn
 WIDTH, HEIGHT = 6.0, 3.8  # of one diagram, in inches
 
 
 def read(directory):
-    """The rows of history.csv by contact boundaries, columns as arrays.
+    """The rows of history.csv by contact boundaries, columns as arrays. Boundaries are
+    called as their sections 'Contact pair NAME', if they have such.
 
     None where the run had one step. What a last line lacks that was being
     written when the run was killed is left out with the line.
@@ -38,10 +42,11 @@ def read(directory):
         with open(file, encoding="utf-8", newline="") as stream:
             for row in csv.DictReader(stream):
                 if row["dissipated_total"]:
-                    boundaries.setdefault(row["boundary"], []).append(row)
+                    boundaries.setdefault(row.get("pair") or row["boundary"],
+                                          []).append(row)
         return {name: {column: np.array([float(row[column] or "nan")
                                          for row in rows])
-                       for column in rows[0] if column != "boundary"}
+                       for column in rows[0] if column not in WORDS}
                 for name, rows in boundaries.items()}
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise Unusable(f"{file} cannot be read: {error}.") from error
@@ -126,6 +131,12 @@ def draw_curves(axes, names, start, what, words, unit, curves, units):
     ordinate, kind, lines = ordinates(what, curves, names)
     largest = max((np.abs(values).max() for those in lines.values()
                    for _, values in those.values()), default=0)
+    n_lines = sum(map(len, lines.values()))
+    if n_lines > MANY:
+        lines = {name: {axis: line for axis, line in those.items()
+                        if np.abs(line[1]).max() > SMALL_PART * largest}
+                 for name, those in lines.items()}
+    left_out = n_lines - sum(map(len, lines.values()))
     furthest = max(np.abs(place).max() for place, _ in curves.values())
     exponents = (exponent_of(furthest), exponent_of(largest))
     for name, (place, _) in curves.items():
@@ -139,6 +150,8 @@ def draw_curves(axes, names, start, what, words, unit, curves, units):
             if words == "t" and start < place[0]:
                 axes.plot([start / 10.0**exponents[0], place_shown[0]], [0, shown[0]],
                           ":", color=color, linewidth=1)
+    if left_out:
+        axes.plot([], [], " ", label=f"and {left_out} below {SMALL_PART:.0%} of the largest")
     axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
     axes.set_xlabel(label(words, units["length"] if unit is None else unit,
                           exponents[0]), size=NORMAL, color=TEXT)

@@ -132,13 +132,22 @@ def draw(run, panels, body_picture):
 
 
 def names_of(run):
-    """What the contact boundaries are called, by their ids."""
+    """What the contact boundaries are called, by their ids, and what else is said of them:
+    of a section 'Contact pair NAME' this NAME, and the boundary."""
+    def name_of(entry):
+        boundary = entry["name"]
+        pair = entry.get("pair")
+        return (f"Contact pair {pair}", [boundary]) if pair else boundary_name(boundary)
+
+    def boundary_name(name):
+        return f"Contact boundary {name}", []
+
     ids = sorted(set(run.contact.boundary.tolist()))
     said = run.summary["contact"]["boundaries"]
     if len(ids) == len(said) == 1:
-        return {ids[0]: said[0]["name"]}
-    named = {entry["id"]: entry["name"] for entry in said if "id" in entry}
-    return {i: named.get(i, str(i)) for i in ids}
+        return {ids[0]: name_of(said[0])}
+    named = {entry["id"]: name_of(entry) for entry in said if "id" in entry}
+    return {i: named.get(i, boundary_name(i)) for i in ids}
 
 
 def draw_header(page, run):
@@ -198,10 +207,10 @@ def draw_directions(page, directions, left, top):
                   ha="center", va="center")
 
 
-def draw_slot(page, slot, place, name, run):
+def draw_slot(page, slot, place, names, run):
     """Title, legend and both maps of a contact panel, from a place on."""
     (left, top), (width, height), units = place, slot.size, run.units
-    title, seen = slot.title(name)
+    title, seen = slot.title(*names)
     page.text(left, top, title, fontweight="bold")
     page.text(left, top + 0.2, seen, SMALL)
     draw_legend(page, slot, left, top + TITLE + 0.1)

@@ -79,14 +79,13 @@ class Slot:
         self.per_inch = max(self.per_inch,
                             (np.abs(self.friction).max(axis=0) / self.size).max())
 
-    def title(self, name):
+    def title(self, name, parts):
         """What is seen."""
-        parts = [self.panel.seen]
+        parts = [*map(plain, parts), self.panel.seen]
         if self.panel.enlarged:
             parts.append("only where forces act")
         if self.stretched:
             parts.append("sides not to scale")
-        name = f"Contact boundary {name}"
         if len(name) > LONGEST_TITLE:
             name = name[:LONGEST_TITLE - 1] + "…"
         return plain(name), ", ".join(parts)

@@ -30,6 +30,8 @@ namespace stiction
       {"Slip stress", "Friction", "Slip stress"},
       {"First direction", "Friction", "First direction"}};
 
+    const std::string keyword = "Contact pair";
+
     std::vector<std::string> entry_names()
     {
       std::vector<std::string> names;
@@ -41,8 +43,13 @@ namespace stiction
 
   bool ContactPairs::is_pair(const std::string &section)
   {
-    const std::string begin = "Contact pair";
-    return section == begin || section.rfind(begin + " ", 0) == 0;
+    return section == keyword || !name_of(section).empty();
+  }
+
+  std::string ContactPairs::name_of(const std::string &section)
+  {
+    const std::string begin = keyword + ' ';
+    return section.rfind(begin, 0) == 0 ? section.substr(begin.size()) : "";
   }
 
   void ContactPairs::begin(const std::string &where, const std::string &pair)

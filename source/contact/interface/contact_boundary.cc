@@ -1,5 +1,6 @@
 #include <stiction/base/errors.h>
 #include <stiction/base/text/boundary_functions.h>
+#include <stiction/base/text/contact_pairs.h>
 #include <stiction/base/text/did_you_mean.h>
 #include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
@@ -140,6 +141,8 @@ namespace stiction
       {
         ContactBoundary boundary(entries, parameters.source.of_pair(boundaries.size()),
                                  body, time);
+        boundary.section_name_ = ContactPairs::name_of(
+          parameters.source.section_of_pair(boundary_entry, boundaries.size()));
         const ParameterFile &source = *boundary.source_;
         source.require(boundary.is_pair() || ids.insert(boundary.id_).second,
                        boundary_entry,
@@ -277,6 +280,12 @@ namespace stiction
     for (const auto partner : partners_)
       all.merge(body.pieces_at(partner));
     return all;
+  }
+
+  std::string ContactBoundary::title() const
+  {
+    return (section_name_.empty() ? "" : section_name_ + ": ") + name_ +
+           (is_pair() ? " against " + partner_name_ : "");
   }
 
   bool ContactBoundary::is_tied() const { return friction_->law() == FrictionLaw::tied; }

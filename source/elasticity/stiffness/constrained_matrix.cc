@@ -98,8 +98,6 @@ namespace stiction
     const Eigen::Matrix3d &block, const Node &node, const Eigen::Matrix3d &P,
     const NodalSupports &supports) const
   {
-    if (block(0, 0) == 0.) // a hanging node
-      return mean_diagonal_ * Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d held = Eigen::Matrix3d::Identity() - P;
     Eigen::Matrix3d diagonal =
       P * block * P + held * block.diagonal().asDiagonal() * held;
@@ -125,15 +123,24 @@ namespace stiction
     const int *const rows = K.RowMap().MyGlobalElements();
     for (int i = 0; i < K.NumMyRows(); i += 3)
       {
-        // the three rows of a node have the same columns, three for each node
+        const unsigned int own = unknown_of_column_[K.LCID(rows[i])] / 3;
         int n_entries = 0, *columns = nullptr; // local ones
         std::array<double *, 3> values{};
+        const bool is_hanging = matrix_->el(rows[i], rows[i]) == 0.;
         for (int a = 0; a < 3; ++a)
-          K.ExtractMyRowView(i + a, n_entries, values[a], columns);
+          {
+            K.ExtractMyRowView(i + a, n_entries, values[a], columns);
+            for (int k = 0; is_hanging && k < n_entries; ++k)
+              if (unknown_of_column_[columns[k]] == 3 * own + a)
+                values[a][k] = mean_diagonal_;
+          }
+        if (is_hanging)
+          continue;
+
+        // the three rows of others have the same columns, three for each node
         const auto node_of = [&](const int k) {
           return unknown_of_column_[columns[k]] / 3;
         };
-        const unsigned int own = unknown_of_column_[K.LCID(rows[i])] / 3;
         for (int k = 0; k < n_entries; k += 3)
           {
             const unsigned int node = node_of(k);

@@ -56,7 +56,7 @@ namespace stiction
     const char *const history_header =
       "step,t,boundary,force_x,force_y,force_z,moment_x,moment_y,moment_z,normal_force,"
       "center_x,center_y,center_z,open_area,slip_area,stick_area,obstacle_x,obstacle_y,"
-      "obstacle_z,obstacle_angle,torque,dissipated,dissipated_total\n";
+      "obstacle_z,obstacle_angle,torque,dissipated,dissipated_total,pair,opposite\n";
 
     const char *const energy_header =
       "step,t,work_loads,work_supports,work_obstacles,elastic_energy,"
@@ -92,7 +92,8 @@ namespace stiction
                 << "";
           row << boundary.open_area << boundary.slip_area << boundary.stick_area
               << boundary.obstacle_displacement << boundary.obstacle_angle
-              << boundary.torque << boundary.dissipated << boundary.dissipated_total;
+              << boundary.torque << boundary.dissipated << boundary.dissipated_total
+              << boundary.section_name << boundary.opposite;
           rows += row.line();
         }
       return rows;

@@ -7,10 +7,10 @@ namespace stiction
 {
   using nlohmann::json;
 
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoundaryStep, name, force, moment, normal_force,
-                                     center, open_area, slip_area, stick_area,
-                                     obstacle_displacement, obstacle_angle, torque,
-                                     dissipated, dissipated_total, is_pair, is_tied)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoundaryStep, name, section_name, opposite, force,
+                                     moment, normal_force, center, open_area, slip_area,
+                                     stick_area, obstacle_displacement, obstacle_angle,
+                                     torque, dissipated, dissipated_total, is_tied)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SolverEffort, newton_steps, krylov_iterations,
                                      dual_multiplications, seconds)
 
@@ -51,7 +51,10 @@ namespace stiction
     step.residual = entry.at("residual");
     for (const json &boundary : entry.at("boundaries"))
       {
-        json all = {{"is_pair", false}, {"is_tied", false}}; // not in old files
+        json all = {// not in old files
+                    {"section_name", ""},
+                    {"opposite", boundary.value("is_pair", false) ? "?" : ""},
+                    {"is_tied", false}};
         all.update(boundary);
         step.boundaries.push_back(all);
       }

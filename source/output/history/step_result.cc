@@ -33,7 +33,7 @@ namespace stiction
   {
     dealii::Tensor<1, 3> sum;
     for (const BoundaryStep &boundary : boundaries)
-      if (!boundary.is_pair)
+      if (boundary.opposite.empty())
         sum += boundary.force;
     return sum;
   }
@@ -51,7 +51,8 @@ namespace stiction
       {
         const ContactBoundary &boundary = surface.boundaries()[b];
         steps[b].name                   = boundary.name();
-        steps[b].is_pair                = boundary.is_pair();
+        steps[b].section_name           = boundary.section_name();
+        steps[b].opposite               = boundary.partner_name();
         steps[b].obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
         steps[b].obstacle_angle = boundary.angle();

@@ -179,10 +179,7 @@ namespace stiction
                 largest  = std::max(largest, gap);
               }
           const ContactBoundary &boundary = surface.boundaries()[b];
-          table.add_value("contact boundary",
-                          boundary.name() + (boundary.is_pair()
-                                               ? " against " + boundary.partner_name()
-                                               : std::string()));
+          table.add_value("contact boundary", boundary.title());
           table.add_value("nodes", n);
           table.add_value(label("their area", units.area), number(area));
           table.add_value(label("smallest gap", units.length), number(smallest));
@@ -235,7 +232,8 @@ namespace stiction
 
     for (const ContactBoundary &boundary : surface.boundaries())
       line("contact",
-           body.boundary_names().name(boundary.id()) + ": " + boundary.description());
+           (boundary.section_name().empty() ? "" : boundary.section_name() + ": ") +
+             boundary.name() + ": " + boundary.description());
 
     for (const auto id : body.material_names().ids())
       line("material", body.material_names().describe(id) + ": " +

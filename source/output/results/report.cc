@@ -127,9 +127,8 @@ namespace stiction
         {
           const std::string friction = tangential_counts(boundary);
           const bool is_pair         = !boundary.opposite.empty();
-          log.line("  " + boundary.name +
-                   (is_pair ? " against " + boundary.opposite : std::string()) + ": " +
-                   normal_counts(boundary) + (friction.empty() ? "" : "; " + friction));
+          log.line("  " + boundary.title + ": " + normal_counts(boundary) +
+                   (friction.empty() ? "" : "; " + friction));
           print_row(log,
                     "  " + label(is_pair ? "force on its body" : "force on the body",
                                  units.force),

@@ -77,6 +77,7 @@ namespace stiction
   {
     entry = with(static_cast<const RunResult::Contact &>(part),
                  {{"name", part.name},
+                  {"pair", part.section_name},
                   {"id", part.id},
                   {"nodes", part.nodes},
                   {"opposite", part.opposite},
@@ -285,10 +286,11 @@ namespace stiction
     for (const ContactBoundary &boundary : surface.boundaries())
       {
         RunResult::ContactPart part;
-        part.name = boundary.name();
-        part.id   = boundary.id();
-        if (boundary.is_pair())
-          part.opposite = boundary.partner_name();
+        part.name         = boundary.name();
+        part.title        = boundary.title();
+        part.section_name = boundary.section_name();
+        part.opposite     = boundary.partner_name();
+        part.id           = boundary.id();
         part.obstacle_displacement =
           surface.obstacle_displacement(boundary.id(), state.distances);
         part.obstacle_rotation = boundary.angle() * boundary.axis();

@@ -16,6 +16,9 @@ namespace stiction
     /// Whether a section is a pair, by its name.
     static bool is_pair(const std::string &section);
 
+    /// NAME of the section 'Contact pair NAME'; "" of others.
+    static std::string name_of(const std::string &section);
+
     /// @param where the beginning of a sentence about the place.
     ///
     /// Throws InputError if a pair of this name was begun before.

@@ -45,6 +45,12 @@ namespace stiction
     /// As the user calls it.
     const std::string &name() const { return name_; }
 
+    /// NAME of its section 'Contact pair NAME'; "" if it has no such section.
+    const std::string &section_name() const { return section_name_; }
+
+    /// For people: "top", "top against bottom", or "NAME: top against bottom".
+    std::string title() const;
+
     /// What the entries say of it, for people: "foundation, gap 1e-5, Coulomb
     /// friction, F = 0.3".
     const std::string &description() const { return description_; }
@@ -180,8 +186,8 @@ namespace stiction
     /// From 'px; py; pz; ax; ay; az; angle'. Throws InputError if the axis is zero.
     void set_rotation(const std::vector<double> &numbers);
 
-    std::string name_, description_, details_, partner_name_, slave_side_, mesh_gap_,
-      sliding_, gap_text_;
+    std::string name_, section_name_, description_, details_, partner_name_, slave_side_,
+      mesh_gap_, sliding_, gap_text_;
     dealii::types::boundary_id id_ = dealii::numbers::invalid_boundary_id;
     SlaveSide side_{true, 1., 1., ""};
     std::vector<dealii::types::boundary_id> partners_;

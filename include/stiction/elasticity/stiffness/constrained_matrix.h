@@ -53,7 +53,7 @@ namespace stiction
     Eigen::Matrix3d projection(const Node &node, const NodalSupports &supports) const;
 
     /// The block of a node with itself: with its support, and with what keeps
-    /// held directions and hanging nodes from being singular.
+    /// held directions from being singular.
     Eigen::Matrix3d constrained_diagonal(const Eigen::Matrix3d &block, const Node &node,
                                          const Eigen::Matrix3d &P,
                                          const NodalSupports &supports) const;

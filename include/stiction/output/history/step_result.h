@@ -19,6 +19,8 @@ namespace stiction
   struct BoundaryStep
   {
     std::string name;
+    std::string section_name; ///< NAME of the section 'Contact pair NAME'; ""
+    std::string opposite; ///< of a pair, the boundary that bears the opposite force; ""
     dealii::Tensor<1, 3> force, moment;
     double normal_force = 0.;
     dealii::Tensor<1, 3> center; ///< of pressure; zero without it
@@ -29,7 +31,6 @@ namespace stiction
     double obstacle_angle = 0., torque = 0.;
     /// By friction, in the step and since the start.
     double dissipated = 0., dissipated_total = 0.;
-    bool is_pair = false; ///< the opposite force acts on another body of the mesh
     bool is_tied = false; ///< forces pull as well, and have no centre of pressure
   };
 

@@ -94,6 +94,8 @@ namespace stiction
     struct ContactPart : Contact
     {
       std::string name;
+      std::string title;        ///< ContactBoundary::title()
+      std::string section_name; ///< NAME of the section 'Contact pair NAME'; ""
       std::string opposite; ///< of a pair, the boundary that bears the opposite force; ""
       unsigned int id = 0, nodes = 0;
       /// Of several that are opposite, the part of force_on_body that each exerts.
