@@ -9,12 +9,31 @@
 #include <Epetra_Map.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace stiction
 {
   using namespace dealii;
+
+  namespace
+  {
+    // The places of the columns of a row in the order of unknowns: columns of other
+    // ranks may be out of it.
+    void order_by_unknowns(const int *columns, const int n_columns,
+                           const std::vector<unsigned int> &unknown_of_column,
+                           std::vector<int> &order)
+    {
+      order.resize(static_cast<std::size_t>(n_columns));
+      std::iota(order.begin(), order.end(), 0);
+      const auto is_before = [&](const int k, const int l) {
+        return unknown_of_column[columns[k]] < unknown_of_column[columns[l]];
+      };
+      if (!std::is_sorted(order.begin(), order.end(), is_before))
+        std::sort(order.begin(), order.end(), is_before);
+    }
+  } // namespace
 
   ConstrainedMatrix::ConstrainedMatrix(
     const LA::SparseMatrix &stiffness, const LA::Vector &fixed,
@@ -120,6 +139,7 @@ namespace stiction
         is_held.push_back(P.back() != Eigen::Matrix3d::Identity());
       }
 
+    std::vector<int> order; // of the columns of a row
     const int *const rows = K.RowMap().MyGlobalElements();
     for (int i = 0; i < K.NumMyRows(); i += 3)
       {
@@ -138,8 +158,9 @@ namespace stiction
           continue;
 
         // the three rows of others have the same columns, three for each node
+        order_by_unknowns(columns, n_entries, unknown_of_column_, order);
         const auto node_of = [&](const int k) {
-          return unknown_of_column_[columns[k]] / 3;
+          return unknown_of_column_[columns[order[k]]] / 3;
         };
         for (int k = 0; k < n_entries; k += 3)
           {
@@ -151,12 +172,14 @@ namespace stiction
                                      "consist of nodal blocks");
             Eigen::Matrix3d block;
             for (int a = 0; a < 3; ++a)
-              block.row(a) = Eigen::Map<Eigen::RowVector3d>(values[a] + k);
+              for (int b = 0; b < 3; ++b)
+                block(a, b) = values[a][order[k + b]];
             block = node == own
                       ? constrained_diagonal(block, nodes_[own], P[own], supports)
                       : (P[own] * block * P[node]).eval();
             for (int a = 0; a < 3; ++a)
-              Eigen::Map<Eigen::RowVector3d>(values[a] + k) = block.row(a);
+              for (int b = 0; b < 3; ++b)
+                values[a][order[k + b]] = block(a, b);
           }
       }
   }
