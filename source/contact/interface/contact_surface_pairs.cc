@@ -381,19 +381,19 @@ namespace stiction
 
   bool ContactSurface::place_in_pair(ContactNode &node) const
   {
-    const Mortar &mortar = mortars_[node.boundary][node.part];
-    const Eigen::Index i = mortar.row_of(node.first_dof);
-    if (i < 0 || mortar.areas(i) < least_cover * node.area ||
-        mortar.is_of_both(node.first_dof))
-      return false;
+    const Mortar &mortar            = mortars_[node.boundary][node.part];
+    const Eigen::Index i            = mortar.row_of(node.first_dof);
     const ContactBoundary &boundary = boundary_of(node);
-    node.cover                      = mortar.areas(i) / node.area;
-    node.area                       = mortar.areas(i);
-    node.mesh_gap                   = mortar.gaps(i);
-    node.facets                     = mortar.facets;
-    node.opposite_normal            = to_tensor(mortar.normals.row(i).transpose());
-    node.youngs_modulus = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
-    node.gap            = boundary.initial_gap(node.position) +
+    if (i < 0 || std::abs(mortar.areas(i)) < least_cover * node.area ||
+        (boundary.is_tied() && mortar.areas(i) < 0.) || mortar.is_of_both(node.first_dof))
+      return false;
+    node.cover           = mortar.areas(i) / node.area;
+    node.area            = mortar.areas(i);
+    node.mesh_gap        = mortar.gaps(i);
+    node.facets          = mortar.facets;
+    node.opposite_normal = to_tensor(mortar.normals.row(i).transpose());
+    node.youngs_modulus  = std::min(node.youngs_modulus, mortar.youngs_moduli(i));
+    node.gap             = boundary.initial_gap(node.position) +
                (boundary.keeps_mesh_gap() && !boundary.is_tied() ? node.mesh_gap : 0.);
     return true;
   }
