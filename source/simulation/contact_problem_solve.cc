@@ -4,6 +4,7 @@
 #include <stiction/base/log.h>
 #include <stiction/base/text/in_words.h>
 #include <stiction/contact/certificate/certificate.h>
+#include <stiction/contact/certificate/pair_figures.h>
 #include <stiction/contact/dual/hardly_resisted.h>
 #include <stiction/contact/dual/no_equilibrium.h>
 #include <stiction/contact/dual/rigid_balance.h>
@@ -13,6 +14,7 @@
 #include <stiction/qp/solvers/componentwise_secant.h>
 #include <stiction/simulation/contact_problem.h>
 #include <stiction/simulation/parameters/parameters.h>
+#include <stiction/simulation/warnings/pair_warnings.h>
 
 #include <deal.II/base/timer.h>
 
@@ -137,8 +139,14 @@ namespace stiction
                  status_.interrupted};
     if (status_.converged)
       {
+        const auto of_facets = [&](const ContactBoundary &pair) {
+          return share_of_facets(pair,
+                                 pair_figures(elasticity(), contact_surface(), pair,
+                                              state_, state_.scales.force),
+                                 *body_, *certificate_);
+        };
         const std::string slide =
-          why_slid_off(elasticity(), contact_surface(), state_, units_);
+          why_slid_off(elasticity(), contact_surface(), state_, of_facets, units_);
         if (!slide.empty())
           status_ = {false, slide, status_.interrupted, false, true};
         return;

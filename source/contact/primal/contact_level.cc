@@ -331,9 +331,10 @@ namespace stiction
     if (balance_.e.size() == 0 || n_nodes() == 0)
       return;
     const Eigen::VectorXd pressed = (a.array() > 0.).select(areas_, 0.);
-    if (elasticity_.free_motions().n() > 0)
+    // ties hold bodies that touch nothing
+    if (elasticity_.free_motions().n() > 0 && !slip_bound_.has_tied())
       {
-        if (slip_bound_.has_tied() || pressed.sum() > part * areas_.sum())
+        if (pressed.sum() > part * areas_.sum())
           return;
         const Eigen::VectorXd ways =
           qp::rigid_place(balance_, -state.w, nodal_stiffness(), slip_bound_).alpha;

@@ -268,10 +268,7 @@ namespace stiction
     void add_facets(const ContactBoundary &pair, const PairFigures &figures,
                     const Body &body, const Certificate &certificate, Warnings &warnings)
     {
-      double energy = 0.;
-      for (const unsigned int piece : pair.pieces(body))
-        energy += certificate.strain_energy(piece);
-      const double share = figures.climbed / energy;
+      const double share = share_of_facets(pair, figures, body, certificate);
       if (share > much_from_facets)
         warnings.push_back(
           {"facets of " + pair.name(), share,
@@ -311,6 +308,15 @@ namespace stiction
                 : ".")});
     }
   } // namespace
+
+  double share_of_facets(const ContactBoundary &pair, const PairFigures &figures,
+                         const Body &body, const Certificate &certificate)
+  {
+    double energy = 0.;
+    for (const unsigned int piece : pair.pieces(body))
+      energy += certificate.strain_energy(piece);
+    return figures.climbed / energy;
+  }
 
   void add_warnings_of_pair(const ContactBoundary &pair, const ContactSurface &surface,
                             const PairFigures &figures, const Body &body,

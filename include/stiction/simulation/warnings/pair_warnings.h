@@ -11,6 +11,11 @@ namespace stiction
   struct PairFigures;
   struct Units;
 
+  /// The part of the strain energy of both bodies that is from facets, see
+  /// climbed_facets().
+  double share_of_facets(const ContactBoundary &pair, const PairFigures &figures,
+                         const Body &body, const Certificate &certificate);
+
   /// Adds what the certificate does not tell of a pair: tractions that waver and, if it
   /// is not tied, overlaps, forces beyond edges, ways, gaps, tilt, joints and facets.
   ///
