@@ -256,6 +256,29 @@ namespace
                          method)
           << std::endl;
   }
+
+  // A ball that begins above a coated block: it is brought to where it touches.
+  void press_a_coating()
+  {
+    const Run run            = solve(file(
+                 "coating.prm",
+                 brick("block", "2,2,1", "3,3,2", "0;0;-1") +
+                   brick("coating", "2,2,0.2", "8,8,2", "0;0;0") +
+                   section("Boundary conditions",
+                           {"Prescribed displacement = block.bottom : 0; 0; 0"}) +
+                   section("Contact pair bond", {"Boundary = coating.bottom",
+                                                 "Obstacle = boundary : block.top", "Law = tied"}) +
+                   section("Contact pair ball",
+                           {"Boundary = coating.top", "Obstacle = sphere : 1.05; 0.95; 4.21; 4",
+                            "Force = 0; 0; -3", "Law = frictionless"}) +
+                   tolerance("1e-9")));
+    const auto summary       = run.summary();
+    const unsigned int steps = summary["solver"]["newton_steps"];
+    const double force       = summary["contact"]["boundaries"][1]["normal_force"];
+    out() << "pressed coating: certified " << yes(run.converged) << ", force "
+          << yes(std::abs(force - 3.) < 1e-2) << ", Newton steps at most 6 "
+          << yes(steps <= 6) << std::endl;
+  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -272,4 +295,5 @@ int main(int argc, char **argv)
       hold_a_rim();
       hang_a_body();
     }
+  press_a_coating();
 }

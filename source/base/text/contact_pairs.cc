@@ -68,8 +68,15 @@ namespace stiction
       return other.name == pair;
     });
     if (found == pairs_.end())
-      throw InputError(where + ": there is no section '" + pair +
-                       "', must be one of the parameter file.");
+      {
+        std::vector<std::string> known;
+        for (const Pair &other : pairs_)
+          known.push_back(other.name);
+        throw InputError(where + ": there is no section '" + pair + "'" +
+                         did_you_mean(pair, known) +
+                         ", must be one of the parameter file" +
+                         (known.empty() ? "." : ", " + in_quotes(known) + "."));
+      }
     const std::vector<std::string> names = entry_names();
     if (std::count(names.begin(), names.end(), entry) == 0)
       throw InputError(where + ": unknown entry '" + entry + "' in section '" + pair +

@@ -3,6 +3,7 @@
 #include <stiction/base/text/did_you_mean.h>
 #include <stiction/base/text/in_words.h>
 #include <stiction/base/text/parameter_file.h>
+#include <stiction/base/text/parameter_pattern.h>
 #include <stiction/base/text/read_line.h>
 #include <stiction/base/text/utf8.h>
 
@@ -44,8 +45,16 @@ namespace stiction
 
     std::string unknown_section(const Declarations &all, const std::string &section)
     {
-      return ": unknown section '" + section + "'" + did_you_mean(section, keys_of(all)) +
-             ", allowed are " + in_quotes(keys_of(all)) + ".";
+      std::vector<std::string> known = keys_of(all), allowed = known;
+      for (const std::string named : {"Body ", "Contact pair "})
+        {
+          allowed.push_back(named + "NAME");
+          if (section.size() > named.size() &&
+              section.compare(0, named.size(), named) != 0)
+            known.push_back(named + section.substr(named.size()));
+        }
+      return ": unknown section '" + section + "'" + did_you_mean(section, known) +
+             ", allowed are " + in_quotes(allowed) + ".";
     }
 
     std::string unknown_entry(const Declarations &all, const std::string &section,
@@ -57,59 +66,6 @@ namespace stiction
           hint = " (it stands in the section '" + other.key() + "')";
       return ": unknown entry '" + name + "' in section '" + section + "'" + hint +
              ", allowed are " + in_quotes(keys_of(all[section])) + ".";
-    }
-
-    // The choices of deal.II's "[Selection a|b|c ]"; none of other patterns.
-    std::vector<std::string> choices(const std::string &pattern)
-    {
-      const std::string begin = "[Selection";
-      if (pattern.rfind(begin, 0) != 0)
-        return {};
-      std::vector<std::string> names = dealii::Utilities::split_string_list(
-        trim(pattern.substr(begin.size(), pattern.rfind(']') - begin.size())), '|');
-      names.erase(std::remove(names.begin(), names.end(), ""), names.end());
-      return names;
-    }
-
-    // deal.II's "[Double 0...1 (inclusive)]" in words.
-    std::string allowed(const std::string &pattern)
-    {
-      const auto inside = [&](const std::string &begin) {
-        const std::size_t from = pattern.find(begin) + begin.size();
-        return trim(pattern.substr(from, pattern.find_last_of("](") - from));
-      };
-      const auto range = [](const std::string &text) {
-        const std::size_t dots = text.find("...");
-        if (dots == std::string::npos)
-          return text;
-        const std::string low = text.substr(0, dots), high = text.substr(dots + 3);
-        if (low.rfind("-MAX", 0) == 0)
-          return std::string();
-        if (high.rfind("MAX", 0) == 0 || high == "2147483647")
-          return " of at least " + low;
-        return " from " + low + " to " + high;
-      };
-
-      if (!choices(pattern).empty())
-        return "one of " + in_quotes(choices(pattern));
-      if (pattern.rfind("[Bool", 0) == 0)
-        return "true or false";
-      if (pattern.rfind("[Double", 0) == 0)
-        return "a number" + range(inside("[Double"));
-      if (pattern.rfind("[Integer range", 0) == 0)
-        return "an integer" + range(inside("[Integer range"));
-      if (pattern == "[Integer]")
-        return "an integer";
-      if (pattern.rfind("[List", 0) == 0)
-        {
-          const std::size_t of      = pattern.find('<') + 1;
-          const std::size_t to      = pattern.rfind('>');
-          const std::size_t n       = pattern.find("...", to) + 3;
-          const std::string at_most = pattern.substr(n, pattern.find(' ', n) - n);
-          return (at_most == "1" ? "" : at_most + " entries separated by ',', each ") +
-                 allowed(pattern.substr(of, to - of));
-        }
-      return pattern;
     }
 
     // The next line that is no comment, and those that go on from it; false at the
@@ -178,8 +134,8 @@ namespace stiction
       {
         const std::string pattern = all[section][name]["pattern_description"];
         throw InputError(where + ": " + section + "/" + name + " = " + value +
-                         ", must be " + allowed(pattern) +
-                         did_you_mean(value, choices(pattern)) + ".");
+                         ", must be " + in_words(pattern) +
+                         did_you_mean(value, choices_of(pattern)) + ".");
       }
     prm.leave_subsection();
     if (value.find_first_of("#\n\r") != std::string::npos)
