@@ -42,12 +42,15 @@ def read(directory):
         with open(file, encoding="utf-8", newline="") as stream:
             for row in csv.DictReader(stream):
                 if row["dissipated_total"]:
-                    boundaries.setdefault(row.get("pair") or row["boundary"],
+                    boundaries.setdefault((row["boundary"], row.get("pair")),
                                           []).append(row)
+        names = [pair or boundary for boundary, pair in boundaries]
+        names = [name if names.count(name) == 1 else ", ".join(filter(None, both[::-1]))
+                 for name, both in zip(names, boundaries)]
         return {name: {column: np.array([float(row[column] or "nan")
                                          for row in rows])
                        for column in rows[0] if column not in WORDS}
-                for name, rows in boundaries.items()}
+                for name, rows in zip(names, boundaries.values())}
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise Unusable(f"{file} cannot be read: {error}.") from error
 
@@ -151,7 +154,7 @@ def draw_curves(axes, names, start, what, words, unit, curves, units):
                 axes.plot([start / 10.0**exponents[0], place_shown[0]], [0, shown[0]],
                           ":", color=color, linewidth=1)
     if left_out:
-        axes.plot([], [], " ", label=f"and {left_out} below {SMALL_PART:.0%} of the largest")
+        axes.plot([], [], " ", label=f"and {left_out} below {100 * SMALL_PART:.0f} % of the largest")
     axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
     axes.set_xlabel(label(words, units["length"] if unit is None else unit,
                           exponents[0]), size=NORMAL, color=TEXT)

@@ -88,9 +88,10 @@ class Curves(unittest.TestCase):
         header, self.HEADER = self.HEADER, "pair,opposite," + self.HEADER
         boundaries = self.read("floor,,1,a,0,0,-5,,0,0,0,0,0,0\n"
                                "key,slot,1,b,0,0,-5,,0,0,0,0,0,0\n"
-                               ",,1,c,0,0,-5,,0,0,0,0,0,0\n")
+                               ",,1,c,0,0,-5,,0,0,0,0,0,0\n"
+                               ",,1,floor,0,0,-5,,0,0,0,0,0,0\n")
         self.HEADER = header
-        self.assertEqual(list(boundaries), ["floor", "key", "c"])
+        self.assertEqual(list(boundaries), ["floor, a", "key", "c", "floor"])
 
     def test_small_curves_of_many(self):
         for n, left_out in ((8, 0), (9, 8)):
@@ -98,7 +99,7 @@ class Curves(unittest.TestCase):
                 f"1,{name},0,0,{-0.1 if name else -50},0,0,0,0,0,0,0\n"
                 for name in range(n))), words.units_of({}))
             said = [text.get_text() for text in figure.axes[0].get_legend().texts]
-            self.assertEqual(said[-1].startswith(f"and {left_out} below 2%"), left_out > 0)
+            self.assertEqual(said[-1].startswith(f"and {left_out} below 2 %"), left_out > 0)
             self.assertEqual(len(said), n if not left_out else 2)
 
     def test_nothing_moves_and_no_force(self):

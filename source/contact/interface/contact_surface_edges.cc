@@ -1,8 +1,9 @@
 // Nodes of several contact boundaries, or of parts of one that meet at a sharp edge: they
 // bear the forces of the first of these alone. What the others exert on the area around
-// them is borne by nodes beside them, for both: a force λ_i acts by parts at node i and
-// at those it bears for, and the gap and slip that it closes are the means of theirs. As
-// with the crosspoints of mortar methods (B. Wohlmuth, A mortar finite element method
+// them, and what there is around nodes of degree 2 of which a sliver has something
+// opposite, is borne by nodes beside them, for both: a force λ_i acts by parts at node i
+// and at those it bears for, and the gap and slip that it closes are the means of theirs.
+// As with the crosspoints of mortar methods (B. Wohlmuth, A mortar finite element method
 // using dual spaces for the Lagrange multiplier, 2000) a pressure that is the same
 // everywhere is borne exactly.
 
@@ -12,7 +13,11 @@
 #include <stiction/contact/interface/contact_surface.h>
 #include <stiction/contact/pairs/held_slaves.h>
 #include <stiction/contact/pairs/mortar.h>
+#include <stiction/elasticity/mesh/body.h>
+#include <stiction/elasticity/stiffness/linear_elasticity.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -24,10 +29,43 @@ namespace stiction
   {
     // Of the area around a node: with less opposite it bears for no other.
     constexpr double least_cover_of_bearers = 0.1;
+
+    // Of the weights by which a node sees what is opposite: their sum is 1, that of their
+    // sizes 2 to 4 on meshes that do not match.
+    constexpr double largest_weights = 10.;
   } // namespace
+
+  void ContactSurface::lend_slivers(const LinearElasticity &elasticity)
+  {
+    const auto is_sliver = [&](const ContactNode &node) {
+      if (!boundary_of(node).is_pair() || boundary_of(node).is_tied())
+        return false;
+      const Mortar &mortar = mortars_[node.boundary][node.part];
+      const auto weights   = mortar.weights.row(mortar.row_of(node.first_dof));
+      return node.area < 0. || weights.cwiseAbs().sum() > largest_weights;
+    };
+    std::vector<ContactNode> slivers, others, bearers;
+    for (const ContactNode &node : nodes_)
+      (is_sliver(node) ? slivers : others).push_back(node);
+    std::copy_if(
+      others.begin(), others.end(), std::back_inserter(bearers),
+      [](const ContactNode &node) { return node.cover >= least_cover_of_bearers; });
+    std::set<std::size_t> borne;
+    for (const auto &neighbour :
+         neighbours_on_boundary(elasticity, boundaries_, parts_, slivers, bearers))
+      borne.insert(neighbour.row());
+    for (std::size_t k = 0; k < slivers.size(); ++k)
+      if (borne.count(k) > 0)
+        lenders_.push_back(slivers[k]);
+      else if (slivers[k].area > 0.) // a body that stands within a face of the other one
+        others.push_back(slivers[k]);
+    nodes_ = std::move(others);
+  }
 
   void ContactSurface::lend_areas(const LinearElasticity &elasticity)
   {
+    if (elasticity.body().dof_handler().get_fe().degree > 1)
+      lend_slivers(elasticity);
     const auto k = static_cast<Eigen::Index>(lenders_.size());
     loans_.resize(n_nodes(), k);
     if (k == 0)
@@ -60,6 +98,8 @@ namespace stiction
     for (Eigen::Index i = 0; i < n_nodes(); ++i)
       {
         ContactNode &node = nodes_[i];
+        if (node.area + loans_.row(i).sum() <= 0.)
+          loans_.row(i) *= 0.;
         const double area = node.area + loans_.row(i).sum();
         loans_.row(i) /= area;
         node.own_part = node.area / area;

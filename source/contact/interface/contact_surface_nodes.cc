@@ -35,11 +35,6 @@ namespace stiction
     // Of a pair the side with the forces need not be the one that it says.
     const std::string contact_boundary_entry = "Boundary conditions/Contact boundary";
 
-    // Of the weights by which a node sees what is opposite: their sum is 1, that of their
-    // sizes 2 or 3 on meshes that do not match, and below 10 at edges if faces have four
-    // nodes.
-    constexpr double largest_weights = 10.;
-
     // Of the area around a node: with less opposite it is beyond an edge.
     constexpr double mostly_covered = 0.5;
 
@@ -162,16 +157,6 @@ namespace stiction
   void ContactSurface::place_obstacles()
   {
     std::vector<ContactNode> placed, away, facing, held;
-    // Shape functions of degree 2 change signs where hardly anything is opposite: their
-    // integrals nearly vanish there or are negative, and what is opposite would be
-    // followed a thousandfold. Nodes beside such ones bear what is left of them.
-    const auto hardly_faces = [&](const ContactNode &node) {
-      if (!boundary_of(node).is_pair() || boundary_of(node).is_tied())
-        return false;
-      const Mortar &mortar = mortars_[node.boundary][node.part];
-      const auto weights   = mortar.weights.row(mortar.row_of(node.first_dof));
-      return node.area < 0. || weights.cwiseAbs().sum() > largest_weights;
-    };
     for (ContactNode &node : nodes_)
       {
         const ContactBoundary &boundary = boundary_of(node);
@@ -181,7 +166,7 @@ namespace stiction
               away.push_back(node);
           }
         else if (set_tangents(node))
-          (hardly_faces(node) ? lenders_ : placed).push_back(node);
+          placed.push_back(node);
         else if (!boundary.is_tied())
           held.push_back(node);
       }

@@ -147,12 +147,16 @@ namespace stiction
         int n_entries = 0, *columns = nullptr; // local ones
         std::array<double *, 3> values{};
         const bool is_hanging = matrix_->el(rows[i], rows[i]) == 0.;
+        bool is_nodal         = true;
         for (int a = 0; a < 3; ++a)
           {
+            const int n_before = n_entries;
             K.ExtractMyRowView(i + a, n_entries, values[a], columns);
-            for (int k = 0; is_hanging && k < n_entries; ++k)
-              if (unknown_of_column_[columns[k]] == 3 * own + a)
-                values[a][k] = mean_diagonal_;
+            is_nodal = is_nodal && (a == 0 || n_entries == n_before);
+            if (is_hanging)
+              for (int k = 0; k < n_entries; ++k)
+                if (unknown_of_column_[columns[k]] == 3 * own + a)
+                  values[a][k] = mean_diagonal_;
           }
         if (is_hanging)
           continue;
@@ -167,7 +171,8 @@ namespace stiction
             const unsigned int node = node_of(k);
             if (!is_held[own] && !is_held[node] && node != own)
               continue;
-            if (k + 2 >= n_entries || node_of(k + 1) != node || node_of(k + 2) != node)
+            if (!is_nodal || k + 2 >= n_entries || node_of(k + 1) != node ||
+                node_of(k + 2) != node)
               throw std::logic_error("the stiffness matrix does not "
                                      "consist of nodal blocks");
             Eigen::Matrix3d block;

@@ -109,7 +109,16 @@ namespace stiction
   void StepHistory::add(StepResult step)
   {
     for (std::size_t b = 0; b < step.boundaries.size() && !steps_.empty(); ++b)
-      step.boundaries[b].dissipated_total += steps_.back().boundaries[b].dissipated_total;
+      {
+        BoundaryStep &boundary = step.boundaries[b];
+        boundary.dissipated_total += steps_.back().boundaries[b].dissipated_total;
+        // a run that goes on from an older one calls boundaries as it does
+        for (StepResult &before : steps_)
+          {
+            before.boundaries[b].section_name = boundary.section_name;
+            before.boundaries[b].opposite     = boundary.opposite;
+          }
+      }
     steps_.push_back(std::move(step));
     append("history.csv", history_header, history_rows);
     append("energy.csv", energy_header, energy_row);

@@ -329,13 +329,15 @@ namespace stiction
 
     /// Finds what lies opposite to a node. @return whether something does.
     bool place(ContactNode &node) const;
-
     /// Takes area and gap of a node of a pair from its mortar.
-    /// @return whether enough of what is around it has something opposite.
+    /// @return whether enough has something opposite; of degree 2 areas may be negative.
     bool place_in_pair(ContactNode &node) const;
-    /// Has nodes bear forces for those beside them that belong to an earlier boundary:
-    /// gives them a part of their areas, and the means of gaps, arms and places. Lenders
-    /// without such a neighbour become idle. Collective.
+    /// Makes lenders of nodes of degree 2 with hardly anything opposite, where integrals
+    /// of shape functions, which change signs, nearly vanish or are negative. Collective.
+    void lend_slivers(const LinearElasticity &elasticity);
+    /// Has nodes bear forces for those beside them that belong to an earlier boundary, or
+    /// hardly have something opposite: gives them a part of their areas, and the means of
+    /// gaps, arms and places. Lenders without such a neighbour become idle. Collective.
     void lend_areas(const LinearElasticity &elasticity);
     /// What lies opposite, where nodes bear forces for others as well. Collective.
     ContactOperator::OtherSide with_loans(
@@ -367,13 +369,13 @@ namespace stiction
 
     std::vector<ContactBoundary> boundaries_;
     std::vector<double> angles_before_; ///< of the obstacles
-    std::vector<std::vector<Mortar>>
-      mortars_; ///< of the parts of each, none of those with obstacles
+    /// Of the parts of each, none of those with obstacles.
+    std::vector<std::vector<Mortar>> mortars_;
     SmoothParts parts_;
     std::vector<ContactNode> nodes_, facing_away_;
     std::vector<ContactNode> idle_;    ///< of a boundary whose forces do not act on them
     ContactOperator idle_B_;           ///< of these
-    std::vector<ContactNode> lenders_; ///< of a boundary after one whose forces they bear
+    std::vector<ContactNode> lenders_; ///< nodes for which others bear, see lend_areas()
     /// Of the area of node i, the part that lender j had.
     Eigen::SparseMatrix<double, Eigen::RowMajor> loans_;
     /// By the first unknown of a lender, the place of its boundary and the part of that.
