@@ -230,7 +230,7 @@ def draw_slot(page, slot, place, names, run):
     draw_pressure(pressure, slot.panel, largest)
     frame(pressure, slot, units["length"], upwards=slot.stacked)
     words = "pressure" if run.certified else "pressure, not certified"
-    if (slot.panel.pressure[slot.panel.kind == contact_panels.TIED] < 0).any():
+    if contact_panels.has_tension(slot.panel):
         words += ", green: tension"
     peak = slot.panel.pressure.max()
     # above the picture is the largest of all, and the scale may end with it
@@ -313,7 +313,7 @@ def draw_pressure(axes, panel, largest):
     draw_outline(axes, panel)
     pieces = int(np.clip(math.sqrt(30000 / panel.shown.sum()), 1, 8))
     places, values = contact_panels.subdivided(panel, pieces)
-    if not (panel.kind == contact_panels.TIED).any():
+    if not contact_panels.has_tension(panel):
         values = np.maximum(values, 0)  # rounding, or what one mesh passes to another
     ids = np.arange(values.size).reshape(values.shape)
     quads = [ids[:, :-1, :-1], ids[:, 1:, :-1], ids[:, 1:, 1:], ids[:, :-1, 1:]]

@@ -22,6 +22,7 @@ NOTHING = 1e-6  # parts of the largest pressure that are none
 EVEN = 1e-3  # of all forces: with less of a resultant a cylinder is pressed all around
 AT_EDGES = 0.1  # of the force: what a few nodes at an edge bear
 PEAK = 3  # times the pressure elsewhere: with more of it at edges they set no scale
+HARDLY = 1e-2  # of the largest pressure: tension that is not shown
 PALE = 1 / 3  # of a scale: a boundary with less than that has one of its own
 OPEN_ARC = 0.1  # of the area: a closed cylinder's area vectors add to nothing
 WIDE = 0.65  # the cosine of half an arc: beyond it a view has its ends edge-on
@@ -48,6 +49,12 @@ def end_of_colors(ends, boundary):
     own where nothing would be seen of it beside that."""
     own, largest = ends[boundary], ends.max()
     return own if ROUNDING * largest < own < PALE * largest else largest
+
+
+def has_tension(panel):
+    """Whether ties pull by more than a hundredth of what presses: less is of the mesh."""
+    pulls = -panel.pressure[panel.kind == TIED].min(initial=0)
+    return pulls > HARDLY * panel.pressure.max()
 
 
 def touched(contact):

@@ -362,6 +362,14 @@ class Page(unittest.TestCase):
                 if axes.get_xlabel().startswith("pressure")]
         self.assertEqual(bars, [("pressure, up to 2 [MPa]", end) for end in (200, 2, 200)])
 
+    def test_ties_that_hardly_pull(self):
+        for pull, is_shown in ((0.5, False), (5, True)):
+            panel = SimpleNamespace(kind=np.full(2, panels.TIED),
+                                    pressure=np.array([-pull, 100.]))
+            self.assertEqual(panels.has_tension(panel), is_shown)
+        self.assertFalse(panels.has_tension(SimpleNamespace(
+            kind=np.full(2, panels.STICK), pressure=np.array([-5., 100.]))))
+
     def test_the_longest_words_of_a_color_bar(self):
         drawn = page.Page(5)
         drawn.color_bar(10, 1, 2.55, page.PRESSURE, 2e7,
