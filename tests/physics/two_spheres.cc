@@ -82,7 +82,8 @@ end
           {
             rows.emplace_back();
             for (std::size_t i = 0; i < values.size(); ++i)
-              if (!values[i].empty() && names[i] != "boundary")
+              if (!values[i].empty() && names[i] != "boundary" && names[i] != "pair" &&
+                  names[i] != "opposite")
                 rows.back()[names[i]] = std::stod(values[i]);
           }
       }

@@ -81,17 +81,24 @@ namespace stiction
         node.boundary = numbers::invalid_unsigned_int;
     const auto neighbours =
       neighbours_on_boundary(elasticity, boundaries_, parts_, lenders_, among);
+    // what is beyond an edge has no pressure
+    std::set<types::global_dof_index> of_several;
+    for (const ContactNode &node : nodes_)
+      if (lend.count(node.first_dof) > 0)
+        of_several.insert(node.first_dof);
     std::vector<Eigen::Triplet<double>> lent;
     for (const auto &neighbour : neighbours)
       {
         const ContactNode &lender = lenders_[neighbour.row()];
-        bearers_[{lender.first_dof, lender.boundary, lender.part}].emplace_back(
-          neighbour.col(), neighbour.value());
+        if (of_several.count(lender.first_dof) > 0)
+          bearers_[{lender.first_dof, lender.boundary, lender.part}].emplace_back(
+            neighbour.col(), neighbour.value());
         lent.emplace_back(neighbour.col(), neighbour.row(),
                           neighbour.value() * lender.area);
       }
     for (const ContactNode &lender : lenders_)
-      if (bearers_.count({lender.first_dof, lender.boundary, lender.part}) == 0)
+      if (of_several.count(lender.first_dof) > 0 &&
+          bearers_.count({lender.first_dof, lender.boundary, lender.part}) == 0)
         idle_.push_back(lender);
     loans_.setFromTriplets(lent.begin(), lent.end());
 
