@@ -154,7 +154,8 @@ def draw_curves(axes, names, start, what, words, unit, curves, units):
                 axes.plot([start / 10.0**exponents[0], place_shown[0]], [0, shown[0]],
                           ":", color=color, linewidth=1)
     if left_out:
-        axes.plot([], [], " ", label=f"and {left_out} below {100 * SMALL_PART:.0f} % of the largest")
+        axes.plot([], [], " ",
+                  label=f"and {left_out} below {100 * SMALL_PART:.0f} % of the largest")
     axes.axhline(0, color="#C4C4C4", linewidth=0.8, zorder=0)
     axes.set_xlabel(label(words, units["length"] if unit is None else unit,
                           exponents[0]), size=NORMAL, color=TEXT)

@@ -110,14 +110,17 @@ namespace stiction
   {
     for (std::size_t b = 0; b < step.boundaries.size() && !steps_.empty(); ++b)
       {
-        BoundaryStep &boundary = step.boundaries[b];
-        boundary.dissipated_total += steps_.back().boundaries[b].dissipated_total;
+        BoundaryStep &boundary   = step.boundaries[b];
+        const BoundaryStep &last = steps_.back().boundaries[b];
+        boundary.dissipated_total += last.dissipated_total;
         // a run that goes on from an older one calls boundaries as it does
-        for (StepResult &before : steps_)
-          {
-            before.boundaries[b].section_name = boundary.section_name;
-            before.boundaries[b].opposite     = boundary.opposite;
-          }
+        if (last.section_name != boundary.section_name ||
+            last.opposite != boundary.opposite)
+          for (StepResult &before : steps_)
+            {
+              before.boundaries[b].section_name = boundary.section_name;
+              before.boundaries[b].opposite     = boundary.opposite;
+            }
       }
     steps_.push_back(std::move(step));
     append("history.csv", history_header, history_rows);

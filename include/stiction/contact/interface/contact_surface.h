@@ -335,9 +335,9 @@ namespace stiction
     /// Makes lenders of nodes of degree 2 with hardly anything opposite, where integrals
     /// of shape functions, which change signs, nearly vanish or are negative. Collective.
     void lend_slivers(const LinearElasticity &elasticity);
-    /// Has nodes bear forces for those beside them that belong to an earlier boundary, or
-    /// hardly have something opposite: gives them a part of their areas, and the means of
-    /// gaps, arms and places. Lenders without such a neighbour become idle. Collective.
+    /// Has nodes bear forces for slivers beside them and for nodes of an earlier
+    /// boundary: gives them a part of their areas, and the means of gaps, arms and
+    /// places. Of the latter those without such a neighbour become idle. Collective.
     void lend_areas(const LinearElasticity &elasticity);
     /// What lies opposite, where nodes bear forces for others as well. Collective.
     ContactOperator::OtherSide with_loans(
